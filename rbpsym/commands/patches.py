@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Iterator
 from difflib import unified_diff
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rbpsym.verify.paper_macros import changed
+
 if TYPE_CHECKING:
     from rbpsym.verify.claims_model import Result
 
 _MARKED_UP = (".md", ".markdown", ".myst", ".html", ".htm")
-COMMENTS = {".rst": (".. rbpsym{}", ""), **dict.fromkeys(_MARKED_UP, ("<!-- rbpsym{}", " -->"))}
+COMMENTS = {".rst": (".. rbpsym{}", ""), ".typ": ("// rbpsym{}", ""), **dict.fromkeys(_MARKED_UP, ("<!-- rbpsym{}", " -->"))}
 
 
 def draft_of(path: Path) -> str:
@@ -46,19 +49,26 @@ def _repaired(file: str, wrong: list[Result]) -> str:
     text = "".join(old)
     for result in wrong:
         start = len("".join(old[: max(result.line - 1, 0)]))
-        for latex, fix in _spellings(result):
-            place = text.find(latex, max(start - 200, 0)) if latex else -1
-            if place >= 0:
-                text = f"{text[:place]}{fix}{text[place + len(latex) :]}"
+        for pattern, fix in _spellings(result):
+            if found := pattern.search(text, max(start - 200, 0)):
+                text = f"{text[: found.start(1)]}{fix}{text[found.end(1) :]}"
                 break
     return diff(file, old, text.splitlines(keepends=True))
 
 
-def _spellings(result: Result) -> Iterator[tuple[str, str]]:
-    """The formula and its repair as LaTeX, and as a notebook holds them."""
-    pair = result.latex.strip(), result.fix.strip()
-    yield pair
-    yield json.dumps(pair[0])[1:-1], json.dumps(pair[1])[1:-1]
+_BETWEEN = r"(?:\s|(?<!\\)%[^\n]*+\n|\\label\s*+\{[^{}]*+\}|\\tag\*?\{[^{}]*+\})*+"  # of a formula, and not of what it says
+_TOKEN = re.compile(r"\\[A-Za-z]+|\S")
+
+
+def _spellings(result: Result) -> Iterator[tuple[re.Pattern[str], str]]:
+    """The formula with what is to be replaced as a group, and what replaces it: as LaTeX, and as a notebook holds it."""
+    latex = result.latex.strip()
+    begin, old, new = changed(latex, result.fix.strip())
+    parts = latex[:begin], old, latex[begin + len(old) :]
+    for own, between in ((str, _BETWEEN), (lambda part: json.dumps(part)[1:-1], rf'(?:{_BETWEEN}|\\n(?:",\s*+")?)*+')):
+        before, inside, behind = (between.join(re.escape(own(token)) for token in _TOKEN.findall(part)) for part in parts)
+        glue = between if before and (inside or behind) else ""
+        yield re.compile(f"{before}{glue}({inside}){between if behind else ''}{behind}"), own(new)
 
 
 def lines_in(file: str) -> list[str]:

@@ -13,12 +13,12 @@ from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 from pathlib import Path
 
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Outcome, Printed, Result, Setting
 from rbpsym.verify.claims_run import digest
 from rbpsym.verify.paper_claims import Beside
-from rbpsym.verify.paper_macros import expanded
+from rbpsym.verify.paper_macros import expanded, unexpanded
 from rbpsym.verify.paper_source import told_at
 from rbpsym.verify.paper_walk import Formula, Paper
 
@@ -123,6 +123,8 @@ def plain(latex: str) -> str:
 
 def printed(formula: Formula, paper: Paper) -> Printed:
     """The formula of the paper with its macros put in. Raises ReadError told in its line."""
+    if formula.fault:
+        raise ReadError(formula.fault, instead="Close it.", place=paper.text.place(formula.block))
     try:
         latex = expanded(formula.latex, paper.macros)
     except RbpsymError as error:
@@ -185,9 +187,13 @@ class PaperChecker:
             found = self.checkers[claim.id].check(claim, own)
         except RbpsymError as error:
             found = unread(claim, self._told(error, formula))
-        return replace(
-            found, latex=formula.latex, line=formula.line, file=formula.file, number=formula.number or claim.number
-        )
+        links = tuple(replace(link, fix=self._own(link.fix, formula)) for link in found.links)
+        number = formula.number or claim.number
+        return replace(found, links=links, latex=formula.latex, line=formula.line, file=formula.file, number=number)
+
+    def _own(self, fix: str, formula: Formula) -> str:
+        """A repaired formula with the macros of its author."""
+        return unexpanded(formula.latex, fix, self.paper.macros) if fix else ""
 
     def _only_claimed(self, claim: Claim) -> Result:
         """A claim in words, or one whose formula is not in the paper any more."""

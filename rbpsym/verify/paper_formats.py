@@ -12,119 +12,125 @@ import re
 from collections.abc import Callable, Mapping
 
 from rbpsym.errors import Place, ReadError
+from rbpsym.verify.paper_marks import NOTE, NOTE_END, SPAN, Marked, blank, comment, display, noted
+from rbpsym.verify.paper_typst import of_typst
 
-NOTE, NOTE_END = "\ue000", "\ue001"
 Lines = list[tuple[int, str]]  # the number of each line in its file, and the line
 
-_PARAGRAPH = r"(?:(?!\n[ \t]*\n)[^$])"
+SINGLE = ("equation", "multline", "displaymath", "math", "dmath", "empheq")
+ROWED = ("align", "eqnarray", "gather", "alignat", "flalign", "IEEEeqnarray", "dgroup")
 _MATH = (
-    r"(?P<kept>\\begin\{(?P<name>\w+\*?)\}.{0,20000}?\\end\{(?P=name)\}|(?<!\\)\\\[.*?\\\]|(?<!\\)\\\(.*?\\\))"
-    r"|\$\$(?P<display>.{1,20000}?)\$\$(?:[ \t]*\((?P<label>[\w:.-]+)\))?"
-    rf"|(?<!\\)\$(?P<tick>`?)(?=\S)(?P<inline>{_PARAGRAPH}{{1,2000}}?)(?<=\S)(?P=tick)\$(?!\d)"
-    r"|(?P<sign>(?<!\\)[$%])"
+    rf"\\begin\{{(?P<name>(?:{'|'.join((*SINGLE, *ROWED))})\*?)\}}|(?<!\\)(?P<bracket>\\[\[(])|(?P<display>\$\$)"
+    r"|(?P<inline>(?<!\\)\$`?)(?=\S)|(?P<sign>(?<!\\)[$%])"
 )
-_COMMENT = r"<!--(?P<comment>.{0,20000}?)-->"
 _MARKDOWN = re.compile(
-    rf"{_COMMENT}"
-    r"|^[ \t]*%[ \t]*rbpsym:(?P<line>[^\n]*)$"
-    r"|^(?P<in>[ \t>]*)(?P<mark>`{3,}|~{3,}|:{3,})[ \t]*(?P<kind>\{?[\w:.+#-]*\}?)"
-    r"(?P<rest>[^\n]*)\n(?P<body>.*?)^[ \t>]*(?P=mark)[ \t]*$"
-    r"|(?P<role>\{math\})?(?P<span>(?<!`)`+)(?!`)(?P<code>(?:(?!\n[ \t]*\n).){1,2000}?)(?<!`)(?P=span)(?!`)"
-    rf"|\\\\(?P<bracket>[\[\]()])|{_MATH}",
-    re.S | re.M,
+    r"(?P<comment><!--)|^[ \t]*+%[ \t]*+rbpsym:(?P<line>[^\n]*+)$"
+    r"|^(?P<in>[ \t>]*+)(?P<mark>(?P<tick>[`~:])(?P=tick){2,19}+)[ \t]*+(?P<kind>\{?[\w:.+#-]*+\}?+)(?P<rest>[^\n]*+)\n"
+    rf"|(?P<role>\{{math\}})?(?<!`)(?P<span>`++)|\\\\(?P<escaped>[\[\]()])|{_MATH}",
+    re.M,
 )
-_HTML = re.compile(
-    rf"{_COMMENT}|<script[^>]*math/tex(?P<mode>[^>]*)>(?P<tex>.*?)</script\s*>"
-    r"|<(?P<tag>script|style|pre|code)\b.*?</(?P=tag)\s*>|</?[A-Za-z!][^<>]*>",
-    re.S | re.I,
-)
-_SHOWN = re.compile(_MATH, re.S)
+_HTML = re.compile(r"(?P<comment><!--)|<(?P<tag>/?[A-Za-z!][^<>]*+)>")
+_SHOWN = re.compile(_MATH)
 _RST = re.compile(
-    r"^(?P<in>[ \t]*)\.\.[ \t]+(?P<kind>math::|rbpsym:|[\w-]*code[\w-]*::)(?P<rest>[^\n]*)"
-    r"(?P<body>(?:\n[ \t]*(?=\n|\Z)|\n(?P=in)[ \t]+[^\n]*)*)"
+    r"^(?P<in>[ \t]*+)\.\.[ \t]++(?P<kind>math::|rbpsym:|include::|toctree::|[\w-]{0,20}code[\w-]{0,20}::)(?P<rest>[^\n]*+)"
+    r"(?P<body>(?:\n[ \t]*+(?=\n|\Z)|\n(?P=in)[ \t]+[^\n]*+)*+)"
     r"|:math:`(?P<inline>[^`]+)`|(?P<sign>(?<!\\)[$%])",
     re.M,
 )
-_OPTION = re.compile(r"^[ \t]*:(\w+):[ \t]*(.*)$", re.M)
-_SAYS = re.compile(r"\s*rbpsym:(.*)", re.S)
+_LABEL = re.compile(r"[ \t]*+\(([\w:.-]{1,200})\)")
+_STRING = re.compile(r'"(?:[^"\\]|\\.)*+"')
 
 
-def _blank(text: str) -> str:
-    """The ends of its lines alone."""
-    return "\n" * text.count("\n")
+def _math(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+    """A formula between its marks, or a dollar or percent sign of the text."""
+    told, start = found.groupdict(), found.end()
+    if told["name"] or told["bracket"]:
+        mark = rf"\\end\{{{re.escape(told['name'])}\}}" if told["name"] else rf"\\{_CLOSED[told['bracket'][1]]}"
+        closed = text.closing(mark, start)
+        return text.text[found.start() : closed[1] if closed else start], closed[1] if closed else start
+    if told["display"] and (closed := text.closing(r"\$\$", start)) and closed[0] > start:
+        label = _LABEL.match(text.text, closed[1])
+        return display(text.text[start : closed[0]], label[1] if label else ""), label.end() if label else closed[1]
+    if told["inline"] and (closed := text.closing(r"\$", start, SPAN)) and text.paragraph(start, closed[0]):
+        tick, (end, behind) = told["inline"][1:], closed
+        body = text.text[start : end - len(tick)]
+        marked = text.text[start:end].endswith(tick) and not text.text[behind : behind + 1].isdigit()
+        if marked and body and not body[-1].isspace():
+            return rf"\({body}\)", behind
+    return "\\" + found[0][:1] + ("\\$" if told["display"] else found[0][1:]), start
 
 
-def _noted(said: str) -> str:
-    """What is said to us, a note for each line."""
-    return "\n".join(f"{NOTE}{line}{NOTE_END}" if line.strip() else "" for line in said.split("\n"))
-
-
-def _comment(text: str) -> str:
-    found = _SAYS.match(text)
-    return _blank(text[: found.start(1)]) + _noted(found[1]) if found else _blank(text)
-
-
-def _display(body: str, label: str = "") -> str:
-    """A displayed formula; the options of a directive in front of it name it."""
-    options = dict(_OPTION.findall(body))
-    label = label or options.get("label", "")
-    body = _OPTION.sub("", body).rstrip(" \t")
-    if "nowrap" in options:
-        return body
-    end = body.rstrip()
-    name = "equation" if label else "equation*"
-    named = rf"\label{{{label.strip()}}}" if label else ""
-    return rf"\begin{{{name}}}{end}{named}\end{{{name}}}{body[len(end) :]}"
-
-
-def _math(found: re.Match[str]) -> str:
-    """A formula between dollars, or a dollar or percent sign of the text."""
-    told = found.groupdict()
-    if told["display"]:
-        return _display(told["display"], told["label"] or "")
-    if told["inline"]:
-        return rf"\({told['inline']}\)"
-    return "\\" + told["sign"] if told["sign"] else found[0]
+_CLOSED = {"[": r"\]", "(": r"\)"}
 
 
 def _of_markdown(text: str) -> str:
-    return re.sub(r"(?<!\\)%", r"\\%", _MARKDOWN.sub(_markdown_piece, text))
+    return re.sub(r"(?<!\\)%", r"\\%", Marked(text).rewritten(_MARKDOWN, _markdown_piece))
 
 
-def _markdown_piece(found: re.Match[str]) -> str:
-    told = found.groupdict()
-    if told["comment"] is not None:
-        return _comment(told["comment"])
+def _markdown_piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+    told, start = found.groupdict(), found.end()
+    if told["comment"]:
+        return _commented(text, start)
     if told["line"] is not None:
-        return _noted(told["line"])
+        return noted(told["line"]), start
     if told["mark"]:
-        return _fenced(told["kind"].strip("{}"), told["kind"].startswith("{"), told["rest"], told["body"])
+        closed = text.closing(rf"^[ \t>]*+{re.escape(told['mark'])}[ \t]*+$", start, len(text.text))
+        kind = told["kind"]
+        body = text.text[start : closed[0]] if closed else ""
+        made = _fenced(kind.strip("{}"), kind.startswith("{"), told["rest"], body) if closed else blank(found[0])
+        return made, closed[1] if closed else start
     if told["span"]:
-        return rf"\({told['code']}\)" if told["role"] else _blank(told["code"])
-    return "\\" + told["bracket"] if told["bracket"] else _math(found)
+        end = text.span(start, len(told["span"]))
+        code = text.text[start : max(end, start)]
+        return rf"\({code}\)" if told["role"] and code else blank(code), max(end, start) + len(told["span"]) * (end > 0)
+    return ("\\" + told["escaped"], start) if told["escaped"] else _math(text, found)
+
+
+def _commented(text: Marked, start: int) -> tuple[str, int]:
+    """A comment: what it says to us, and its lines."""
+    closed = text.closing("-->", start)
+    return (comment(text.text[start : closed[0]]), closed[1]) if closed else ("", start)
 
 
 def _fenced(kind: str, directive: bool, rest: str, body: str) -> str:
     """A block between fences: a formula, the text of a directive, or code."""
     if kind == "math":
-        return _display(f"{rest}\n{body}")
+        return display(f"{rest}\n{body}")
+    if directive and kind in INCLUDING:
+        return _included(kind, rest, body)
     if directive and "code" not in kind:
         return f"\n{_of_markdown(body)}"
-    return _blank(body) + "\n"
+    return blank(body) + "\n"
+
+
+INCLUDING = ("include", "toctree")
+_NO_FILE = re.compile(r"[*{}]|://|^:")
+
+
+def _included(kind: str, rest: str, body: str) -> str:
+    r"""The files that a directive puts in, as \input, with as many lines."""
+    named = (line.strip() for line in (rest, *body.split("\n")[: None if kind == "toctree" else 0]))
+    names = (re.sub(r".*<([^<>]+)>$", r"\1", name) for name in named)
+    inputs = (rf"\input{{{name}}}" if name and not _NO_FILE.search(name) else "" for name in names)
+    return "\n".join(inputs) + ("" if kind == "toctree" else blank(body) + "\n")
 
 
 def _of_html(text: str) -> str:
-    plain = html.unescape(_HTML.sub(_html_piece, text))
-    return _SHOWN.sub(_math, plain)
+    return Marked(html.unescape(Marked(text).rewritten(_HTML, _html_piece))).rewritten(_SHOWN, _math)
 
 
-def _html_piece(found: re.Match[str]) -> str:
-    told = found.groupdict()
-    if told["comment"] is not None:
-        return _comment(told["comment"])
-    if told["tex"]:
-        return rf"\[{told['tex']}\]" if "display" in told["mode"] else rf"\({told['tex']}\)"
-    return _blank(found[0])
+def _html_piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+    if found["comment"]:
+        return _commented(text, found.end())
+    name = re.match(r"\w*", found["tag"])[0].lower()
+    if name not in ("script", "style", "pre", "code"):
+        return blank(found[0]), found.end()
+    closed = text.closing(rf"</{name}\s*+>", found.end(), len(text.text)) or (found.end(), found.end())
+    body = text.text[found.end() : closed[0]]
+    if name == "script" and "math/tex" in found["tag"] and body:
+        made = rf"\[{body}\]" if "display" in found["tag"] else rf"\({body}\)"
+        return blank(found[0]) + made, closed[1]
+    return blank(found[0] + body), closed[1]
 
 
 def _of_rst(text: str) -> str:
@@ -134,38 +140,52 @@ def _of_rst(text: str) -> str:
 def _rst_piece(found: re.Match[str]) -> str:
     told = found.groupdict()
     if told["kind"] == "math::":
-        return _display(told["rest"] + told["body"])
+        return display(told["rest"] + told["body"])
     if told["kind"] == "rbpsym:":
-        return _noted(told["rest"] + told["body"])
+        return noted(told["rest"] + told["body"])
     if told["inline"]:
         return rf"\({told['inline']}\)"
-    return "\\" + told["sign"] if told["sign"] else _blank(found[0])
+    if (told["kind"] or "").removesuffix("::") in INCLUDING:
+        return _included(told["kind"][:-2], told["rest"], told["body"].removeprefix("\n"))
+    return "\\" + told["sign"] if told["sign"] else blank(found[0])
 
 
 def _of_notebook(text: str, file: str) -> Lines:
-    """The Markdown cells of a notebook; a line has the number that it has in the file."""
+    """The Markdown cells of a notebook and what its metadata say; a line has the number that it has in the file."""
     try:
-        cells = json.loads(text)["cells"]
-        sources = [cell["source"] for cell in cells if cell["cell_type"] == "markdown"]
-    except (ValueError, KeyError, TypeError, RecursionError):
+        whole = json.loads(text)
+        cells = [cell for cell in whole["cells"] if cell["cell_type"] == "markdown"]
+        sources = [(_told(cell), cell["source"]) for cell in cells]
+        said = _told(whole)
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise ReadError("this is no notebook", instead="save it as .ipynb of version 4.", place=Place(file)) from None
-    found: Lines = []
-    place = 0
-    for source in sources:
+    found: Lines = [(1, note) for note in said]
+    strings, place, number = _STRING.finditer(text), 0, 1
+    for notes, source in sources:
         parts = source if isinstance(source, list) else [source]
         for part in filter(lambda part: isinstance(part, str), parts):
-            place = max(text.find(json.dumps(part, ensure_ascii=False), place), place)
-            number = text.count("\n", 0, place) + 1
-            found += [(number, line) for line in part.removesuffix("\n").split("\n")]
-        found.append((text.count("\n", 0, place) + 1, ""))
-    whole = _of_markdown("\n".join(line for _, line in found)).split("\n")
-    return [(number, line) for (number, _), line in zip(found, whole, strict=True)]
+            before = place
+            place = next((one.start() for one in strings if json.loads(one[0], strict=False) == part), place)
+            number += text.count("\n", before, place)
+            found += [(number, line) for line in (*notes, *part.removesuffix("\n").split("\n"))]
+            notes = []
+        found.append((number, ""))
+    plain = _of_markdown("\n".join(line for _, line in found)).split("\n")
+    return [(number, line) for (number, _), line in zip(found, plain, strict=True)]
+
+
+def _told(part: Mapping) -> list[str]:
+    """What the metadata of a notebook or of a cell say to us, `"rbpsym": "claim"` or a list, as comments."""
+    said = part.get("metadata", {}).get("rbpsym", [])
+    lines = [said] if isinstance(said, str) else said
+    return [f"<!-- rbpsym: {line} -->" for line in lines if isinstance(line, str) and "\n" not in line]
 
 
 FORMATS: Mapping[str, Callable[[str], str]] = {
     **dict.fromkeys((".md", ".markdown", ".myst"), _of_markdown),
     **dict.fromkeys((".html", ".htm"), _of_html),
     ".rst": _of_rst,
+    ".typ": of_typst,
 }
 NOTEBOOK = ".ipynb"
 LATEX = (".tex", ".ltx", ".txt", ".latex")

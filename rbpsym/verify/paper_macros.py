@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
+from itertools import takewhile
 
-from rbpsym.errors import LimitError, ReadError
+from rbpsym.errors import LimitError, RbpsymError, ReadError
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
-LET = 7  # the group of _HEAD that holds what is let be another
+MOST_FAULTS = 20  # definitions that are never closed
+LET, NAMES = 7, (1, 2, 5, 7, 10, 12, 14)  # the group of _HEAD that holds what is let be another, and those that hold a name
 COUNTERS = (r"\theequation",)  # left where they stand: numbers of equations depend on the place
 _HEAD = re.compile(
-    r"\\(?:re|provide)?newcommand\*?\s*(?:\{\s*(\\[A-Za-z]+)\s*\}|(\\[A-Za-z]+))\s*(?:\[(\d)\])?\s*(?:\[([^\[\]]*)\])?\s*(?=\{)"
-    r"|\\(?:New|Renew|Provide|Declare)(?:Expandable)?DocumentCommand\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*\{([\smoO{}]*)\}\s*(?=\{)"
-    r"|\\let\s*(\\[A-Za-z]+)\s*=?\s*(\\[A-Za-z]+)()"
-    r"|\\providecommand\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*(?:\[(\d)\])?\s*(?=\{)"
-    r"|\\(?:long\s*\\)?def\s*(\\[A-Za-z]+)((?:#\d)*)\s*(?=\{)"
-    r"|\\DeclareMathOperator\*?\s*\{\s*(\\[A-Za-z]+)\s*\}\s*(?=\{)"
+    r"\\(?:re|provide)?newcommand\*?\s*+(?:\{\s*+(\\[A-Za-z]++)\s*+\}|(\\[A-Za-z]++))\s*+(?:\[(\d)\])?\s*+(?:\[([^\[\]]{0,999}+)\])?\s*+(?=\{)"
+    r"|\\(?:New|Renew|Provide|Declare)(?:Expandable)?DocumentCommand\s*+\{?\s*+(\\[A-Za-z]++)\s*+\}?\s*+\{([\smoO{}]{0,99})\}\s*+(?=\{)"
+    r"|\\let\s*+(\\[A-Za-z]++)\s*+=?\s*+(\\[A-Za-z]++)()"
+    r"|\\providecommand\*?\s*+\{?\s*+(\\[A-Za-z]++)\s*+\}?\s*+(?:\[(\d)\])?\s*+(?=\{)"
+    r"|\\(?:long\s*+\\)?def\s*+(\\[A-Za-z]++)((?:#\d)*+)\s*+(?=\{)"
+    r"|\\DeclareMathOperator\*?\s*+\{\s*+(\\[A-Za-z]++)\s*+\}\s*+(?=\{)"
 )
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax|boxed)(?![A-Za-z])")
@@ -32,41 +36,48 @@ class Macro:
     default: str | None = None
 
 
-def definitions(text: str) -> tuple[dict[str, Macro], str]:
-    """(macros by command, the text with the definitions blanked out)."""
+def definitions(text: str) -> tuple[dict[str, Macro], str, list[tuple[int, str]]]:
+    """(macros by command, the text with the definitions blanked out, where a definition is never closed: it is left out)."""
     found: dict[str, Macro] = {}
+    faults: list[tuple[int, str]] = []
     position, pieces = 0, []
     while (head := _HEAD.search(text, position)) is not None:
-        end = head.end() if head[LET] else closing(text, head.end())
-        name, macro = _macro(head, text[head.end() + 1 : end - 1])
+        name = next(filter(None, (head[place] for place in NAMES)))
+        try:
+            end = head.end() if head[LET] else closing(text, head.end(), LONGEST)
+        except ReadError as error:
+            faults.append((head.start(), f"the definition of {name} is left out: {error.what}"))
+            pieces, position = [*pieces, text[position : head.end()]], head.end()
+            if len(faults) >= MOST_FAULTS:
+                break
+            continue
         if name in COUNTERS:
             pieces, position = [*pieces, text[position:end]], end
             continue
-        found[name] = macro
+        found[name] = _macro(head, text[head.end() + 1 : end - 1])
         pieces += [text[position : head.start()], re.sub(r"[^\n]", " ", text[head.start() : end])]
         position = end
-    return found, "".join([*pieces, text[position:]])
+    return found, "".join([*pieces, text[position:]]), faults
 
 
-def _macro(head: re.Match[str], body: str) -> tuple[str, Macro]:
-    braced, plain, count, default, document, arguments, let, same, _, *others = head.groups()
+def _macro(head: re.Match[str], body: str) -> Macro:
+    _, _, count, default, document, arguments, let, same, _, _, provided_count, by_def, parameters, operator = head.groups()
     if let:
-        return let, Macro(same)
+        return Macro(same)
     if document:
-        first = re.match(r"\s*[oO]\s*(?:\{([^{}]*)\})?", arguments)
-        return document, Macro(body, len(re.findall(r"[moO]", re.sub(r"\{[^{}]*\}", "", arguments))), first and (first[1] or ""))
-    provided, provided_count, by_def, parameters, operator = others
+        first = re.match(r"\s*+[oO]\s*+(?:\{([^{}]*)\})?", arguments)
+        return Macro(body, len(re.findall(r"[moO]", re.sub(r"\{[^{}]*\}", "", arguments))), first and (first[1] or ""))
     if operator:
-        return operator, Macro(rf"\operatorname{{{body}}}")
+        return Macro(rf"\operatorname{{{body}}}")
     if by_def:
-        return by_def, Macro(body, parameters.count("#"))
-    return braced or plain or provided, Macro(body, int(count or provided_count or 0), default)
+        return Macro(body, parameters.count("#"))
+    return Macro(body, int(count or provided_count or 0), default)
 
 
-def closing(text: str, start: int) -> int:
-    """The offset behind the brace that closes the one at `start`. Raises ReadError if none does."""
+def closing(text: str, start: int, most: int = sys.maxsize) -> int:
+    """The offset behind the brace that closes the one at `start`. Raises ReadError if none does (so soon)."""
     depth, position = 0, start
-    while position < len(text):
+    while position < min(len(text), start + most):
         char = text[position]
         if char == "\\":
             position += 2
@@ -88,6 +99,34 @@ def expanded(latex: str, macros: Mapping[str, Macro]) -> str:
         if len(latex) > LONGEST:
             break
     raise LimitError("the macros of this formula do not come to an end", instead="a macro must not hold itself.")
+
+
+def _alike(one: str, other: str) -> int:
+    """How many characters two texts begin with alike."""
+    return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(one, other, strict=False)))
+
+
+def changed(old: str, new: str) -> tuple[int, str, str]:
+    """Where two texts differ: from where on, and what stands there in each."""
+    begin = _alike(old, new)
+    end = _alike(old[begin:][::-1], new[begin:][::-1])
+    return begin, old[begin : len(old) - end], new[begin : len(new) - end]
+
+
+def unexpanded(latex: str, fix: str, macros: Mapping[str, Macro]) -> str:
+    """The formula as the author wrote it with the one change that leads to `fix` when its macros are put in; else `fix`."""
+    _, old, new = changed(expanded(latex, macros).strip(), fix.strip())
+    wanted = "".join(fix.split())
+    spots = ((place, old, new) for place in range(len(latex) + 1) if latex.startswith(old, place))
+    bodies = ((one.start(), one[0], _filled(macros[one[0]], [])) for one in _COMMAND.finditer(latex) if one[0] in macros)
+    inside = ((place, name, body.replace(old, new, 1)) for place, name, body in bodies if old in body)
+    for place, part, other in (*spots, *inside):
+        behind = latex[place + len(part) :]
+        found = f"{latex[:place]}{other if behind[:1].isalpha() else other.rstrip() or other}{behind}"
+        with suppress(RbpsymError):
+            if "".join(expanded(found, macros).split()) == wanted:
+                return found
+    return fix
 
 
 def _once(latex: str, macros: Mapping[str, Macro]) -> tuple[str, int]:

@@ -16,13 +16,16 @@ MAX_BYTES = 4 * 1024 * 1024
 MAX_LINE = 200_000
 MAX_FILES = 100
 _INPUT = re.compile(
-    r"\\(?:(?:sub)?(?:import|includefrom|inputfrom)\*?\s*\{(?P<folder>[^{}\n]*)\}\s*\{(?P<part>[^{}\n]*)\}"
-    r"|(?:input|include|subfile|subfileinclude)(?![A-Za-z])\s*(?:\{(?P<name>[^{}\n]*)\}|(?P<word>[\w./-]+)))"
+    r"\\(?:(?:sub)?(?:import|includefrom|inputfrom)\*?\s*+\{(?P<folder>[^{}\n]*+)\}\s*+\{(?P<part>[^{}\n]*+)\}"
+    r"|(?:input|include|subfile|subfileinclude)(?![A-Za-z])\s*+(?:\{(?P<name>[^{}\n]*+)\}|(?P<word>[\w./-]++)))"
 )
-_PACKAGE = re.compile(r"\\(?:usepackage|RequirePackage|documentclass|LoadClass)\s*(?:\[[^\]]*\])?\s*\{([^{}\n]*)\}")
-_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%(?:[ \t]*rbpsym:(.*)|.*)")
+_PACKAGE = re.compile(r"\\(?:usepackage|RequirePackage|documentclass|LoadClass)\s*+(?:\[[^\]]{0,999}+\]\s*+)?\{([^{}\n]*+)\}")
+_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*+)%(?:[ \t]*rbpsym:(.*)|.*)")
 _NOTE = re.compile(f"{NOTE}(.*?){NOTE_END}")
-_VERBATIM = re.compile(r"\\begin\{(verbatim\*?|comment|lstlisting)\}.*?\\end\{\1\}|\\verb\*?([^A-Za-z\s*]).*?\2", re.S)
+_VERBATIM = re.compile(
+    r"\\begin\{(verbatim\*?|comment|lstlisting)\}(?:[^\\]++|\\(?!begin\{\1\}|end\{\1\}))*+\\end\{\1\}|\\verb\*?([^A-Za-z\s*])[^\n]{0,500}?\2"
+)
+COMMENTED = "\f"  # a line that is a comment is white, and ends no paragraph
 Remark = tuple[str, int, str]  # file, line, what is to be said
 
 
@@ -112,6 +115,7 @@ class _Files:
             comment = _COMMENT.search(raw)
             said += (comment[2],) if comment and comment[2] else ()
             line, begin = _COMMENT.sub(r"\1", _NOTE.sub("", raw)), 0
+            line = line if line.strip() or not raw.strip() else COMMENTED
             for found in _INPUT.finditer(line):
                 yield _Line(line[begin : found.start()], str(path), number, said)
                 said = ()
@@ -158,7 +162,8 @@ class _Files:
 
     def _existing(self, beside: Path, below: str, name: str, place: Place) -> Path:
         """The file of this name, beside the text or the file that names it; small letters may stand for large ones."""
-        tried = [(folder / below / f"{name}{end}") for folder in (self.folder, beside) for end in ("", ".tex")]
+        endings = [path.suffix for path in [Path(place.file)] if path.suffix not in ("", ".tex")]
+        tried = [(folder / below / f"{name}{end}") for folder in (self.folder, beside) for end in ("", ".tex", *endings)]
         found = next((one.resolve() for one in tried if one.is_file()), None)
         for one in tried if found is None else ():
             inside = one.parent.resolve().is_relative_to(self.folder) and one.parent.is_dir()

@@ -8,131 +8,16 @@ Inline: $ $ and \( \).
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import takewhile
 from pathlib import Path
 
-from rbpsym.errors import ReadError
-from rbpsym.verify.paper_macros import Macro, definitions
+from rbpsym.verify.paper_formats import ROWED, SINGLE
+from rbpsym.verify.paper_macros import LONGEST, Macro, definitions
+from rbpsym.verify.paper_numbers import COMMANDS, Counters
 from rbpsym.verify.paper_source import Text, read_source
 
-LEVELS = ("chapter", "section", "subsection")
-BOOKS = re.compile(r"\\documentclass(?:\[[^\]]*\])?\{(?:book|report|scrbook|scrreprt|memoir)\}")
-COMMANDS = re.compile(
-    r"\\(?P<level>chapter|section|subsection)(?P<star>\*?)(?=\s*[\[{])"
-    r"|\\(?P<set>set|addto)counter\s*\{(?P<counter>\w+)\}\s*\{(?P<value>-?\d{1,6})\}"
-    r"|\\(?P<step>(?:ref)?stepcounter)\s*\{(?P<stepped>\w+)\}"
-    r"|\\(?:numberwithin(?:\[[^\]]*\])?|counterwithin\*?)\s*\{equation\}\s*\{(?P<within>\w+)\}"
-    r"|\\renewcommand\*?\s*\{?\s*\\theequation\s*\}?\s*\{(?P<the>(?:[^{}]|\{[^{}]*\})*)\}"
-    r"|(?P<appendix>\\appendix(?![A-Za-z]))"
-)
-_PART = re.compile(r"\\the(\w+?)(?![A-Za-z])|\\(arabic|alph|Alph|roman|Roman)\s*\{(\w+)\}")
-_ROMAN = ((1000, "m"), (900, "cm"), (500, "d"), (400, "cd"), (100, "c"), (90, "xc"), (50, "l"), (40, "xl"), (10, "x"),
-          (9, "ix"), (5, "v"), (4, "iv"), (1, "i"))  # fmt: skip
-
-
-def roman(value: int) -> str:
-    """A small Roman number (Arabic beyond 4999)."""
-    if not 0 < value < 5000:
-        return str(value)
-    found = ""
-    for unit, letters in _ROMAN:
-        found, value = found + letters * (value // unit), value % unit
-    return found
-
-
-def letter(value: int) -> str:
-    """a, b, ... (the number itself beyond z)."""
-    return chr(96 + value) if 0 < value < 27 else str(value)
-
-
-STYLES: Mapping[str, Callable[[int], str]] = {
-    "arabic": str,
-    "alph": letter,
-    "Alph": lambda value: letter(value).upper(),
-    "roman": roman,
-    "Roman": lambda value: roman(value).upper(),
-}
-
-
-class Counters:
-    """The counters of one text, moved on by its commands; `within` is the level that equations restart at."""
-
-    def __init__(self, within: str = "") -> None:
-        self.values: dict[str, int] = {}
-        self.within, self.pattern, self.lettered, self.part = within, "", "", 0
-
-    @classmethod
-    def of(cls, text: str) -> Counters:
-        """The counters at the beginning of a text: a book counts equations within chapters."""
-        return cls("chapter" if BOOKS.search(text) else "")
-
-    def obey(self, found: re.Match[str]) -> None:
-        """What a command of COMMANDS does to the counters."""
-        told = found.groupdict()
-        if told["level"] and not told["star"]:
-            self._step(told["level"])
-        elif told["counter"]:
-            base = self.values.get(told["counter"], 0) if told["set"] == "addto" else 0
-            self.values[told["counter"]] = base + int(told["value"])
-        elif told["stepped"]:
-            self._step(told["stepped"])
-        elif told["within"] in LEVELS:
-            self.within = told["within"]
-        elif told["the"] is not None:
-            self.pattern = told["the"]
-        elif told["appendix"]:
-            self.lettered = "chapter" if "chapter" in self.values else "section"
-            self.values[self.lettered] = 0
-
-    def _step(self, counter: str) -> None:
-        self.values[counter] = self.values.get(counter, 0) + 1
-        if counter in LEVELS:
-            self.values.update(dict.fromkeys(LEVELS[LEVELS.index(counter) + 1 :], 0))
-            if self.within in LEVELS[LEVELS.index(counter) :]:
-                self.values["equation"] = 0
-
-    def group(self, begins: bool) -> None:
-        """Beginning or end of subequations."""
-        if begins:
-            self._step("equation")
-        self.part = int(begins)
-
-    def next(self) -> str:
-        """The number of the next equation."""
-        if self.part:
-            self.part += 1
-            return f"{self.number()}{letter(self.part - 1)}"
-        self._step("equation")
-        return self.number()
-
-    def number(self) -> str:
-        """How the equation counter is printed now."""
-        if self.pattern:
-            return re.sub(
-                r"[{}\s]|\\(?:mathrm|rm|text|ensuremath|,)(?![A-Za-z])", "", _PART.sub(self._part, self.pattern)
-            )
-        return ".".join([*([self._the(self.within)] if self.within else []), str(self.values.get("equation", 0))])
-
-    def _part(self, found: re.Match[str]) -> str:
-        style, counter = found[2], found[3]
-        return STYLES[style](self.values.get(counter, 0)) if style else self._the(found[1])
-
-    def _the(self, counter: str) -> str:
-        if counter == "parentequation":
-            counter = "equation"
-        levels = LEVELS[: LEVELS.index(counter) + 1] if counter in LEVELS else (counter,)
-        shown = [level for level in levels if self.values.get(level) or level == counter]
-        return ".".join(self._plain(level) for level in shown)
-
-    def _plain(self, level: str) -> str:
-        value = self.values.get(level, 0)
-        return STYLES["Alph"](value) if level == self.lettered else str(value)
-
-
-SINGLE = ("equation", "multline", "displaymath", "math", "dmath", "empheq")
-ROWED = ("align", "eqnarray", "gather", "alignat", "flalign", "IEEEeqnarray", "dgroup")
 UNNUMBERED = ("displaymath", "math")
 _NAMES = "|".join((*SINGLE, *ROWED))
 _OPEN = re.compile(
@@ -141,7 +26,11 @@ _OPEN = re.compile(
     rf"|(?:{COMMANDS.pattern})"
 )
 ARGUED = ("alignat", "IEEEeqnarray", "empheq")
-_ARGUMENTS = re.compile(r"(?:\[[^\]]*\])?(?:\{[^{}]*\})?")
+_ARGUMENTS = re.compile(r"(?:\[[^\]\n]{0,999}+\])?(?:\{[^{}]{0,999}+\})?")
+_LEVEL = r"\\(?:chapter|(?:sub)*section)(?![A-Za-z])|\\end\s*+\{document\}"
+_NEVER = {  # where what opens so can't go on: it was not closed
+    r"\[": rf"\\\[|{_LEVEL}", r"\(": r"\\\(|\n[ \t]*+\n", "$": r"\n[ \t]*+\n", "$$": rf"\n[ \t]*+\n|{_LEVEL}",
+}  # fmt: skip
 _CLOSE = {r"\[": r"\]", r"\(": r"\)", "$": "$", "$$": "$$"}
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
@@ -157,7 +46,7 @@ _RELATION = re.compile(r"=|<|>|\\(?:leq?|geq?|neq?|approx|simeq|equiv|to|rightar
 class Formula:
     """A formula of a text: its LaTeX as it stands, number ("" for none), labels, file and line.
 
-    block: where the display begins that it is in.
+    block: where the display begins that it is in. fault: why it is no formula, "" if it is one.
     """
 
     latex: str
@@ -168,6 +57,7 @@ class Formula:
     offset: int
     displayed: bool = True
     block: int = 0
+    fault: str = ""
 
     @property
     def is_relation(self) -> bool:
@@ -197,14 +87,13 @@ def read_paper(path: Path) -> Paper:
 
 def walked(text: Text) -> Paper:
     """The formulas of a text."""
-    try:
-        macros, plain = definitions(text.text)
-        macros = {**definitions(text.packages)[0], **macros}
-    except ReadError as error:
-        raise ReadError(f"in a macro's definition: {error.what}", place=text.place(0)) from None
+    macros, plain, faults = definitions(text.text)
+    macros = {**definitions(text.packages)[0], **macros}
     text = replace(text, text=plain)
     formulas = tuple(_Walker(text).walk())
-    return Paper(text, formulas, macros, tuple(_remarks(text, formulas)))
+    remarks = [(*text.origin(offset), said) for offset, said in faults]
+    remarks += [(formula.file, formula.line, formula.fault) for formula in formulas if formula.fault]
+    return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)))
 
 
 class _Walker:
@@ -226,19 +115,27 @@ class _Walker:
                 self.counters.group(sub == "begin")
             elif name:
                 position = _ARGUMENTS.match(self.text, position).end() if name in ARGUED else position
-                end, behind = self._end(found, rf"\\end\s*\{{{name}{re.escape(star)}\}}")
-                yield from self._environment(name, bool(star), position, end)
+                end, behind, fault = self._end(found, *_ends_of(name + star))
+                if fault:
+                    yield self._formula(position, end, "", True, fault=fault)
+                else:
+                    yield from self._environment(name, bool(star), position, end)
                 position = behind
             elif opening := next(filter(None, openings), None):
-                end, behind = self._end(found, _closing(opening))
-                yield self._formula(position, end, "", opening in (r"\[", "$$"))
+                end, behind, fault = self._end(found, _closing(opening), _NEVER[opening])
+                yield self._formula(position, end, "", opening in (r"\[", "$$"), fault=fault)
                 position = behind
 
-    def _end(self, found: re.Match[str], closing: str) -> tuple[int, int]:
-        end = re.compile(closing).search(self.text, found.end())
-        if end is None:
-            raise ReadError(f"“{found[0]}” is never closed", place=self.source.place(found.start()))
-        return end.start(), end.end()
+    def _end(self, found: re.Match[str], closing: str, never: str) -> tuple[int, int, str]:
+        """Where what opens ends, where it goes on behind, and that it is never closed, if so: it is passed over."""
+        start = found.end()
+        for one in re.compile(rf"(?P<end>{closing})|(?P<never>{never})|\\\\").finditer(self.text, start, start + LONGEST):
+            if one["end"]:
+                return one.start(), one.end(), ""
+            if one["never"]:
+                start = one.start()
+                break
+        return start, start, f"“{found[0]}” is never closed"
 
     def _environment(self, name: str, star: bool, start: int, end: int) -> Iterator[Formula]:
         rows = list(_rows(self.text, start, end)) if name in ROWED else [(start, end)]
@@ -272,7 +169,7 @@ class _Walker:
         return self.counters.next()
 
     def _formula(
-        self, start: int, end: int, number: str, displayed: bool, whole: int | None = None, reach: int = 0
+        self, start: int, end: int, number: str, displayed: bool, whole: int | None = None, reach: int = 0, fault: str = ""
     ) -> Formula:
         """The formula from `start`, with the rows from `whole` on if it goes on with what began there, up to `reach`."""
         raw = self.text[start:end]
@@ -283,7 +180,13 @@ class _Walker:
             raw = self.text[whole : max(end, reach)]
             first = whole + len(raw) - len(raw.lstrip())
         latex = _TAG.sub("", _LABEL.sub("", raw))
-        return Formula(latex.strip("\n"), number, labels, file, line, first, displayed, self.block)
+        return Formula(latex.strip("\n"), number, labels, file, line, first, displayed, self.block, fault)
+
+
+def _ends_of(name: str) -> tuple[str, str]:
+    """What ends an environment, and where it can't go on."""
+    drawn = re.escape(name)
+    return rf"\\end\s*+\{{{drawn}\}}", rf"\\begin\s*+\{{{drawn}\}}|{_LEVEL}"
 
 
 def _closing(opening: str) -> str:

@@ -11,6 +11,7 @@ SAID = (r"problem = sliding-ladder", r"\vec V is the velocity of ladder.cm", r"\
 RIGHT, WRONG = r"V^2 = \ell^2\omega^2", r"V^2 = \ell^2\omega^3"
 TEX = "\n".join(f"% rbpsym: {line}" for line in SAID)
 MD = "<!-- rbpsym: " + "\n".join(SAID) + " -->"
+TYP = "\n".join(f"// rbpsym: {line}" for line in SAID)
 RST = ".. rbpsym: " + "\n   ".join(SAID)
 DISPLAY = r"\begin{equation}\label{a} %s \end{equation}"
 
@@ -34,6 +35,9 @@ TEXTS = [
     ("a.rst", f"{RST}\n\n.. math::\n   :label: a\n\n   %s\n\nText of $5.\n\n.. rbpsym: claim a\n", 5),
     ("a.html", f"<html><!-- rbpsym: {chr(10).join(SAID)} -->\n<!-- rbpsym: claim -->\\[ %s \\]<script>$$a=b$$</script>", 4),
     ("a.html", f"{MD}\n<!-- rbpsym: claim -->\n<script type='math/tex; mode=display'>%s</script>", 5),
+    ("a.typ", f"{TYP}\n#link(\"https://a.b\")[5] `$a=b$` \\$5\n// rbpsym: claim\n$ %s $", 6),
+    ("a.typ", f"{TYP}\n= Head\n/* $a=b$ */ $ a &= b \\ c &= d $\n// rbpsym: claim a\n$ %s\n$ <a>", 7),
+    ("a.typ", f"{TYP}\n// rbpsym: claim inline\nHere $x$ and $%s$.", 5),
     ("a.ipynb", cells(f"{MD}\n<!-- rbpsym: claim -->", "Then\n\n$$%s$$"), 0),
 ]  # fmt: skip
 
@@ -55,7 +59,8 @@ def checked(folder, capsys, name, text, *more):
 @pytest.mark.parametrize("case", range(len(TEXTS)), ids=lambda case: TEXTS[case][0])
 def test_a_text_carries_its_claims(folder, capsys, case):
     name, text, line = TEXTS[case]
-    escape = json.dumps if name.endswith("ipynb") else lambda latex: f'"{latex}"'
+    typst = (lambda latex: latex.replace("\\", "").replace("ellomega", "ell omega")) if name.endswith("typ") else str
+    escape = json.dumps if name.endswith("ipynb") else lambda latex: f'"{typst(latex)}"'
     code, [row] = checked(folder, capsys, name, text.replace("%s", escape(RIGHT)[1:-1]))
     assert (code, row["outcome"]) == (0, "PROVED") and row["line"] == (line or row["line"])
     code, [row] = checked(folder, capsys, name, text.replace("%s", escape(WRONG)[1:-1]))
@@ -69,6 +74,37 @@ def test_a_comment_in_front_of_a_display_claims_all_its_numbers(folder, capsys):
     within = f"{TEX}\n\\begin{{align}}\na &= b \\\\ % nothing\n% rbpsym: claim\n{RIGHT} \\end{{align}}"
     code, rows = checked(folder, capsys, "a.tex", within)
     assert code == 0 and [row["number"] for row in rows] == ["2"]
+
+
+INCLUDES = [
+    ("a.md", f"{MD}\n```{{include}} part/b.md\n:x: y\n```\n"),
+    ("a.md", f"{MD}\n```{{toctree}}\n:maxdepth: 2\n\nB <part/b>\n*\n```\n"),
+    ("a.rst", f"{RST}\n\n.. include:: part/b.md\n"), ("a.rst", f"{RST}\n\n.. toctree::\n   :caption: C\n\n   part/b.md\n"),
+    ("a.typ", f'{TYP}\n#include "part/b.md"\n'),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("case", range(len(INCLUDES)))
+def test_files_that_a_text_puts_in_are_read_where_it_does(folder, capsys, case):
+    (folder / "part").mkdir()
+    (folder / "part" / "b.md").write_text(f"\n<!-- rbpsym: claim -->\n$${RIGHT}$$\n")
+    code, [row] = checked(folder, capsys, *INCLUDES[case])
+    assert (code, row["line"]) == (0, 3) and row["file"].endswith("b.md")
+
+
+def test_a_notebook_carries_its_claims_in_metadata(folder, capsys):
+    book = json.loads(cells("Then", f"$${RIGHT}$$"))
+    book["metadata"] = {"rbpsym": list(SAID)}
+    book["cells"][1]["metadata"] = {"rbpsym": "claim"}
+    code, [row] = checked(folder, capsys, "a.ipynb", json.dumps(book, indent=1))
+    assert (code, row["outcome"]) == (0, "PROVED") and row["line"] > 5
+
+
+def test_a_display_that_is_never_closed_is_an_error_where_it_is_claimed(folder, capsys):
+    text = f"{TEX}\n% rbpsym: claim\n\\[ {RIGHT}\n\n\\section{{B}}\n% rbpsym: claim\n\\[ {RIGHT} \\]"
+    code, rows = checked(folder, capsys, "a.tex", text)
+    assert code == 2 and [row["outcome"] for row in rows] == ["COULD NOT BE READ", "PROVED"]
+    assert "never closed" in rows[0]["detail"] and "line 5" in rows[0]["detail"].replace("a.tex:5", "line 5")
 
 
 def test_what_is_said_of_a_claim(folder, capsys):
@@ -154,6 +190,25 @@ def test_a_patch_repairs_what_is_wrong(folder, capsys):
     book = cells("<!-- rbpsym: problem = sliding-ladder\nclaim -->\n$$\\ddot\\theta = \\frac{3 g}{4\\ell}\\cos\\theta$$")
     checked(folder, capsys, "a.ipynb", book, "--fix", "a.patch")
     assert "-\\\\frac{3 g}{4\\\\ell}" in (folder / "a.patch").read_text()
+
+
+OWN = r"""\newcommand{\w}{\omega} \newcommand{\half}[2][2]{\frac{#2 g}{#1\ell}}
+% rbpsym: problem = sliding-ladder
+% rbpsym: \omega is the speed of theta
+% rbpsym: \alpha is the acceleration of theta
+% rbpsym: claim a
+\begin{align} \w^2 &= \half{3}(\sin\theta_0 % first
+   + \sin\theta), \label{a} \\ x &= 1 \end{align}
+% rbpsym: claim
+\[ \w = \boxed{-\half[4]{3} \cos\theta} \]
+"""
+
+
+def test_a_patch_keeps_the_macros_comments_and_labels_of_the_author(folder, capsys):
+    checked(folder, capsys, "a.tex", OWN, "--fix", "a.patch")
+    plus = [line[1:] for line in (folder / "a.patch").read_text().split("\n") if line[:1] == "+" and line[:3] != "+++"]
+    fixed = r"\[ \ddot{\theta} = \boxed{-\half[4]{3} \cos\theta} \]"
+    assert plus == [r"   - \sin\theta), \label{a} \\ x &= 1 \end{align}", fixed]
 
 
 LADDER = r"""A ladder slides along a wall.

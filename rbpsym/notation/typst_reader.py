@@ -1,0 +1,172 @@
+r"""Typst's math -> LaTeX, for the one reader of formulas; what it does not know becomes a command that is refused there.
+
+Fractions, attachments and calls bind as Typst binds them: `a(b)/c` is (a(b))/c, the parentheses of `(a + b)/c` and `x_(i j)`
+are not printed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rbpsym.notation.latex_tokens import FUNCTION_WORDS
+from rbpsym.notation.letters import LETTERS
+
+DEEPEST = 40
+UNBALANCED = r"\unbalanced "
+_TOKEN = re.compile(
+    r"(?P<space>\s+)|(?P<text>\"(?:[^\"\\]|\\.)*+\")|(?P<row>\\(?=\s|\Z))|(?P<escape>\\.)"
+    r"|(?P<name>[A-Za-z][A-Za-z]+(?:\.[A-Za-z]+)*)|(?P<number>\d+(?:\.\d+)?)"
+    r"|(?P<sign><=>|=>|->|<=|>=|!=|:=|\.\.\.)|(?P<char>.)",
+    re.S,
+)
+_SIGNS = {
+    "<=>": r"\Leftrightarrow ", "=>": r"\Rightarrow ", "->": r"\to ", "<=": r"\le ", ">=": r"\ge ", "!=": r"\ne ",
+    "...": r"\dots ", "*": r"\ast ", "{": r"\{", "}": r"\}", "%": r"\%", "#": r"\# ",
+}  # fmt: skip
+_NAMES = {
+    "dot": r"\cdot", "dot.op": r"\cdot", "dot.c": r"\cdot", "times": r"\times", "eq.not": r"\ne", "lt.eq": r"\le",
+    "gt.eq": r"\ge", "eq.def": ":=", "plus.minus": r"\pm", "minus.plus": r"\mp", "arrow.r": r"\to",
+    "arrow.r.double": r"\Rightarrow", "infinity": r"\infty", "oo": r"\infty", "integral": r"\int",
+    "partial": r"\partial", "diff": r"\partial", "dif": r"\mathrm{d}", "wide": r"\qquad", "thin": r"\,", "med": r"\:",
+    "thick": r"\;", "degree": r"^\circ", "planck.reduce": r"\hbar", "prop": r"\propto", "dots.h": r"\dots",
+    "dots.c": r"\cdots", "cross": r"\times", "angle": r"\angle", "tilde.op": r"\sim",
+}  # fmt: skip
+_CALLS = {
+    "frac": r"\frac{%s}{%s}", "sqrt": r"\sqrt{%s}", "root": r"\sqrt[%s]{%s}", "dot": r"\dot{%s}",
+    "dot.double": r"\ddot{%s}", "dot.triple": r"\dddot{%s}", "arrow": r"\vec{%s}", "hat": r"\hat{%s}",
+    "tilde": r"\tilde{%s}", "macron": r"\bar{%s}", "overline": r"\bar{%s}", "bold": r"\boldsymbol{%s}",
+    "cal": r"\mathcal{%s}", "italic": "{%s}", "upright": r"\mathrm{%s}", "abs": r"\left|%s\right|",
+    "norm": r"\left\|%s\right\|", "lr": "%s", "display": "%s", "inline": "%s", "cancel": r"\cancel{%s}",
+    "op": r"\operatorname{%s}",
+}  # fmt: skip
+_ROWS = {"vec": "pmatrix", "mat": "pmatrix", "cases": "cases"}
+_OPEN = {"(": ")", "[": "]", "{": "}"}
+Tokens = list[tuple[str, str]]
+
+
+def typst_to_latex(text: str) -> str:
+    """The LaTeX of a formula between dollar signs; lines stay lines."""
+    return _Reader([(found.lastgroup or "", found[0]) for found in _TOKEN.finditer(text)]).whole()
+
+
+class _Reader:
+    """One pass over the tokens."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        self.tokens, self.place, self.depth = tokens, 0, 0
+
+    def whole(self) -> str:
+        """All of it; a bracket that was never opened stands as it is."""
+        made = self._sequence("")
+        while self.place < len(self.tokens):
+            made += self._take()[1] + self._sequence("")
+        return made
+
+    def _take(self) -> tuple[str, str]:
+        self.place += 1
+        return self.tokens[self.place - 1]
+
+    def _at(self, *texts: str) -> bool:
+        return self.place < len(self.tokens) and self.tokens[self.place][1] in texts
+
+    def _sequence(self, ends: str) -> str:
+        """What stands up to one of some characters, or a closing bracket."""
+        pieces: list[str] = []
+        while self.place < len(self.tokens) and not self._at(*ends, ")", "]"):
+            kind, text = self.tokens[self.place]
+            if kind == "space":
+                self.place += 1
+                pieces.append(text)
+            else:
+                pieces.append(self._quotient())
+        return "".join(pieces)
+
+    def _spaces(self) -> str:
+        start = self.place
+        while self.place < len(self.tokens) and self.tokens[self.place][0] == "space":
+            self.place += 1
+        return "".join(text for _, text in self.tokens[start : self.place])
+
+    def _quotient(self) -> str:
+        made, bare = self._attached()
+        while True:
+            start, gap = self.place, self._spaces()
+            if not self._at("/"):
+                self.place = start
+                return made
+            self.place += 1
+            gap += self._spaces()
+            _, below = self._attached() if self.place < len(self.tokens) else ("", UNBALANCED)
+            made = bare = rf"\frac{{{bare}}}{{{below}}}" + "\n" * gap.count("\n")
+
+    def _attached(self) -> tuple[str, str]:
+        """A thing with its subscripts, exponents and primes: as it stands, and in a fraction, without parentheses round all."""
+        made, bare = self._thing()
+        while self._at("_", "^", "'"):
+            sign = self._take()[1]
+            if sign != "'":
+                self._spaces()
+                sign += f"{{{self._thing()[1] if self.place < len(self.tokens) else UNBALANCED}}}"
+            made = bare = made + sign
+        return made, bare
+
+    def _thing(self) -> tuple[str, str]:
+        kind, text = self._take()
+        self.depth += 1
+        if self.depth > DEEPEST:
+            self.place = len(self.tokens)
+            return UNBALANCED, UNBALANCED
+        made = bare = self._named(text) if kind == "name" else _plain(kind, text)
+        if kind == "char" and text in _OPEN:
+            inner = self._inner(_OPEN[text])
+            made, bare = f"{made}{inner}{_plain('char', _OPEN[text])}", inner if text == "(" else f"{made}{inner}{_OPEN[text]}"
+        elif (kind == "name" or text.isalpha()) and self._at("("):
+            made = bare = made + self._thing()[0]
+        self.depth -= 1
+        return made, bare
+
+    def _inner(self, end: str) -> str:
+        inner = self._sequence(end)
+        if not self._at(end):
+            return inner + UNBALANCED
+        self.place += 1
+        return inner
+
+    def _named(self, name: str) -> str:
+        """A letter, sign or function by its name, with its arguments if it is a command that takes them."""
+        if self._at("(") and name in _ROWS:
+            rows = [" & ".join(row) for row in self._arguments()]
+            return rf"\begin{{{_ROWS[name]}}}" + r" \\ ".join(rows) + rf"\end{{{_ROWS[name]}}}"
+        if self._at("(") and (drawn := _CALLS.get(name)):
+            given = [part for row in self._arguments() for part in row]
+            return drawn % tuple(given) if len(given) == drawn.count("%s") else UNBALANCED
+        base, _, changed = name.partition(".")
+        if name in FUNCTION_WORDS or (base in LETTERS and changed in ("", "alt")):
+            return rf"\{base} "
+        return _NAMES.get(name, "\\" + name.replace(".", "")) + " "
+
+    def _arguments(self) -> Iterator[list[str]]:
+        """The arguments in parentheses; `;` ends a row of a matrix (of a column, each comma does)."""
+        column = self.tokens[self.place - 1][1] != "mat"
+        self.place += 1
+        row: list[str] = []
+        while True:
+            row.append(self._sequence(",;").strip(" "))
+            if not self._at(",", ";"):
+                break
+            if self._take()[1] == ";" or column:
+                yield row
+                row = []
+        closed = self._at(")")
+        self.place += closed
+        yield row if closed else [*row, UNBALANCED]
+
+
+def _plain(kind: str, text: str) -> str:
+    """A string, an escaped character, the end of a row, or what stands for itself."""
+    if kind == "text":
+        return r"\text{" + re.sub(r"[\\{}$%#&_^]", " ", text[1:-1]) + "}"
+    if kind == "row":
+        return r"\\"
+    return _SIGNS.get(text, text) if kind != "escape" else {"/": "/", "\\": r"\backslash "}.get(text[1], rf"\{text[1]}")

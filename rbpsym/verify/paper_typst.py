@@ -1,0 +1,47 @@
+"""A Typst document as LaTeX with the same lines: its formulas, its files, and what its comments say to us."""
+
+from __future__ import annotations
+
+import re
+
+from rbpsym.notation.typst_reader import typst_to_latex
+from rbpsym.verify.paper_marks import Marked, blank, comment, display
+
+_OPENING = re.compile(
+    r"(?<!:)//(?P<line>[^\n]*+)|(?P<block>/\*)|(?P<code>(?<!`)`++)|\\(?P<escaped>.)"
+    r"|#include[ \t]++\"(?P<file>[^\"\n]*+)\"|#\w++\([ \t]*+\"[^\"\n]*+\"|(?P<math>\$)|(?P<sign>%)"
+)
+_LABEL = re.compile(r"\s*+<([\w:.-]{1,200})>")
+_CLOSING = r"(?<!\\)\$"
+
+
+def of_typst(text: str) -> str:
+    """The text as LaTeX."""
+    return Marked(text).rewritten(_OPENING, _piece)
+
+
+def _piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+    told, start = found.groupdict(), found.end()
+    if told["line"] is not None:
+        return comment(told["line"]), start
+    if told["block"]:
+        closed = text.closing(r"\*/", start)
+        return (comment(text.text[start : closed[0]]), closed[1]) if closed else ("", start)
+    if told["code"]:
+        end = text.span(start, len(told["code"]))
+        return blank(text.text[start : max(end, start)]), max(end, start) + len(told["code"]) * (end > 0)
+    if told["file"] is not None:
+        return rf"\input{{{told['file']}}}", start
+    if told["math"] and (closed := text.closing(_CLOSING, start)):
+        return _formula(text, text.text[start : closed[0]], closed[1])
+    return rf"\{found[0]}" if found[0] in "$%" else blank(found[0]), start
+
+
+def _formula(text: Marked, body: str, end: int) -> tuple[str, int]:
+    """A display, which has white ends, perhaps with a label, or a formula in the running text."""
+    latex = typst_to_latex(body)
+    if not (body[:1].isspace() and body[-1:].isspace()):
+        return rf"\({latex}\)", end
+    label = _LABEL.match(text.text, end)
+    made = display(latex, label[1] if label else "", rows=r"\\" in latex)
+    return made + (blank(label[0]) if label else ""), label.end() if label else end
