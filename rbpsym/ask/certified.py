@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, substitute
 from rbpsym.algebra.present import present
 from rbpsym.ask import in_time
+from rbpsym.ask.begun import before, needed, resting_on
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, Moment, value_in
 from rbpsym.ask.question import Question, is_jump
@@ -55,10 +56,10 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     from rbpsym.ask.answer import Answer
 
     place = found.moment.place if found.moment else asked_place(asked, found.study)
-    before = tuple(_before(asked, place))
+    begun, earlier = before(asked, place, found)
     for k, part in enumerate(found.since):
         first = certified(asked, question, part, LETTER if not k else f"{LETTER}_{k}")
-        before += tuple(replace(step, id=f"since.{k}.{step.id}") for step in first.steps if step not in before)
+        earlier += tuple(replace(step, id=f"since.{k}.{step.id}") for step in first.steps if step not in earlier)
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     if found.about is not None:
         _spread(draft, found)
@@ -73,17 +74,17 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     last, values = _last(draft, found, letter, lasts), found.values
     if question.is_direction:
         last, values = _direction(draft, question, found)
-    steps = needed(draft.steps, last)
+    steps = tuple(resting_on(begun, step) for step in needed(draft.steps, last.id))
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
     comes += map(undecided, open_)
-    verdict = all_of([*comes, *(step.certificate.verdict for step in (*before, *steps) if step.certificate)])
+    verdict = all_of([*comes, *(step.certificate.verdict for step in (*earlier, *steps) if step.certificate)])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
-    valid = _valid(draft, found, lasts, before, steps)
+    valid = _valid(draft, found, lasts, earlier, steps)
     is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))
     says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
     says = _behind(draft, last) if found.told.endswith("phase lag") else says
-    return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps), says=says)
+    return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*earlier, *steps), says=says)
 
 
 def _behind(draft: Draft, last: Step) -> str:
@@ -95,12 +96,6 @@ def _behind(draft: Draft, last: Step) -> str:
 def asked_place(asked: Asked, study: Study) -> int:
     """The place of a phase among all."""
     return next((k for k in range(len(asked.names)) if asked.study(k) is study), 0)
-
-
-def _before(asked: Asked, place: int) -> Iterator[Step]:
-    """The steps by which the phases up to this one begin."""
-    for k, phase in enumerate(asked.problem.phases[:place], 1):
-        yield from hand_over(k, phase, asked.stage(k - 1), asked.stage(k)).steps
 
 
 def _grounds(draft: Draft, found: Found) -> None:
@@ -273,18 +268,6 @@ def _said_of(draft: Draft, asked: Scalar) -> tuple[str, str]:
 def _letters(node: t.Node, value: Scalar) -> set[str]:
     """The letters of what is said that stand for a part of the value and are not in it."""
     return {part.name for part in t.walk(node) if isinstance(part, t.Sym)} - names_in(value)
-
-
-def needed(steps: list[Step], last: Step) -> tuple[Step, ...]:
-    """The steps from which the last one follows, in their order."""
-    known, wanted = {step.id: step for step in steps}, [last.id]
-    found: set[str] = set()
-    while wanted:
-        id = wanted.pop()
-        if id in known and id not in found:
-            found.add(id)
-            wanted += known[id].reasons
-    return tuple(step for step in steps if step.id in found)
 
 
 def _rows(statement: t.Node) -> tuple[t.Chain, ...]:

@@ -42,7 +42,9 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     if found.form is not None:
         letters = {question.text: draft.show(one.values[0], factor=True) for question, one in world.used}
         letters |= {pair[0].text: _as_letter(draft, told) for pair, told in zip(kept, quantities, strict=True)}
-    last = _last(draft, found, nodes, letter, letters)
+    steps, said = _steps(quantities)
+    cites = dict.fromkeys((*said, *(step.id for step in found.steps[-1:])))
+    last = replace(_last(draft, found, nodes, letter, letters), cites=tuple(cites))
     return Answer(
         Question(text, found.symbol or text),
         world.study,
@@ -51,7 +53,7 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
         all_of([last.certificate.verdict, *doubts, *(one.verdict for one in quantities)]),
         "",
         draft.asked(found.valid),
-        (*_steps(quantities), *found.steps, *([last] if nodes and found.grounds else [])),
+        (*steps, *found.steps, *([last] if nodes and found.grounds else [])),
         symbol=found.symbol,
         relation=found.relation,
         says="; ".join(filter(None, (found.says, LASTING if found.symbol and world.doubts else ""))),
@@ -64,16 +66,20 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     )
 
 
-def _steps(quantities: list[Answer]) -> Iterator[Step]:
-    """The steps of all quantities, each once; what a quantity is, by its own number, if no step says that value already."""
-    seen: set[object] = set()
+def _steps(quantities: list[Answer]) -> tuple[list[Step], list[str]]:
+    """The steps of all quantities, each once; what a quantity is, by its own number, if no step says that value already; and
+    the ids of the steps that say what the quantities are."""
+    steps: dict[object, Step] = {}
+    said: list[str] = []
     for number, told in enumerate(quantities, 1):
         for step in told.steps:
-            if step.id != "answer" and step.statement not in seen:
-                yield step
-            if step.id == "answer" and not any(_value(step) == _value(other) for other in told.steps[:-1]):
-                yield replace(step, id=f"quantity.{number}", phrase="ask.quantity", is_result=False)
-            seen.add(step.statement)
+            if step.id != "answer":
+                steps.setdefault(step.statement, step)
+                continue
+            known = next((one for one in told.steps[:-1] if _value(one) == _value(step)), None)
+            own = replace(step, id=f"quantity.{number}", phrase="ask.quantity", is_result=False)
+            said.append(steps[known.statement].id if known else steps.setdefault(step.statement, own).id)
+    return [*steps.values()], said
 
 
 def _value(step: Step) -> t.Node:

@@ -182,7 +182,8 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
             says = FOR_NONE if known.is_empty else "holds for all values"
             says = f"“{text}” {says} of the parameters in their declared ranges"
             holds = not known.is_empty
-            return Finding(**kept_said(values, along, known.worst, given, holds=holds), symbol=name, says=says)
+            return Finding(**kept_said(values, along, known.worst, given, holds=holds), symbol=name, says=says,
+                           steps=condition.steps)  # fmt: skip
         raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
     under = (*(given for _ in own), *(premise for _ in condition.values))
     regions = [region_on_way(value, name, along or "", each) for value, each in zip(values, under, strict=True)]

@@ -68,7 +68,7 @@ def checked(rule: str, study: Study | None = None, **data: Any) -> dict[str, Any
 
 def ground(of: tuple[str, Mapping[str, Any]], statement: Node = ZERO) -> Step:
     """A rule and its data as a step."""
-    return Step("answer", of[0], statement, "ask", "ask.found", data=of[1])
+    return Step("answer", of[0], statement, "ask", f"ask.found.{of[0]}", data=of[1])
 
 
 def together(*parts: Finding) -> dict[str, Any]:

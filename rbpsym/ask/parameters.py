@@ -34,7 +34,7 @@ ROWS: Rows = (
         lambda w, *to: yesno.does_not(w, _clause("it stays in contact", *to)),
     ),
     (rf"(?:does|do|will) {_N} (?:reach|get to|come to) (.+)", lambda w, name, to: yesno.does(w, f"{name} reaches {to}")),
-    (rf"is {_N} = (.+) (un)?stable", lambda w, name, to, un: yesno.does(w, f"{name} = {to} is {un or ''}stable")),
+    (rf"is {_N} = (.+) (un)?stable", yesno.rests_stably),
     (r"is (.+) (positive|negative)", lambda w, phrase, kind: yesno.does(w, f"{phrase} is always {kind}")),
     (r"is (.+ (?:>=|<=|>|<) .+)", yesno.does),
     (rf"(.+) in the limit {_N} ?(?:->|→|to) ?(.+)", special.in_limit),

@@ -14,6 +14,7 @@ from types import MappingProxyType
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, lift, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.ask.begun import needed
 from rbpsym.ask.made import value_of
 from rbpsym.ask.seen import (
     PLACE,
@@ -30,6 +31,9 @@ from rbpsym.ask.seen import (
     whole_motion,
 )  # fmt: skip
 from rbpsym.ask.zeros import where_met
+from rbpsym.derivation.chapters import oscillations
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
@@ -39,6 +43,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, pushes
 from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.impulse import is_holding
+from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.stability import essential
 from rbpsym.statement.source import did_you_mean
@@ -51,7 +56,7 @@ class Wanted:
     closed: zero is enough; end: at this place of the way it is enough if the last value vanishes (it arrives at rest).
     comes: whether the motion goes all the way for all parameters. beside: what must not be negative either for it to be the
     motion that is stated, though it is not asked for; there: what is said where one of these vanishes first. others:
-    whether it may come by setting out in the other sense, too.
+    whether it may come by setting out in the other sense, too. steps: that say of what the values are signs.
     """
 
     values: tuple[Scalar, ...]
@@ -65,6 +70,7 @@ class Wanted:
     beside: tuple[Scalar, ...] = ()
     others: bool = False
     there: str = "beyond it the motion is not the one that is stated"
+    steps: tuple[Step, ...] = ()
 
 
 def wanted(world: Scene, text: str, name: str = "") -> Wanted:
@@ -256,18 +262,31 @@ def _touches(world: Scene, until: str | None = None, text: str | None = None) ->
     return replace(found, beside=beside, there="there it slips")
 
 
+def rest_at(world: Scene, name: str, text: str) -> tuple[int, Equilibrium]:
+    """The place of rest there and its number, from 1. Raises StatementError if there is none."""
+    value = place_in(world, name, text)
+    for number, item in enumerate(world.study.equilibria, 1):
+        if name in item.at and is_zero(item.at[name] - value):
+            return number, item
+    raise StatementError(f"{name} = {text} is no place of rest", instead=f"ask for the “equilibrium of {name}”.")
+
+
 def _stable(world: Scene, name: str, text: str, opposite: str | None) -> Wanted:
     """What is positive where a place of rest is stable."""
-    value = place_in(world, name, text)
-    found = [item for item in world.study.equilibria if name in item.at and is_zero(item.at[name] - value)]
-    if not found:
-        raise StatementError(f"{name} = {text} is no place of rest", instead=f"ask for the “equilibrium of {name}”.")
-    item = found[0]
+    place, item = rest_at(world, name, text)
     where = item.where if item.stable is None else lift(1 if item.stable else -1)
     if where is None:
         raise StatementError(f"whether {name} = {text} is stable is not decided by one condition")
     given = where_met(world.motion.assumptions, item.valid)
-    return Wanted((-where if opposite else where,), given, closed=False, asked=item.valid)
+    steps = of_chapter(world, oscillations.write, f"equilibrium.{place}") if item.stable is not None else ()
+    return Wanted((-where if opposite else where,), given, closed=False, asked=item.valid, steps=steps)
+
+
+def of_chapter(world: Scene, write: Callable[[Draft], None], id: str) -> tuple[Step, ...]:
+    """The step of a chapter that says so, behind those from which it follows."""
+    draft = Draft(world.study)
+    write(draft)
+    return needed(draft.steps, id)
 
 
 def _damped(world: Scene, name: str, kind: str) -> Wanted:

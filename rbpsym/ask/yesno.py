@@ -6,15 +6,12 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from rbpsym.algebra import UNITY, Scalar, depends_on, is_zero
-from rbpsym.ask.certified import needed
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.seen import Scene, moving, way_to
-from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises, wanted
+from rbpsym.ask.wanted import Wanted, arrives, free_place, of_chapter, on_way, premises, rest_at, wanted
 from rbpsym.ask.zeros import sign_at_end, where_met
-from rbpsym.derivation.chapters import contact
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Step
+from rbpsym.derivation.chapters import contact, oscillations
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
@@ -82,20 +79,22 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
         says = "no" if left is None else f"yes where this is met{rest}" if left else "yes"
         holds = None if left else left is not None
         valid = (*surely, *(left or ()))
-        steps = _of_contact(world, f"loss.{force}")
+        steps = of_chapter(world, contact.write, f"loss.{force}")
         return Finding(valid=valid, place=(name, place), says=says, holds=holds, steps=steps)
     side = next((side for side in world.study.sides if side.force == force), None)
     if side is not None and side.state == "kept" and not side.until:
-        return Finding(says="no", holds=False, steps=_of_contact(world, f"holds.{force}"))
+        return Finding(says="no", holds=False, steps=of_chapter(world, contact.write, f"holds.{force}"))
     rest = f" until {until} = {text}" if until else ""
     return does(world, f"{force} stays positive{rest}", opposite=True)
 
 
-def _of_contact(world: Scene, id: str) -> tuple[Step, ...]:
-    """The step of the chapter on contacts that says so, behind those from which it follows."""
-    draft = Draft(world.study)
-    contact.write(draft)
-    return tuple(part for step in draft.steps if step.id == id for part in needed(draft.steps, step))
+def rests_stably(world: Scene, name: str, text: str, opposite: str | None) -> Finding:
+    """Whether a place of rest is stable: by the step that says so, else by what has to be positive there."""
+    place, item = rest_at(world, name, text)
+    if item.stable is None:
+        return does(world, f"{name} = {text} is {opposite or ''}stable")
+    steps, holds = of_chapter(world, oscillations.write, f"equilibrium.{place}"), item.stable != bool(opposite)
+    return Finding(valid=item.valid, says="yes" if holds else "no", holds=holds, steps=steps)
 
 
 Part = tuple[Scalar, Extreme | None, Demand]  # a value, one of its least ones, and what has to hold there

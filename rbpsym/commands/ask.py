@@ -143,5 +143,5 @@ def _beside(found: Answer, notation: Notation) -> Iterator[str]:
         yield f"{found.symbol} solves {to_text(t.equation(found.equation, t.ZERO), notation)}"
     if found.at is not None and found.at[0] != found.symbol:
         yield f"at {to_text(t.equation(t.Sym(found.at[0]), found.at[1]), notation)}"
-    if found.says:
+    if found.says and (found.holds_so is None or found.says not in ("yes", "no")):
         yield found.says

@@ -35,13 +35,17 @@ def answer_section(answers: tuple[Found, ...], told: Iterable[Told], said: Words
     """Each answer with the steps that are not among those `told` before: what is shown is referred to, and what this level
     of detail leaves out there is left out here. None if brief notes, which begin with the answers, need no further step."""
     shown = {ends(step.statement): words.step(step.id)[0] for words, steps in told for step in steps}
+    together = len(answers) > 1 and all(isinstance(found, Answer) and found.verdict.is_proved for found in answers)
     blocks: list[Block] = []
     for number, found in enumerate(answers, 1):
         own = replace(said, prefix=f"{said.prefix}ask{number}.", same={}, owed={}, shown=frozenset())
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
-        road += () if said.is_brief else _outcome(found, said, () if _states(found) else _box(found))
+        road += () if said.is_brief else _outcome(found, said, () if _states(found) else _box(found), alone=not together)
         head = [Paragraph((Emph(question(text_of(found), said)),))] if road and len(answers) > 1 else []
         blocks += [*head, *road]
+    if together and blocks and not said.is_brief:
+        steps = [step for found in answers for step in found.steps]
+        blocks.append(Paragraph(said.say("question.proved.many", ground=Said(steps=steps))))
     return None if not blocks else Section(said.say("section.answer"), tuple(blocks), said.prefix + "section.answer", level)
 
 
@@ -82,8 +86,8 @@ def _box(found: Found) -> tuple[Display, ...]:
     return tuple(Display(node, numbered=False, boxed=True) for node in nodes)
 
 
-def _outcome(found: Found, said: Words, box: Iterable[Block]) -> Iterator[Block]:
-    """The box, what is said beside it, the conditions, and whether it is proved."""
+def _outcome(found: Found, said: Words, box: Iterable[Block], *, alone: bool = True) -> Iterator[Block]:
+    """The box, what is said beside it, the conditions, and whether it is proved, but for one of several that all are."""
     yield from box
     if isinstance(found, Refused):
         yield Paragraph(said.say("question.refused", reason=found.reason))
@@ -91,11 +95,12 @@ def _outcome(found: Found, said: Words, box: Iterable[Block]) -> Iterator[Block]
     told = [*_beside(found, said)]
     if found.valid:
         told.append(said.say("obligation.holds", conditions=list(found.valid), count=1))
-    if found.verdict.is_proved:
-        told.append(said.say("question.proved", ground=Said(steps=found.steps)))
-    else:
+    if found.verdict.is_proved and alone:
+        told.append(said.say("question.proved.one", ground=Said(steps=found.steps)))
+    elif not found.verdict.is_proved:
         told.append(said.say("question.open", reason=found.verdict.reason))
-    yield Paragraph(sentences([part for part in told if part]))
+    if any(told):
+        yield Paragraph(sentences([part for part in told if part]))
 
 
 def _beside(found: Answer, said: Words) -> Iterator[Inlines]:

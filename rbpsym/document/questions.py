@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -21,7 +22,25 @@ MARK = "`"  # stands around the formulas of a question in another language
 def question(text: str, said: Words) -> Inlines:
     """The question in the language of the page if the file tells it so, else as it is asked."""
     told = said.problem.questions.get(text, {}).get(said.language, "")
-    return merged(_marked(told, said)) if told else spoken(text, said)
+    return merged(_marked(told, said)) if told else spoken(_with_articles(text, said), said)
+
+
+# quantities of the grammar before which a reader expects an article
+NOUNS = (
+    "smallest", "largest", "least", "greatest", "lowest", "highest", "speed", "velocity", "acceleration", "angular", "period",
+    "frequency", "damped frequency", "decay rate", "tension", "friction", "normal force", "force", "torque", "moment of inertia",
+    "kinetic energy", "potential energy", "energy", "momentum", "work", "impulse", "magnitude", "direction", "time",
+    "centre of mass", "equilibrium", "change", "distance", "x component", "y component", "rate of", "number of",
+)  # fmt: skip
+BEFORE = r"(?:^|(?<=^does )|(?<=^is )|(?<=which )|(?<=where )|(?<=when )|(?<=until )|(?<= of ))"
+
+
+def _with_articles(text: str, said: Words) -> str:
+    """“the speed of x when “rolling” begins” of “speed of x when rolling begins”."""
+    text = re.sub(rf"{BEFORE}(?={'|'.join(NOUNS)})(?=\S+ )", "the ", text)
+    names = "|".join(map(re.escape, (phase.name for phase in said.problem.phases)))
+    text = re.sub(rf"\b({names}) begins", "“\\1” begins", text) if names else text
+    return re.sub(r"^(\w+) (?=for which )", r"the \1 ", text)
 
 
 def spoken(text: str, said: Words) -> Inlines:

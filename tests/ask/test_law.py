@@ -8,6 +8,7 @@ import pytest
 
 from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import Refused, own_answers
+from rbpsym.ask.begun import needed
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
@@ -39,3 +40,17 @@ def test_each_component_is_stated_by_its_own_ground(how: str) -> None:
     world, found = finding(Asked(load_problem(HERE / "plate-pins.toml")), text)
     assert concluded(world, text, found).verdict.is_proved
     assert not concluded(world, text, replace(found, values=found.values[::-1])).verdict.is_proved
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_an_answer_has_just_the_steps_that_it_needs(name: str) -> None:
+    """Each step leads to the answer, or to one that asks for something of the motion before; each has an id of its own, and a
+    premise that is no fact is a step before."""
+    for found in own_answers(study_of(load_problem(find_problem(name)))):
+        assert found.steps, found.question.text
+        ids = [step.id for step in found.steps]
+        assert len(ids) == len(set(ids)), found.question.text
+        ends = [found.steps[-1].id, *(step.id for step in found.steps if step.obligations)]
+        assert {step.id for step in needed([*found.steps], *ends)} == set(ids), found.question.text
+        for k, step in enumerate(found.steps):
+            assert not {id for id in step.reasons if id in ids[k:]}, (found.question.text, step.id)
