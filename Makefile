@@ -20,6 +20,7 @@ OUT    ?= build
 COURSE ?= paper
 JOBS   ?= 2
 TESTS  ?= -n auto
+SEED   := $(or $(SEED),$(shell date +%s))
 BARE   := $(addprefix tests/,kernel document/test_access.py document/test_explorer.py document/test_formats.py \
           document/test_writers.py teaching/test_exports.py teaching/test_worksheet.py)
 
@@ -64,6 +65,8 @@ bare: $(VENV)/dev.stamp
 thorough: $(VENV)/dev.stamp
 	rm -f $(OUT)/systems.jsonl
 	$(BIN)/python -m pytest $(TESTS) -m thorough
+	@echo "examples drawn with SEED=$(SEED)"
+	$(BIN)/python -m pytest $(TESTS) --hypothesis-profile=random --hypothesis-seed=$(SEED) $$(grep -rl "^ *@given" tests)
 	$(BIN)/python -m tests.oracles.random_run 0 2000 $(OUT)/systems.jsonl
 	RBPSYM_COVERING=$(OUT)/covering.json $(BIN)/python -m pytest -p no:xdist -p tests.thorough.covering tests > /dev/null
 	$(BIN)/python -m tests.thorough.mutants $(OUT)/covering.json

@@ -8,11 +8,17 @@ import sys
 from collections.abc import Generator
 
 import pytest
+from hypothesis import settings
 
 import rbpsym
 from rbpsym.ask import asking
 from rbpsym.document import notes
 from tests.library.derived import answers_to, derive_once
+
+# The suite draws the same examples each time; --hypothesis-profile=random draws others (by --hypothesis-seed, in `make thorough`).
+for name, is_steady in (("random", False), ("steady", True)):
+    settings.register_profile(name, derandomize=is_steady, database=None, deadline=None, print_blob=True)
+settings.load_profile("steady")
 
 PUBLIC = rbpsym.derive  # asked for before it is replaced: the package keeps what it finds first
 AFTER_DERIVING = {"cli", "document", "teaching"}  # rooms whose tests are of what comes after a derivation

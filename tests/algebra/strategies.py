@@ -16,7 +16,7 @@ from rbpsym.algebra.scalar import PI, Scalar, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.algebra.vector import polar, vector_sum
 
-steady = settings(derandomize=True, deadline=None, max_examples=80)
+steady = settings(max_examples=80)
 A, B, X, Y, M = map(symbol, "abxym")
 
 fractions = st.builds(Fraction, st.integers(-6, 6), st.sampled_from([1, 1, 1, 2, 3, 4]))

@@ -23,9 +23,7 @@ from rbpsym.equality.points import Point
 from rbpsym.errors import LimitError, Undecided
 
 M, ELL, X, A, B = map(symbol, ("m", "ell", "x", "alpha", "beta"))
-quickly = settings(
-    max_examples=50, derandomize=True, deadline=None, database=None, suppress_health_check=[HealthCheck.too_slow]
-)
+quickly = settings(max_examples=50, suppress_health_check=[HealthCheck.too_slow])
 numbers = st.fractions(min_value=-3, max_value=3, max_denominator=4).map(lift)
 WAVY = [cosine(A), sine(A), cosine(B), sine(A - B), cosine(A * 2), sine(X)]
 leaves = st.one_of(numbers, st.sampled_from([M, ELL, X, *WAVY]))

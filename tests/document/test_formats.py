@@ -264,7 +264,7 @@ def test_a_notebook_says_what_follows_a_change_and_what_it_needs() -> None:
 
 
 @given(st.text(max_size=200))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_any_statement_is_a_literal_of_python(text: str) -> None:
     from rbpsym.document.writers.notebook import quoted
 
@@ -296,7 +296,7 @@ def hostile(text: str) -> Document:
 
 
 @given(HOSTILE)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_any_title_stands_in_html_as_it_is(text: str) -> None:
     page = writer("html")(hostile(text))
     body = re.sub(r"<(style|title)>.*?</\1>", "", page, flags=re.S)
@@ -306,7 +306,7 @@ def test_any_title_stands_in_html_as_it_is(text: str) -> None:
 
 
 @given(HOSTILE)
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 def test_any_title_gives_a_word_file(text: str) -> None:
     root = word(hostile(text))
     shown = "".join(part.text or "" for part in root.iter(f"{W}t")).replace("’", "'")  # behind a letter it is an apostrophe
@@ -315,7 +315,7 @@ def test_any_title_gives_a_word_file(text: str) -> None:
 
 
 @given(LATIN | HOSTILE)
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_any_title_is_typeset(text: str) -> None:
     assert write_pdf(hostile(f"a {text}")).startswith(b"%PDF")
 
@@ -339,7 +339,7 @@ def test_letters_of_all_scripts_and_pictures_are_set_or_told(engine: str, tmp_pa
 
 
 @given(HOSTILE)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_any_title_is_no_command_of_tex(text: str) -> None:
     for name in ("tex", "beamer"):
         source = writer(name)(hostile(text))

@@ -14,10 +14,7 @@ from rbpsym.equality.verdict import PROVED, REFUTED
 from rbpsym.notation import tree as t
 from tests.equality.numeric import NoValue, at_witness, number
 
-quickly = settings(
-    max_examples=60, derandomize=True, deadline=None, database=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
-)  # fmt: skip
+quickly = settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
 NAMES = ("m", "ell", "x", "alpha", "beta")
 GIVEN = Assumptions({"m": "positive", "ell": "positive"})
 M, ELL, X, A, B = map(t.Sym, NAMES)

@@ -45,7 +45,7 @@ def is_kept(e: sympy.Expr) -> bool:
     return not strange and not any(p.base.is_number and p.exp.is_Rational and p.exp.q > 2 for p in e.atoms(sympy.Pow))
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
+@settings(max_examples=300, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
 @given(EXPRESSIONS.filter(is_kept))
 def test_sympy_to_ours_and_back(expression: sympy.Expr) -> None:
     try:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Eq, Function, Matrix, Symbol, cos, pi, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
@@ -212,7 +212,6 @@ def test_wrong_questions_get_a_sentence(name: str) -> None:
     assert what in str(found.value), str(found.value)
 
 
-@settings(deadline=None)
 @given(st.text(max_size=8))
 def test_any_name(name: str) -> None:
     """A symbol of any name is a parameter or gets a sentence; nothing of it is run."""

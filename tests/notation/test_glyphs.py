@@ -60,7 +60,7 @@ def test_a_name_is_drawn(name, latex, text):
 
 
 @given(name=st.from_regex(r"[A-Za-z_][A-Za-z0-9_]{0,12}", fullmatch=True))
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200)
 def test_any_identifier_prints(name):
     for printer in PRINTERS.values():
         assert printer(Sym(name)).strip()

@@ -16,7 +16,7 @@ from tests.notation.samples import RELATIONS, SAMPLES, SCALARS
 from tests.notation.trees import NAMES, scalars
 from tests.notation.values import close
 
-law = settings(max_examples=250, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+law = settings(max_examples=250, suppress_health_check=list(HealthCheck))
 NOTATIONS = {
     "default": DEFAULT,
     "aliases": notation_for([], {"theta_dot": "omega", "theta_ddot": "alpha"}),

@@ -18,7 +18,7 @@ BLANK = ("", " ", r" \\ ", r" \\ \\ ", r"& \\ &", r" \\ &\qquad ", r"\quad \\ ",
 EDGE = ("", r"\\ ", r"& ", r"\quad ", r"\quad & ", r"\quad\quad ")
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200)
 @given(st.lists(st.sampled_from(TERMS), min_size=1, max_size=3), st.data())
 def test_a_row_that_ends_with_a_sign_goes_on(terms, data):
     draw = lambda values: data.draw(st.sampled_from(values))  # noqa: E731

@@ -15,9 +15,8 @@ from rbpsym.equality.decide import compare
 from tests.oracles.judged import judged
 from tests.oracles.systems import FAMILIES, statement, used
 
-QUIET = settings(
-    deadline=None, database=None, suppress_health_check=list(HealthCheck), phases=(Phase.explicit, Phase.generate)
-)  # a system that fails is told as it is: to make it smaller would take minutes
+# a system that fails is told as it is: to make it smaller would take minutes
+QUIET = settings(suppress_health_check=list(HealthCheck), phases=(Phase.explicit, Phase.generate))
 
 
 @seed(11)
