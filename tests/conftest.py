@@ -15,7 +15,7 @@ from rbpsym.ask import asking
 from rbpsym.document import notes
 from tests.library.derived import answers_to, derive_once
 
-# The suite draws the same examples each time; --hypothesis-profile=random draws others (by --hypothesis-seed, in `make thorough`).
+# The suite draws the same examples each time; --hypothesis-profile=random draws others (by its seed, in `make thorough`).
 for name, is_steady in (("random", False), ("steady", True)):
     settings.register_profile(name, derandomize=is_steady, database=None, deadline=None, print_blob=True)
 settings.load_profile("steady")

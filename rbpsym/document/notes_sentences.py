@@ -11,12 +11,14 @@ from rbpsym.document.model import Inlines
 from rbpsym.document.places import line_in_words, point_in_words
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, capital
+from rbpsym.mechanics.impulse import is_holding
 from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, PointRef
 from rbpsym.statement.paths import tensions
 
 Slots = dict[str, object]
+DOWN = (t.ZERO, t.neg(t.ONE))
 
 
 def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
@@ -111,7 +113,14 @@ def _twisting(element: Element, pose: DrawnPose, said: Words) -> Slots:
 
 
 def _applied(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    return {"point": point_in_words(element["on"], pose, said)}
+    x, y = element["force"]
+    turns = {"key": "statement.force_turning"} if element["frame"] == "body" else {}
+    return {"point": point_in_words(element["on"], pose, said), "x": x, "y": y, **turns}
+
+
+def _falling(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    x, y = element["direction"]
+    return {"g": element["g"], "x": x, "y": y, **({} if (x, y) == DOWN else {"key": "statement.gravity_along"})}
 
 
 def _resisting(element: Element, pose: DrawnPose, said: Words) -> Slots:
@@ -143,6 +152,31 @@ def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
     return {**slots, "other": BodyRef(element["of"]), "key": "statement.turned_against"} if element["of"] else slots
 
 
+def touched(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    """What touches (`point`) and what is touched (`line`), or what a string joins (`path`)."""
+    if "path" not in element.values:
+        found = _touching(element, pose, said)
+        return {slot: found[slot] for slot in ("point", "line") if slot in found}
+    found = _string(element, pose, said)
+    return {"path": [found["first"], *found["path"], found["last"]] if "first" in found else found["path"]}
+
+
+def _bouncing(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    kind = "bounce_taut" if "path" in element.values else "bounce"
+    return {**touched(element, pose, said), "restitution": element["restitution"], "key": f"statement.{kind}"}
+
+
+def _colliding(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    x, y = element["along"]
+    first, second = (point_in_words(point, pose, said) for point in element["points"])
+    return {"first": first, "second": second, "x": x, "y": y, "restitution": element["restitution"]}
+
+
+def _struck(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    x, y = element["impulse"]
+    return {"point": point_in_words(element["on"], pose, said), "x": x, "y": y}
+
+
 def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
     turns = element["path"]
     turns = turns if turns[-1].sense or not turns[0].sense else turns[::-1]
@@ -167,6 +201,9 @@ def _other(element: Element, pose: DrawnPose, said: Words) -> Slots:
 Writer = Callable[[Element, DrawnPose, Words], Slots]
 
 SENTENCES: Mapping[str, Writer] = {
+    "blow": _struck,
+    "bounce": _bouncing,
+    "collision": _colliding,
     "pivot": _pivot,
     "pin": _pair,
     "weld": _pair,
@@ -181,7 +218,7 @@ SENTENCES: Mapping[str, Writer] = {
     "link": _string,
     "prescribed": _driven,
     "prescribed-angle": _turned,
-    "gravity": lambda e, p, w: {"g": e["g"]},
+    "gravity": _falling,
     "spring": _spring,
     "pull": lambda e, p, w: {"size": e["size"], **_ends(e, p, w)},
     "damper": lambda e, p, w: {"coefficient": e["coefficient"], **_ends(e, p, w)},
@@ -198,8 +235,32 @@ def element_sentences(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
     """All of them: what holds the bodies, then what acts on them."""
     problem, told = pose.study.problem, set()
     for element in (*problem.constraints, *problem.interactions):
-        yield element_sentence(element, pose, said)
+        yield from sentences_of(element, pose, said)
         along = element.values.get("of") if element.values.get("line") is not None else None
         if along and along not in told:  # a line has no ends, and no condition asks for those of the body
             told.add(along)
             yield said.say("statement.long_enough", body=BodyRef(along))
+
+
+def sentences_of(element: Element, pose: DrawnPose, said: Words) -> Iterator[Inlines]:
+    """The sentence of an element, and what more is stated of it: a limit of static friction, how it bounces, ..."""
+    yield element_sentence(element, pose, said)
+    own = pose.study.problem.body(element["body"]).shape.sizes.values() if element.values.get("rim") is not None else ()
+    for key in ("limit", "length", "rest_angle", "rim"):
+        if element.values.get(key) not in (None, t.ZERO, *own):
+            yield said.say(f"statement.{key}", value=element[key])
+    if element.kind == "gravity" and {*element["bodies"]} != {*pose.study.problem.body_names}:
+        yield said.say("statement.bodies", bodies=[BodyRef(name) for name in element["bodies"]], count=len(element["bodies"]))
+    if element.kind == "bounce" and "path" not in element.values:
+        yield from _friction_of(element, said)
+
+
+def _friction_of(bounce: Element, said: Words) -> Iterator[Inlines]:
+    """Whether what bounces slips as it parts, and how rough it is."""
+    if is_holding(bounce):
+        turned = bounce["tangential"] != t.ZERO
+        yield said.say("statement.bounce_turned" if turned else "statement.bounce_held", tangential=bounce["tangential"])
+    if bounce["coefficient"] is not None:
+        yield said.say("statement.bounce_rough", coefficient=bounce["coefficient"])
+    elif not is_holding(bounce):
+        yield said.say("statement.bounce_smooth")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import BodyRef, Derivation
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, Text, words
+from rbpsym.document.notes_events import phase_sentences
 from rbpsym.document.notes_figures import figure_label, figure_with_forces, has_single_body, system_figure
 from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.places import growth
@@ -80,7 +81,7 @@ def statement_section(derivation: Derivation, said: Words, level: int) -> Sectio
     problem, pose = derivation.study.problem, DrawnPose(derivation.study)
     ground = Said(derivation.study)
     text = [_bodies(problem, said, ground), *element_sentences(pose, said)]
-    motion = [_freedom(derivation, said), *_start(problem, said, ground), *_phases(problem, said)]
+    motion = [_freedom(derivation, said), *_start(problem, said, ground), *_phases(pose, said)]
     symbols = symbols_table(derivation, said)
     figure = figure_with_forces if said.is_brief and has_single_body(derivation) else system_figure
     blocks: list[Block] = [
@@ -169,11 +170,12 @@ def _start(problem: Problem, said: Words, ground: Said) -> Iterator[Inlines]:
         yield said.say("statement.moving" if speeds else "statement.rest", ground=ground, place=places, speed=speeds)
 
 
-def _phases(problem: Problem, said: Words) -> Iterator[Inlines]:
-    """That there are further phases."""
-    names = [said.say("statement.phase", name=said.named(phase.name)) for phase in problem.phases]
+def _phases(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
+    """That there are further phases, and what is stated of each."""
+    names = [said.say("statement.phase", name=said.named(phase.name)) for phase in pose.study.problem.phases]
     if names:
         yield said.say("statement.phases", names=names, count=len(names))
+        yield from phase_sentences(pose, said)
 
 
 def _conventions(pose: DrawnPose, said: Words) -> Iterator[Inlines]:

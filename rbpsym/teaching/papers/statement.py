@@ -7,8 +7,10 @@ from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Table, words
+from rbpsym.document.notes_events import phase_sentences
 from rbpsym.document.notes_statement import statement_section
-from rbpsym.document.words import Words
+from rbpsym.document.pose import DrawnPose
+from rbpsym.document.words import Words, sentences
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
@@ -24,8 +26,10 @@ def statement_blocks(derivation: Derivation, said: Words, *, asks_later: bool) -
     first = _without_phases(derivation)
     section = statement_section(first, Words(said.language, first.study.problem, said.prefix), 2)
     blocks = tuple(block for block in section.blocks if not isinstance(block, Table))
+    later = [*phase_sentences(DrawnPose(derivation.study), said)] if asks_later else []
     names = [said.say("statement.phase", name=said.named(p.name)) for p in derivation.study.problem.phases[: not asks_later]]
-    return (*blocks, *(Paragraph(spoken(said, "paper.first_phase", phase=name)) for name in names))
+    told = (Paragraph(sentences(later)),) if later else ()
+    return (*blocks, *told, *(Paragraph(spoken(said, "paper.first_phase", phase=name)) for name in names))
 
 
 def _without_phases(derivation: Derivation) -> Derivation:
