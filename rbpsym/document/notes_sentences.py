@@ -18,7 +18,7 @@ from rbpsym.statement.model import Element, PointRef
 from rbpsym.statement.paths import tensions
 
 Slots = dict[str, object]
-DOWN = (t.ZERO, t.neg(t.ONE))
+DOWN = (t.ZERO, t.Neg(t.ONE))
 
 
 def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
@@ -143,7 +143,8 @@ def _couple(element: Element, pose: DrawnPose, said: Words) -> Slots:
 
 
 def _driven(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    slots: Slots = {"point": point_in_words(element["point"], pose, said), "distance": element["distance"]}
+    x, y = element["along"]
+    slots: Slots = {"point": point_in_words(element["point"], pose, said), "distance": element["distance"], "x": x, "y": y}
     return {**slots, "other": BodyRef(element["of"]), "key": "statement.driven_along"} if element["of"] else slots
 
 

@@ -91,6 +91,8 @@ def test_each_kind_has_its_sentence() -> None:
 TAUT = '[phases.impulses.S]\ntype = "bounce"\npath = ["tow.center", "tug.center"]\nlength = "L"\nrestitution = "e"\n'
 E = 'L   = "length: length of the rope"'
 VARIANTS = {  # problem, what is written else, what is then said
+    "as usual": ("rod-pendulum", (), "Gravity acts downwards with the acceleration g."),
+    "usual, written": ("rod-pendulum", (('"gravity"', '"gravity"\ndirection = ["0", "-1"]'),), "Gravity acts downwards"),
     "gravity": ("rod-pendulum", (('type = "gravity"', 'type = "gravity"\ndirection = ["1", "0"]'),), "in the direction (1, 0)"),
     "of some": ("cart-and-rod", (('type = "gravity"', 'type = "gravity"\nbodies = ["rod"]'),), "It acts on the rod alone."),
     "smooth": ("ball-bouncing-with-spin", (('coefficient = "mu"\nslip        = "none"', ""),), "There is no friction in this."),
