@@ -24,8 +24,10 @@ from rbpsym.statement.phases import EVENTS, IMPULSES, KINDS
 EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"
 FILES = {**problem_files(), **{path.stem: path for path in EXAMPLES.glob("*.toml")}}
 FIELDS = {kind: entry.fields for table in (*KINDS.values(), IMPULSES) for kind, entry in table.items()}
-UNTOLD = {"pivot": "at"}  # the place follows from the pose, and a finished element always has it
-AS_USUAL = {"direction": (t.ZERO, t.Neg(t.ONE)), "rest_angle": t.ZERO, "natural_length": t.ZERO, "tangential": t.ZERO}
+UNTOLD = {"pivot": "at", "weld": "angle"}  # they follow from the poses, and a finished element always has them
+NONE = (t.ZERO, t.ZERO)
+AS_USUAL = {"direction": (t.ZERO, t.Neg(t.ONE)), "medium": NONE, "rest_angle": t.ZERO, "natural_length": t.ZERO,
+            "tangential": t.ZERO}  # fmt: skip
 
 
 def elements(problem: Problem) -> Iterator[Element]:
