@@ -5,6 +5,8 @@ A fact has an id as a step has one, and stands among the premises of the steps t
 * `law.force.BODY`, `law.torque.BODY`: Newton's and Euler's equations of one body;
 * `law.motion`: these of all bodies together, with the conditions of the constraints, and what they make of the
   accelerations and of the unknown forces;
+* `law.blow.BODY`: how a blow changes momentum and spin of one body; `law.parting.IMPULSE`: how fast what collides or
+  bounces parts along an impulse; `law.tied`: what ties the speeds just after;
 * `start.q`: where a coordinate starts and how fast;
 * `range.q`: the range that is declared for it;
 * `shape.BODY`: how the mass of a body is spread about its centre of mass;
@@ -56,6 +58,8 @@ def definition(letter: str) -> Fact:
 
 
 def law_rows(study: Study, fact: Fact) -> list[Scalar]:
-    """M A - F, or I α - τ_cm, of one body."""
+    """M A - F, or I α - τ_cm, of one body; what a law of an instant says by itself."""
+    if fact.rows:
+        return list(fact.rows)
     part = fact.id.split(".")[1]
     return [row for body, axis, row in study.labelled_rows if body == fact.subject and axis in PARTS[part]]

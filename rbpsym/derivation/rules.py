@@ -110,10 +110,10 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "event_place": (c.identity, p.reached_there, p.first_there),
     "kept_until": (c.identity, j.kept_until),
     "end_state": (c.identity, p.state_then),
-    "jump": (c.identity, j.momenta_kept),
-    "impulse": (c.identity, p.momentum_jump),
-    "restitution": (c.identity, p.parting),
-    "energy_jump": (c.identity, p.energy_jump),
+    "jump": (c.on_motion, j.momenta_kept),
+    "impulse": (c.on_motion, p.momentum_jump),
+    "restitution": (c.on_motion, p.parting),
+    "energy_jump": (c.on_motion, p.energy_jump),
 }
 
 

@@ -11,9 +11,10 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields
 from functools import cached_property
+from typing import Any
 from weakref import proxy
 
-from rbpsym.algebra import EX, EY, Scalar, Scope, Space, Value, depends_on, names_in, symbol, value
+from rbpsym.algebra import EX, EY, Scalar, Scope, Space, Value, depends_on, names_in, substitute, symbol, value
 from rbpsym.algebra.modular import NoImage
 from rbpsym.algebra.squares import with_squares
 from rbpsym.derivation.context import Context
@@ -93,6 +94,15 @@ class View(Context):
         finally:
             self.trail.pop()
 
+    def _with_opaque(self, find: Callable[[], Any]) -> tuple[Any, frozenset[str]]:
+        """What is found, and the letters without meaning that are met, those that were met before too."""
+        before = set(self.opaque)
+        self.opaque.clear()
+        try:
+            return find(), frozenset(self.opaque)
+        finally:
+            self.opaque.update(before)
+
     @property
     def study(self) -> Granted:
         """The mechanics, as far as the premises grant it."""
@@ -161,8 +171,18 @@ class View(Context):
             return opaque(self, letter)
         self.use(id)
         if said is None:
-            return table[letter]
+            return self._sealed(table[letter])
         return self.rate(said) if table is self.works else self.value(said)
+
+    def _sealed(self, found: Value) -> Value:
+        """A meaning; the letters in it that laws alone tell of are known to be such."""
+        for name in names_in(found) & self._untold if isinstance(found, Scalar) else ():
+            self._opaque(name)
+        return found
+
+    @cached_property
+    def _untold(self) -> frozenset[str]:
+        return frozenset(name for name, (id, _) in self.introduced.items() if not id)
 
     def _opaque(self, name: str) -> Scalar:
         if name not in self.opaque:
@@ -217,10 +237,9 @@ class View(Context):
         same, rests = self._resting(node)
         key = (kind, id(same), self.step.id if self.step.id in rests else "", (rests | fixed(self)) & self.premises)
         if key not in self.rows:
-            before = set(self.opaque)
             with self.noting() as noted:
-                found = find(node)
-            self.rows[key] = (found, frozenset(noted), frozenset(self.opaque - before))
+                found, opaque = self._with_opaque(lambda: find(node))
+            self.rows[key] = (found, frozenset(noted), opaque)
         found, noted, opaque = self.rows[key]
         self.trail[-1] |= noted
         for name in opaque:
@@ -312,9 +331,7 @@ class View(Context):
         """The key of a premise's rows, which other views may have worked out with the same premises in use."""
         key = (id, self.rests.get(id, frozenset()) & self.premises, MOTION in self.premises)
         if key not in self.rows:
-            before = set(self.opaque)
-            found = tuple(row for row in self._rows_of(id) if row.value)
-            self.rows[key] = (found, frozenset(self.opaque - before))
+            self.rows[key] = self._with_opaque(lambda: tuple(row for row in self._rows_of(id) if row.value))
         for name in self.rows[key][1]:
             self._opaque(name)
         return key
@@ -324,8 +341,10 @@ class View(Context):
         made = self.steps.get(id)
         if made is None:
             fact = self.facts.get(id)
-            rows = law_rows(self.whole, fact) if fact is not None and fact.kind == "law" and fact.subject else ()
-            yield from (Row(row, frozenset((id,))) for row in rows)
+            for row in law_rows(self.whole, fact) if fact is not None and fact.kind == "law" and fact.subject else ():
+                with self.noting() as noted:
+                    told = substitute(row, {name: self.scope.scalars[name] for name in names_in(row) & self.scalars.keys()})
+                yield Row(told, frozenset((id, *noted)))
             return
         for read in (_values, _growths, _constants):
             with suppress(RbpsymError, ZeroDivisionError), self.noting() as noted:

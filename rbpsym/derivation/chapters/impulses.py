@@ -6,20 +6,22 @@ the impulses that the statement names. Kleppner & Kolenkow 4.4; Meriam & Kraige,
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
-from rbpsym.algebra import Scalar, depends_on, is_zero, substitute
-from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, substitute
+from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.derivation.chapters import jumps
 from rbpsym.derivation.chapters.blow import Blow, after_name, impulse_name, minus, new_value, old_value
 from rbpsym.derivation.chapters.endings import kinetic
 from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.facts import Fact
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.energy import kinetic_energy
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.impulse import approach, is_holding, restitutions
 from rbpsym.notation import tree as t
@@ -31,8 +33,7 @@ def write(draft: Draft, blow: Blow) -> None:
     _define(draft, blow)
     kept = jumps.write(draft, blow)
     single = [] if kept else _single(draft, blow, STANDARD)
-    laws = [(element, name) for element in blow.phase.impulses for name in restitutions(element)]
-    parted = [_restitution(draft, blow, element, name) for element, name in laws]
+    parted = [_restitution(draft, blow, element, name) for element, name, _ in _partings(blow)]
     _speeds(draft, blow, [*(kept or single), *parted])
     level = FULL if kept and not _is_asked(draft, blow) else STANDARD
     _impulses(draft, blow, [*(single or _single(draft, blow, level)), *parted], level)
@@ -42,10 +43,51 @@ def write(draft: Draft, blow: Blow) -> None:
 
 
 def _define(draft: Draft, blow: Blow) -> None:
-    for name in blow.after.independent:
-        draft.context.scalars[after_name(draft, name)] = blow.began.speeds[name]
-    for name, value in blow.began.impulses.items():
-        draft.context.scalars[impulse_name(draft, name, blow)] = value
+    """Letters of speeds just after and of impulses, of which nothing is known but what the laws of the blow say."""
+    found = {after_name(draft, name): blow.began.speeds[name] for name in blow.after.independent}
+    found |= {impulse_name(draft, name, blow): value for name, value in blow.began.impulses.items()}
+    draft.context.scalars.update(found)
+    draft.context.introduced.update(dict.fromkeys(found, ("", None)))
+    for body in blow.after.bodies:
+        rows = (_less(draft, blow, *change) for change in _changes(blow, body))
+        _state_law(draft, f"law.blow.{body}", body, rows)
+    for element, name, factor in _partings(blow):
+        new, old = (approach(system, element, name, blow.after) for system in (blow.after, blow.before))
+        _state_law(draft, f"law.parting.{name}", name, [new_value(draft, blow, new) + factor * old_value(draft, blow, old)])
+    ties = [time_derivative(c.value, blow.after.scope) for c in blow.after.implicit] + [c.value for c in blow.after.speed_ties]
+    _state_law(draft, TIED, "all", (new_value(draft, blow, value) for value in ties))
+
+
+TIED = "law.tied"
+
+
+def _state_law(draft: Draft, id: str, subject: str, rows: Iterable[Scalar]) -> None:
+    """What holds at the instant, as a fact; it rests on what the letters of the state just before rest on."""
+    if rows := tuple(row for row in rows if row):
+        draft.context.facts[id] = Fact(id, "law", subject, rows)
+        made = (draft.context.introduced.get(name, ("",))[0] for row in rows for name in names_in(row))
+        draft.context.rests[id] = frozenset(filter(None, made))
+
+
+def _partings(blow: Blow) -> list[tuple[Element, str, Scalar]]:
+    """Each collision or bounce with its impulses, and the speed of parting over that of approach."""
+    return [(element, name, e) for element in blow.phase.impulses for name, e in restitutions(element).items()]
+
+
+def _changes(blow: Blow, name: str) -> list[tuple[Scalar, Scalar, list[Scalar]]]:
+    """Momentum (x and y) and spin of a body just after and just before, and the impulses that change it."""
+    new, old = blow.after.bodies[name], blow.before.bodies[name]
+    own = [force for force in blow.forces if force.on == name]
+    return [
+        (new.velocity.x * new.mass, old.velocity.x * old.mass, [force.vector.x for force in own]),
+        (new.velocity.y * new.mass, old.velocity.y * old.mass, [force.vector.y for force in own]),
+        (new.omega * new.moment, old.omega * old.moment, [torque_about_center(force, new) for force in own]),
+    ]
+
+
+def _less(draft: Draft, blow: Blow, after: Scalar, before: Scalar, parts: list[Scalar]) -> Scalar:
+    """(new) - (old) - Σ impulses."""
+    return new_value(draft, blow, after - sum(parts, NOTHING)) - old_value(draft, blow, before)
 
 
 def _is_asked(draft: Draft, blow: Blow) -> bool:
@@ -66,14 +108,7 @@ def _single(draft: Draft, blow: Blow, level: int) -> list[Step]:
 
 def _balance(draft: Draft, blow: Blow, name: str, level: int) -> Step | None:
     """m ΔV (x and y) and I Δω of one body."""
-    new, old = blow.after.bodies[name], blow.before.bodies[name]
-    own = [force for force in blow.forces if force.on == name]
-    pairs = [
-        (new.velocity.x * new.mass, old.velocity.x * old.mass, [force.vector.x for force in own]),
-        (new.velocity.y * new.mass, old.velocity.y * old.mass, [force.vector.y for force in own]),
-        (new.omega * new.moment, old.omega * old.moment, [torque_about_center(force, new) for force in own]),
-    ]
-    rows = [row for after, before, parts in pairs if (row := _row(draft, blow, after, before, parts)) is not None]
+    rows = [row for change in _changes(blow, name) if (row := _row(draft, blow, *change)) is not None]
     if not rows:
         return None
     return draft.add(
@@ -81,7 +116,7 @@ def _balance(draft: Draft, blow: Blow, name: str, level: int) -> Step | None:
         "impulse",
         t.system(rows),
         "phases.impulse",
-        premises=draft.those("state.speed", "state.place"),
+        premises=draft.those("state.speed", "state.place", f"law.blow.{name}"),
         level=level,
         body=BodyRef(name),
         data={"body": name, "blow": blow},
@@ -113,6 +148,7 @@ def _restitution(draft: Draft, blow: Blow, element: Element, name: str):
         "restitution",
         t.equation(speeds[0], _positive(right)),
         f"phases.{kind}.{'taut.' * ('path' in element.values)}{'sticks' if scalar(factor).number() == 0 else 'parts'}",
+        premises=[f"law.parting.{name}"],
         coefficient=factor,
         obligations=tuple(t.relation(part, ">=", t.ZERO) for part in (factor, t.add(t.ONE, t.neg(factor)))),
         data={"element": element, "name": name, "blow": blow},
@@ -134,7 +170,7 @@ def _friction(draft: Draft, blow: Blow, element: Element) -> None:
         value = short(substitute(new_value(draft, blow, slip), draft.context.scalars))
     draft.add(
         f"friction.{element.name}",
-        "identity",
+        "substitution",
         t.equation(left, draft.show(value, factor=True)),
         f"phases.friction.{'holds' if is_holding(element) else 'slips'}",
         premises=["after.speeds", *draft.those("after.impulses")],
@@ -181,7 +217,7 @@ def _solved(
         "solution",
         t.system([t.equation(t.Sym(name), draft.show(value, factor=True)) for name, value in values.items()]),
         f"phases.after.{kind}",
-        premises=[step.id for step in steps],
+        premises=draft.those(*(step.id for step in steps), TIED, "after.speeds"),
         sources=[StepRef(step.id) for step in steps],
         count=len(values),
         level=level,
@@ -200,7 +236,7 @@ def _lost(draft: Draft, blow: Blow) -> None:
     """The kinetic energy before less that after."""
     value, before = blow.began.energy_lost, kinetic(draft, blow.state.places, blow.state.speeds)
     first = draft.define(draft.free("K"), before)
-    second = draft.define(draft.free("K_prime"), before - value)
+    second = draft.define(draft.free("K_prime"), new_value(draft, blow, sum(kinetic_energy(blow.after), NOTHING)))
     states = (
         (blow.before, blow.state.places, blow.state.speeds),
         (blow.after, blow.state.places, blow.began.speeds),

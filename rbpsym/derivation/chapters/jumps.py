@@ -28,7 +28,7 @@ def _step(draft: Draft, blow: Blow, jump: Jump) -> Step:
         "jump",
         _statement(draft, blow, jump),
         f"phases.{'grown' if jump.given else 'kept'}.{where}",
-        premises=draft.those("state.speed", "state.place"),
+        premises=draft.those("state.speed", "state.place", *(f"law.blow.{body}" for body in jump.bodies)),
         bodies=PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)}),
         point=point,
         place=draft.show_vector(jump.where),
