@@ -101,7 +101,7 @@ def _phases(problem: Problem) -> tuple[DerivedPhase, ...]:
     with in_all(MOST_IN_ALL):
         found = hand_overs(problem)
     return tuple(
-        DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, simulation=False))
+        DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, simulation=False), draft.context)
         for phase, stage, draft in found
     )
 

@@ -32,22 +32,21 @@ def command(name: str, output: Path) -> int:
     from rbpsym.commands.shelf import found
     from rbpsym.derive import derive
     from rbpsym.document.files import write_all
-    from rbpsym.kernel.certify import BEGINNING, PRELUDE, compiled, text, together, written
+    from rbpsym.kernel.begins import parts
+    from rbpsym.kernel.certify import PRELUDE, compiled, text, together, written
     from rbpsym.kernel.rocq import identifier
     from rbpsym.statement.loader import load_problem
 
     _, path = found(name, ("problem",))
     with Progress(f"deriving {name}"):
         derivation = derive(load_problem(path), simulation=False)
-        parts = {"": written(derivation)}
-        parts |= {f"phase{k}.": written(phase.derivation) for k, phase in enumerate(derivation.phases, 2)}
+        each = [(part, word, written(own)) for part, word, own in parts(derivation)]
     stem = identifier(path.stem).replace(chr(39), "_")
-    texts = {f"{stem}{'_' if part else ''}{part.rstrip('.')}.v": text(done) for part, done in parts.items()}
+    texts = {f"{stem}{word}.v": text(done) for _, word, done in each}
     for file in write_all(output, {PRELUDE.name: PRELUDE.read_text(encoding="utf-8"), **texts}):
         click.echo(str(file))
-    begins = {f"phase{k}.{step.id}": BEGINNING for k, phase in enumerate(derivation.phases, 2) for step in phase.begins}
     with Progress("coqc"):
-        report = together({part: compiled(done) for part, done in parts.items()}, begins)
+        report = together((part, compiled(done)) for part, _, done in each)
     click.echo("\n".join(lines(report)))
     return 1 if report.refused else 0
 

@@ -160,12 +160,14 @@ class Derivation(Shown):
 
 @dataclass(frozen=True)
 class DerivedPhase:
-    """A later phase: its name, the steps from the end of the one before to its start, its own derivation."""
+    """A later phase: its name, the steps from the end of the one before to its start, its own derivation; `letters` of the
+    former, as in a derivation."""
 
     name: str
     event: str
     begins: tuple[Step, ...]
     derivation: Derivation
+    letters: Any = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ from rbpsym.derivation.entailment import Known, Row, cofactors, known_by, used_b
 from rbpsym.derivation.facts import MOTION, law_rows
 from rbpsym.derivation.letters import fixed, introducers
 from rbpsym.derivation.step import Step
+from rbpsym.derivation.told import READERS
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.mechanics.system import Condition
@@ -346,7 +347,7 @@ class View(Context):
                     told = substitute(row, {name: self.scope.scalars[name] for name in names_in(row) & self.scalars.keys()})
                 yield Row(told, frozenset((id, *noted)))
             return
-        for read in (_values, _growths, _constants):
+        for read in READERS:
             with suppress(RbpsymError, ZeroDivisionError), self.noting() as noted:
                 for row in read(self, made):
                     yield Row(self._by_laws(row), frozenset((id, *noted)))
@@ -377,38 +378,3 @@ class _Letters(Mapping):
 
     def __len__(self) -> int:
         return len(self._table)
-
-
-def _pairs(step: Step) -> Iterator[tuple[t.Node, t.Node]]:
-    for left, op, right in t.relations(step.statement):
-        if op == "=":
-            yield left, right
-
-
-def _components(found: Value) -> tuple[Scalar, ...]:
-    return found.components() if isinstance(found, Space) else (found,)
-
-
-def _values(view: View, step: Step) -> Iterator[Scalar]:
-    """left - right of each equation that has values."""
-    for left, right in _pairs(step):
-        if not view.grows(left) and not view.grows(right):
-            a, b = view.value(left), view.value(right)
-            if isinstance(a, Space) == isinstance(b, Space):
-                yield from (x - y for x, y in zip(_components(a), _components(b), strict=True))
-
-
-def _growths(view: View, step: Step) -> Iterator[Scalar]:
-    """left - right of the rates, where both are integrals along the motion or changes."""
-    for left, right in _pairs(step):
-        if view.grows(left) or view.grows(right):
-            yield view.rate(left) - view.rate(right)
-
-
-def _constants(view: View, step: Step) -> Iterator[Scalar]:
-    """What is conserved: its rate vanishes, and it is what it was at the start."""
-    if step.rule == "conservation":
-        kept = step.data["value"]
-        yield view.rate_of(kept)
-        yield kept - view.start(kept)
-

@@ -10,17 +10,23 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
-from rbpsym.kernel.claims import Claim
+from rbpsym.kernel.claim import Claim
 from rbpsym.notation import tree as t
 
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """An equation that may be used: by its name, at the time `when` ("t" or "0"); `claim.given` holds there."""
+    """An equation that may be used: by its name, at the time `when` ("t" or "0"); `by`: what shows that `claim.given` holds."""
 
     name: str
     claim: Claim
     when: str = "t"
+    by: tuple[str, ...] = ()
+
+    @property
+    def is_free(self) -> bool:
+        """Whether it holds at all times."""
+        return not self.by and not (self.name[0] == "g" and self.name[1:].isdigit())
 
 
 @dataclass(frozen=True, slots=True)

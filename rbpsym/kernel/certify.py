@@ -16,7 +16,8 @@ from pathlib import Path
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.kernel.certificates import Proof
-from rbpsym.kernel.claims import Claim, Said, Source
+from rbpsym.kernel.claim import Claim, Said
+from rbpsym.kernel.claims import Source
 from rbpsym.kernel.components import START
 from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.rocq import REFUSED, Lemma, Terms, Writer, identifier
@@ -50,7 +51,9 @@ def written(derivation: Derivation) -> Written:
     found = Written(Source(derivation))
     for step in derivation.steps:
         try:
-            found.lemmas[step.id] = list(_lemmas(found, step))
+            lemmas = found.lemmas[step.id] = list(_lemmas(found, step))
+            said = found.source.said[step.id]  # from now on with the conditions on which it was shown
+            found.source.said[step.id] = replace(said, assertions=tuple(lemma.claim for lemma in lemmas))
         except (RbpsymError, ZeroDivisionError) as error:
             found.refused[step.id] = str(error)
     return found
@@ -99,7 +102,9 @@ def _proved(
     try:
         return claim, search.prove(claim), search
     except Undecided:
-        if not (conditions := source.conditions(step)):
+        held = (part for item in claims.values() for part in item.given)
+        conditions = [part for part in dict.fromkeys((*source.conditions(step), *held)) if part not in claim.given]
+        if not conditions:
             raise
     claim = replace(claim, given=(*claim.given, *conditions))
     search = Search(source, {**claims, **further}, further)
@@ -161,17 +166,14 @@ class Report:
     seconds: float = 0.0
 
 
-BEGINNING = "what leads from one phase to the next is not written yet"
-
-
-def together(reports: Mapping[str, Report], refused: Mapping[str, str]) -> Report:
-    """The report of all phases, by what stands before the ids of their steps; `refused`: steps of which none is written."""
-    every = {f"{part}{id}": why for part, report in reports.items() for id, why in report.refused.items()}
-    told = [report.axioms for report in reports.values()]
-    axioms = None if None in told else tuple(dict.fromkeys(axiom for each in told for axiom in each or ()))
-    steps, lemmas = (sum(getattr(report, name) for report in reports.values()) for name in ("steps", "lemmas"))
-    seconds = sum(report.seconds for report in reports.values())
-    return Report(steps + len(refused), lemmas, {**every, **refused}, axioms, seconds)
+def together(reports: Iterable[tuple[str, Report]]) -> Report:
+    """The report of all parts, each with what stands before the ids of its steps."""
+    told = list(reports)
+    every = {f"{part}{id}": why for part, report in told for id, why in report.refused.items()}
+    each = [report.axioms for _, report in told]
+    axioms = None if None in each else tuple(dict.fromkeys(axiom for one in each for axiom in one or ()))
+    steps, lemmas = (sum(getattr(report, name) for _, report in told) for name in ("steps", "lemmas"))
+    return Report(steps, lemmas, every, axioms, sum(report.seconds for _, report in told))
 
 
 def has_coqc() -> bool:

@@ -3,81 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
-from fractions import Fraction
+from dataclasses import replace
 from functools import cached_property
 
-from rbpsym.algebra import Monomial, Poly, Scalar, Vector, atoms, names_in, short, symbol
+from rbpsym.algebra import Vector, names_in, short, symbol
 from rbpsym.derivation.mass import power
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError
+from rbpsym.kernel.begins import event, letters_then
+from rbpsym.kernel.claim import Claim, Said, letter, rows, tree_of
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
-
-
-@dataclass(frozen=True, slots=True)
-class Claim:
-    """What is said of all times of the motion, if the claims in `given` hold at that time.
-
-    kind: "equal"; "rate" (right is the rate of left); "start" (equal at the start); "more" (left > right); "differ";
-    "slope" (right is the derivative of left by `var` at `place`).
-    """
-
-    left: t.Node
-    right: t.Node
-    kind: str = "equal"
-    given: tuple[Claim, ...] = ()
-    var: str = ""
-    place: t.Node = t.ZERO
-
-
-@dataclass(frozen=True, slots=True)
-class Said:
-    """What a step or a fact says: the definitions of the letters that it introduces, and what it asserts."""
-
-    definitions: tuple[Claim, ...] = ()
-    assertions: tuple[Claim, ...] = ()
-
-
-def rows(statement: t.Node) -> tuple[t.Chain, ...]:
-    """The chains that a statement asserts."""
-    if isinstance(statement, t.System):
-        return tuple(r for row in statement.rows for r in rows(row))
-    assert isinstance(statement, t.Chain)
-    return (statement,)
-
-
-def letter(node: t.Node) -> str:
-    """The name of what must be a letter, of a number or a vector."""
-    assert isinstance(node, t.Sym | t.Vec)
-    return node.name
-
-
-def tree_of(value: Scalar | Poly) -> t.Node:
-    """A value as a tree, term by term."""
-    if isinstance(value, Scalar):
-        num = tree_of(value.num)
-        return num if value.den.constant_value() == 1 else t.Div(num, tree_of(value.den))
-    return t.add(*(_term(m, c) for m, c in value.terms.items()))
-
-
-def _term(monomial: Monomial, coefficient: int | Fraction) -> t.Node:
-    number = Fraction(coefficient)
-    factors = [t.power(_atom(index), exponent) for index, exponent in monomial]
-    return t.div(t.mul(t.Num(number.numerator), *factors), t.Num(number.denominator))
-
-
-def _atom(index: int) -> t.Node:
-    found = atoms.atom(index)
-    if found.kind == "symbol":
-        return t.Sym(found.arg)
-    if found.kind == "root":
-        return t.Sqrt(tree_of(found.arg))
-    if found.kind not in ("sin", "cos"):
-        raise RbpsymError(f"the function {found.kind} has no term in Rocq")
-    return t.Fn(found.kind, tree_of(found.arg))
 
 
 class Source:
@@ -92,6 +30,8 @@ class Source:
         self.integrals: dict[str, t.Integral] = {}  # for which a letter stands
         self.circular: dict[str, t.Fn | t.Sqrt] = {}  # sines, cosines and roots that are letters
         self.unsaid: dict[str, str] = {}
+        self.then = {name: tree_of(value) for name, value in letters_then(derivation).items()}
+        self.event = event(derivation)
         self._defined: set[str] = set()
         self._introduced: set[str] = set()
         self.said: dict[str, Said] = {}
@@ -133,7 +73,17 @@ class Source:
         for claim in definitions:
             if claim.kind == "equal" and isinstance(claim.left, t.Sym) and any(map(self.moving, t.names(claim.right))):
                 self._defined.add(claim.left.name)
-        return Said(tuple(definitions), tuple(self._asserted(step)))
+        return Said(tuple(definitions), tuple(self._at_event(claim) for claim in self._asserted(step)))
+
+    def _at_event(self, claim: Claim) -> Claim:
+        """The claim; one with letters of the moment at which the phase ends is made of any time at which the event holds."""
+        if not self.then.keys() & (t.names(claim.left) | t.names(claim.right)):
+            return claim
+        if self.event is None:
+            raise RbpsymError("such an end of a phase has no words yet")
+        left, right = (t.renamed(side, self.then) for side in (claim.left, claim.right))
+        there = (Claim(tree_of(self.event), t.ZERO), Claim(t.Sym(TIME), t.ZERO, "more"))
+        return replace(claim, left=left, right=right, given=(*claim.given, *there))
 
     def _asserted(self, step: Step) -> list[Claim]:
         """What a step claims; nothing, with the reason in `unsaid`, where the exporter has no words for it."""
@@ -149,7 +99,8 @@ class Source:
     def _introduces(self, row: t.Chain) -> bool:
         """Whether the letter that stands first is met here for the first time."""
         name = getattr(row.items[0], "name", "")
-        return name in self.known and name not in self._introduced and "@" not in name
+        is_told = name in self.then or self.letters.introduced.get(name) == ("", None)  # by the event, by laws
+        return name in self.known and name not in self._introduced and "@" not in name and not is_told
 
     @cached_property
     def ranked(self) -> list[str]:
@@ -207,18 +158,21 @@ class Source:
     def fact(self, id: str) -> Said:
         """What a fact says. Raises KeyError for an id that is none."""
         kind, _, rest = id.partition(".")
-        return Said(tuple(FACTS[kind](self, rest)))
+        return Said(tuple(map(self._at_event, FACTS[kind](self, rest))))
 
     def _law(self, rest: str) -> Iterator[Claim]:
+        if (fact := self.letters.facts.get(f"law.{rest}")) and fact.rows:
+            yield from (Claim(tree_of(row), t.ZERO) for row in fact.rows)
+            return
         part, _, body = rest.partition(".")
         for owner, axis, value in newton_euler_rows(self.system):
             if part == "motion" or (body == owner and (axis == "rotation") == (part == "torque")):
                 yield Claim(tree_of(value), t.ZERO)
 
     def _start(self, name: str) -> Iterator[Claim]:
-        for letter in (name, f"{name}_dot"):
-            if letter in self.system.scope.start:
-                yield Claim(t.Sym(letter), tree_of(self.system.scope.start[letter]), "start")
+        for begun in (name, f"{name}_dot"):
+            if begun in self.system.scope.start:
+                yield Claim(t.Sym(begun), tree_of(self.system.scope.start[begun]), "start")
 
     def _range(self, name: str) -> Iterator[Claim]:
         low, high = self.study.assumptions.ranges[name]
@@ -229,6 +183,8 @@ class Source:
 
     def meaning(self, letter: str) -> Iterator[Claim]:
         """What a letter stands for, in coordinates."""
+        if letter in self.then:
+            return
         if letter in self.letters.works:
             yield Claim(t.Sym(letter), tree_of(self.letters.works[letter]), "rate")
             yield Claim(t.Sym(letter), t.ZERO, "start")

@@ -10,7 +10,7 @@ from rbpsym.algebra import Coefficient, Monomial, Poly, atoms, bases_of, in_base
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.kernel.certificates import Have, Known, Multiples, circles
-from rbpsym.kernel.claims import Claim, tree_of
+from rbpsym.kernel.claim import Claim, tree_of
 from rbpsym.kernel.positive import Sum, positive_sum
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.notation import tree as t

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rbpsym.kernel.certificates import Multiples, Proof
-from rbpsym.kernel.claims import Claim
+from rbpsym.kernel.claim import Claim
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 

@@ -9,7 +9,8 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known
-from rbpsym.kernel.claims import TIME, Claim, tree_of
+from rbpsym.kernel.claim import Claim, tree_of
+from rbpsym.kernel.claims import TIME
 from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:

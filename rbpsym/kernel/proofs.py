@@ -12,9 +12,11 @@ from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
-from rbpsym.kernel.claims import TIME, Claim, Source, letter, tree_of
+from rbpsym.kernel.claim import Claim, letter, tree_of
+from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.combining import based, combined, nonzero, stays
 from rbpsym.kernel.components import START, started
+from rbpsym.kernel.courses import courses
 from rbpsym.kernel.formulas import brief, formulas, sides
 from rbpsym.kernel.integrals import integrated
 from rbpsym.kernel.radicals import rootless
@@ -22,6 +24,8 @@ from rbpsym.kernel.ranges import note_signs
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
+
+AHEAD = Claim(t.Sym(TIME), t.ZERO, "more")
 
 
 class Search:
@@ -41,7 +45,7 @@ class Search:
         signs = source.study.assumptions.signs
         above = [name for name, sign in signs.items() if sign == "positive"]
         self.positive = {atoms.intern("symbol", name) for name in (*above, "pi")}
-        self.fixed = {*signs, *source.rates, TIME, "pi"} - {n for n in source.rates if n.endswith("_dot")}
+        self.fixed: set[str] = {*signs, *source.rates, TIME, "pi"} - {n for n in source.rates if n.endswith("_dot")}
         self.certain = set(self.positive)  # what may stand below
         self.nonzero: set[int] = set()
         self.deep = False
@@ -197,7 +201,7 @@ class Search:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
         found = self._sought(claim)
         written = [*sides(claim), *formulas(found)]
-        known = [item for item in self._known(claim) if item.name in self.given and item.when == "t"]
+        known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = list(nonzero(self, written, known))
         parts = {part for node in (*written, *(part for have in below for part in have.parts)) for part in t.walk(node)}
         signs = [have for have in found.steps if have.how == "sign" and have.claim.left in parts]
@@ -208,9 +212,12 @@ class Search:
         for item in claim.given:
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
+            elif item == AHEAD:
+                self.positive |= self.value(item.left).atoms()
         note_signs(self, signed=claim.kind == "more" or bool(claim.given))
         goal = self.difference(claim)
         known = [*self._known(claim), *self._unique(), *integrated(self)]
+        known += courses(self, known) if claim.given and self.source.event is not None else []
         self._count = len(self.haves)
         if claim.kind == "slope":
             return Proof()
@@ -220,7 +227,7 @@ class Search:
             return self._proof(found, like=(self.tree(like), by))
         if claim.kind == "more":
             return self._above(goal, known)
-        ways = (self._shown, self._cancelled if claim.given else self._by_rates, self._multiplied)
+        ways = (self._shown, self._cancelled if claim.given else self.by_rates, self._multiplied)
         reasons = []
         for way in ways:
             del self.haves[self._count :]
@@ -245,16 +252,17 @@ class Search:
         equal = {name: item for name, item in self.given.items() if item.kind == "equal"}
         equal |= {f"g{place}": item for place, item in enumerate(claim.given, 1) if item.kind == "equal"}
         for name, item in equal.items():
-            yield Known(name, item)
+            if set(item.given) <= set(claim.given):
+                yield Known(name, item, by=tuple(f"g{claim.given.index(part) + 1}" for part in item.given))
         spoken = {n for item in (claim, *equal.values()) for side in (item.left, item.right) for n in t.names(side)}
         if any(name.endswith(START) for name in spoken):
             for name, item in self.given.items():
-                if item.kind == "equal":
+                if item.kind == "equal" and not item.given:
                     yield Known(name, item, "0")
 
     def _unique(self) -> Iterator[Known]:
         """What is said to be the rate of a formula is the rate that the formula has."""
-        equal = [Known(name, item) for name, item in self.given.items() if item.kind == "equal"]
+        equal = [Known(name, item) for name, item in self.given.items() if item.kind == "equal" and not item.given]
         for name, claim in self.doubled.items():
             with suppress(Undecided):
                 like, by = self.follow(self.value(claim.left), equal, only=True)
@@ -298,7 +306,7 @@ class Search:
 
     def _stills(self, known: Sequence[Known]) -> Iterator[Known]:
         """The rates of the equations, after letters without a rate are replaced."""
-        now = [item for item in known if item.when == "t" and not item.name.startswith("g")]
+        now = [item for item in known if item.when == "t" and item.is_free]
         values, found = [self.difference(item.claim) for item in now], []
         each = [lambda name, one=one: self._defined(name) or name == one for one in self.integrals if self.moving(one)]
         for replaced in (self._unrated, self._defined, *each):
@@ -318,14 +326,15 @@ class Search:
         for name, value in self.source.study.squares.items():
             claim = Claim(t.power(t.Sym(f"{name}_dot"), 2), tree_of(value))
             with suppress(Undecided):
-                found = self._by_rates(self.difference(claim), known)
+                found = self.by_rates(self.difference(claim), known)
                 flat = self.haves[-1]
                 if len(found.known) == 1 and not found.circles and flat.how == "flat":
                     yield Known(flat.name, flat.claim)
         self.deep = False
 
-    def _by_rates(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
+    def by_rates(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
         """left - right does not change and is 0 at the start."""
+        known = [item for item in known if item.is_free]
         rest, by = self.follow(goal, known, only=True)
         first = [Known(item.name, item.claim, "0") for item in known if item.name in self.given and item.when == "t"]
         begin, begun = self.follow(self.at_start(rest), first)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
 from rbpsym.kernel.certificates import Have, Known
-from rbpsym.kernel.claims import Claim
+from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.positive import positive_sum
 from rbpsym.notation import tree as t
 

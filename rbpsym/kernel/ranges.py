@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
-from rbpsym.kernel.claims import Claim
+from rbpsym.kernel.claim import Claim
 from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:

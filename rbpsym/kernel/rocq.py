@@ -9,7 +9,8 @@ from typing import Any
 
 from rbpsym.errors import RbpsymError
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof
-from rbpsym.kernel.claims import TIME, Claim, Source, tree_of
+from rbpsym.kernel.claim import Claim, tree_of
+from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.components import START
 from rbpsym.notation import tree as t
 
@@ -244,7 +245,7 @@ class Writer:
         if known.name.startswith("g") and known.name[1:].isdigit():
             return known.name
         name = known.name if known.name[0] in OWN and known.name[1:].isdigit() else f"p_{known.name}"
-        return f"{name} 0 Begin" if known.when == "0" else f"{name} {time} H{time}"
+        return f"{name} 0 Begin" if known.when == "0" else " ".join((name, time, f"H{time}", *known.by))
 
     def have(self, have: Have, finish: str) -> str:
         """An assertion on the way."""

@@ -13,7 +13,7 @@ from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
 from rbpsym.kernel.certificates import reduced
 from rbpsym.kernel.certify import Report, Written, compiled, declared, has_coqc, text, with_prelude, written
-from rbpsym.kernel.claims import Claim
+from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.rocq import REFUSED, Lemma, identifier
 from rbpsym.notation import tree as t
 from tests.library.derived import unsimulated

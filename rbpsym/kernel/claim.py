@@ -1,0 +1,75 @@
+"""A claim about functions of time, neutral of any prover, and values as its formulas."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import Monomial, Poly
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """What is said of all times of the motion, if the claims in `given` hold at that time.
+
+    kind: "equal"; "rate" (right is the rate of left); "start" (equal at the start); "more" (left > right); "differ";
+    "slope" (right is the derivative of left by `var` at `place`).
+    """
+
+    left: t.Node
+    right: t.Node
+    kind: str = "equal"
+    given: tuple[Claim, ...] = ()
+    var: str = ""
+    place: t.Node = t.ZERO
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """What a step or a fact says: the definitions of the letters that it introduces, and what it asserts."""
+
+    definitions: tuple[Claim, ...] = ()
+    assertions: tuple[Claim, ...] = ()
+
+
+def rows(statement: t.Node) -> tuple[t.Chain, ...]:
+    """The chains that a statement asserts."""
+    if isinstance(statement, t.System):
+        return tuple(r for row in statement.rows for r in rows(row))
+    assert isinstance(statement, t.Chain)
+    return (statement,)
+
+
+def letter(node: t.Node) -> str:
+    """The name of what must be a letter, of a number or a vector."""
+    assert isinstance(node, t.Sym | t.Vec)
+    return node.name
+
+
+def tree_of(value: Scalar | Poly) -> t.Node:
+    """A value as a tree, term by term."""
+    if isinstance(value, Scalar):
+        num = tree_of(value.num)
+        return num if value.den.constant_value() == 1 else t.Div(num, tree_of(value.den))
+    return t.add(*(_term(m, c) for m, c in value.terms.items()))
+
+
+def _term(monomial: Monomial, coefficient: int | Fraction) -> t.Node:
+    number = Fraction(coefficient)
+    factors = [t.power(_atom(index), exponent) for index, exponent in monomial]
+    return t.div(t.mul(t.Num(number.numerator), *factors), t.Num(number.denominator))
+
+
+def _atom(index: int) -> t.Node:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return t.Sym(found.arg)
+    if found.kind == "root":
+        return t.Sqrt(tree_of(found.arg))
+    if found.kind not in ("sin", "cos"):
+        raise RbpsymError(f"the function {found.kind} has no term in Rocq")
+    return t.Fn(found.kind, tree_of(found.arg))
