@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.algebra.evaluate import Value
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Space
+from rbpsym.algebra import Scalar, Space, Value
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.notation import tree as t

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import Scalar, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.endings import gap

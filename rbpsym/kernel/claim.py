@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import Monomial, Poly
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Monomial, Poly, Scalar, atoms
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 

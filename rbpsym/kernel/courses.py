@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra import NOTHING, names_in, substitute, symbol
 from rbpsym.algebra.integration import antiderivative
-from rbpsym.algebra.scalar import NOTHING, symbol
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Known
 from rbpsym.kernel.claims import TIME
