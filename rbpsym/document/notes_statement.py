@@ -165,9 +165,13 @@ def _start(problem: Problem, said: Words, ground: Said) -> Iterator[Inlines]:
     """Where it starts, and how fast."""
     begun = [c for c in problem.coordinates if c.start is not None]
     places = [t.equation(t.Sym(c.name), c.start) for c in begun]
-    speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed) for c in begun if c.speed not in (None, t.ZERO)]
+    free = [c for c in begun if c.speed is not None or c.name in ground.study.system.independent]
+    speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed or t.ZERO) for c in free]
+    is_moving = any(c.speed not in (None, t.ZERO) for c in free)
+    beside = said.say("statement.with", speed=speeds) if speeds else ()
     if places:
-        yield said.say("statement.moving" if speeds else "statement.rest", ground=ground, place=places, speed=speeds)
+        key = "statement.moving" if is_moving else "statement.rest"
+        yield said.say(key, ground=ground, place=places, speed=speeds, beside=beside)
 
 
 def _phases(pose: DrawnPose, said: Words) -> Iterator[Inlines]:

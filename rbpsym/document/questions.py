@@ -58,6 +58,8 @@ def _spoken(text: str, said: Words) -> Iterator[Inline]:
     words, start = text.split(), 0
     while start < len(words):
         ways = range(min(len(words), start + MOST_WORDS), start, -1)
+        is_article = words[start : start + 2] == ["a", "function"]  # no letter
+        ways = () if is_article else ways
         found = next(((end, node) for end in ways if (node := _formula(" ".join(words[start:end]), said))), None)
         yield Text(" " if start else "")
         yield from (found[1],) if found else _thing(words[start], said)
@@ -67,7 +69,7 @@ def _spoken(text: str, said: Words) -> Iterator[Inline]:
 def _formula(text: str, said: Words) -> Math | None:
     read = read_relation if any(sign in text for sign in RELATION_SIGNS) else read_infix
     try:
-        return Math(read(text, letters_of(said.problem).names))
+        return Math(read(text, letters_of(said.problem).names | {"t"}))
     except RbpsymError:
         return None
 
