@@ -159,7 +159,7 @@ def _of_notebook(text: str, file: str) -> Lines:
         said = _told(whole)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise ReadError("this is no notebook", instead="save it as .ipynb of version 4.", place=Place(file)) from None
-    found: Lines = [(1, note) for note in said]
+    found: Lines = [(1, note) for note in (*said, "")]
     strings, place, number = _STRING.finditer(text), 0, 1
     for notes, source in sources:
         parts = source if isinstance(source, list) else [source]
