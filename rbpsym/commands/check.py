@@ -34,7 +34,7 @@ class CheckRun:
     @property
     def exit_code(self) -> int:
         """2 if something could not be read, 1 if a verdict is not as expected or nothing was decided, else 0."""
-        if any(str(result.outcome) == "COULD NOT BE READ" for result in self.results):
+        if any(str(result.outcome) == "COULD NOT BE READ" and not result.known for result in self.results):
             return BAD_INPUT
         return FINE if self.is_decided and all(result.expected for result in self.results) else DOUBTFUL
 
@@ -60,6 +60,9 @@ class CheckRun:
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.option("--junit", metavar="FILE", type=file_path, help="Write a JUnit report.")
 @click.option("--html", metavar="FILE", type=file_path, help="Write a page for people.")
+@click.option("--sarif", metavar="FILE", type=file_path, help="Write SARIF 2.1.0, for programs that show findings.")
+@click.option("--baseline", metavar="FILE", type=file_path, help="Findings that are known, and no fault of this run.")
+@click.option("--write-baseline", "anew", is_flag=True, help="Write what is found now to the file of --baseline.")
 @click.option("--github", is_flag=True, help="Print annotations for GitHub's pages too.")
 @click.option("--only", metavar="WORD", default="", help="Only formulas whose id, number, label or erratum is this.")
 @click.option("--failures", is_flag=True, help="Show only what is not as expected.")
@@ -70,7 +73,7 @@ class CheckRun:
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
 def command(
     names: Names, problems: Names, every: bool, init: bool, fix: Path | None, as_json: bool, junit: Path | None,
-    html: Path | None, github: bool, only: str,
+    html: Path | None, sarif: Path | None, baseline: Path | None, anew: bool, github: bool, only: str,
     failures: bool, cache: Path | None, no_cache: bool, simulation: bool,
 ) -> int:  # fmt: skip
     """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
@@ -94,9 +97,11 @@ def command(
     Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided,
     2 something could not be read.
     """
-    from rbpsym.commands import patches, reports
+    from rbpsym.commands import findings, patches, reports
     from rbpsym.verify.claims_run import Certificates, default_folder
 
+    if anew and not baseline:
+        raise click.UsageError("--write-baseline belongs to --baseline FILE.")
     if init:
         click.echo("".join(patches.draft_of(Path(name)) for name in names), nl=False)
         return FINE
@@ -105,11 +110,15 @@ def command(
         found = everything(names, problems, certificates, simulation, progress, every)
     certificates.store()
     found = selected(found, only)
+    if baseline:
+        if anew:
+            written(baseline, findings.as_baseline(found))
+        found = findings.without_known(found, baseline)
     tell = reports.as_json if as_json else reports.as_table
     click.echo(tell(found, failures), nl=False)
     if fix:
         written(fix, patches.repairs(found.results))
-    for path, write in ((junit, reports.as_junit), (html, reports.as_html)):
+    for path, write in ((junit, reports.as_junit), (html, reports.as_html), (sarif, findings.as_sarif)):
         if path:
             written(path, write(found))
     if github:

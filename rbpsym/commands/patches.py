@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterable, Iterator
 from difflib import unified_diff
+from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -49,7 +50,7 @@ def _repaired(file: str, wrong: list[Result]) -> str:
     text = "".join(old)
     for result in wrong:
         start = len("".join(old[: max(result.line - 1, 0)]))
-        for pattern, fix in _spellings(result):
+        for pattern, fix in _spellings(result.latex, result.fix):
             if found := pattern.search(text, max(start - 200, 0)):
                 text = f"{text[: found.start(1)]}{fix}{text[found.end(1) :]}"
                 break
@@ -60,15 +61,31 @@ _BETWEEN = r"(?:\s|(?<!\\)%[^\n]*+\n|\\label\s*+\{[^{}]*+\}|\\tag\*?\{[^{}]*+\})
 _TOKEN = re.compile(r"\\[A-Za-z]+|\S")
 
 
-def _spellings(result: Result) -> Iterator[tuple[re.Pattern[str], str]]:
+def _spellings(latex: str, fix: str) -> Iterator[tuple[re.Pattern[str], str]]:
     """The formula with what is to be replaced as a group, and what replaces it: as LaTeX, and as a notebook holds it."""
-    latex = result.latex.strip()
-    begin, old, new = changed(latex, result.fix.strip())
+    latex = latex.strip()
+    begin, old, new = changed(latex, fix.strip())
     parts = latex[:begin], old, latex[begin + len(old) :]
     for own, between in ((str, _BETWEEN), (lambda part: json.dumps(part)[1:-1], rf'(?:{_BETWEEN}|\\n(?:",\s*+")?)*+')):
         before, inside, behind = (between.join(re.escape(own(token)) for token in _TOKEN.findall(part)) for part in parts)
         glue = between if before and (inside or behind) else ""
         yield re.compile(f"{before}{glue}({inside}){between if behind else ''}{behind}"), own(new)
+
+
+def marked(file: str, results: Iterable[Result]) -> Iterator[tuple[str, Result | None]]:
+    """The text of a file in pieces, those that are formulas with what was found out of them."""
+    own = sorted((result for result in results if result.file == file and result.latex.strip()), key=lambda one: one.line)
+    rows = lines_in(file)
+    text, starts = "".join(rows), [0, *accumulate(len(row) for row in rows)]
+    place = 0
+    for result in own:
+        start = max(starts[min(max(result.line - 1, 0), len(rows))], place)
+        spots = (pattern.search(text, start) for pattern, _ in _spellings(f"{result.latex.strip()}", ""))
+        if found := next(filter(None, spots), None):
+            yield text[place : found.start()], None
+            yield found[0], result
+            place = found.end()
+    yield text[place:], None
 
 
 def lines_in(file: str) -> list[str]:

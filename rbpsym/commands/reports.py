@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from pathlib import PurePath
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.verify.claims_model import Outcome, Result
@@ -29,6 +29,8 @@ SHORT = {Outcome.NOT_COMPUTED: "not computed", Outcome.UNREAD: "NOT READ"}
 def word(result: Result) -> str:
     """The verdict in a word or two; an erratum that stays refuted says so."""
     told = SHORT.get(result.outcome, str(result.outcome))
+    if result.known:
+        return f"{told} (known)"
     return f"{told} ({result.erratum or 'expected'})" if result.outcome is Outcome.REFUTED and result.expected else told
 
 
@@ -151,8 +153,9 @@ def as_junit(found: CheckRun) -> str:
         "testsuite", name="rbpsym check", tests=str(len(found.results)), failures=str(failed), skipped=str(skipped)
     )
     for result in found.results:
+        where = shown(result.file) if result.file else source(result)
         case = xml.SubElement(
-            suite, "testcase", classname=source(result) or "claims", name=result.id, time=f"{result.seconds:.4f}"
+            suite, "testcase", classname=where or "claims", name=result.id, time=f"{result.seconds:.4f}"
         )
         told = printable("\n".join(lines(result)))
         if not result.expected:
@@ -191,9 +194,16 @@ def place(result: Result) -> tuple[str, int]:
     return (result.file, result.line) if result.file and result.line else result.declared
 
 
+def shown(file: str) -> str:
+    """A file as a program that runs in this folder finds it: with / and from here, if it lies here."""
+    path = Path(file)
+    here = path.resolve().is_relative_to(Path.cwd())
+    return (path.resolve().relative_to(Path.cwd()) if here and file else path).as_posix()
+
+
 def annotation(level: str, file: str, line: int, title: str, message: str) -> str:
     """One workflow command, what is special in it escaped."""
-    return f"::{level} file={escaped(file)},line={max(line, 1)},title={escaped(title)}::{escaped(message, whole=True)}"
+    return f"::{level} file={escaped(shown(file))},line={max(line, 1)},title={escaped(title)}::{escaped(message, whole=True)}"
 
 
 def escaped(text: str, whole: bool = False) -> str:
@@ -203,9 +213,10 @@ def escaped(text: str, whole: bool = False) -> str:
 
 
 def as_html(found: CheckRun) -> str:
-    """A page: one row a formula, its LaTeX beside what was found."""
+    """A page: one row a formula, its LaTeX beside what was found; below, the texts with their formulas coloured."""
     from markupsafe import Markup
 
+    from rbpsym.commands.patches import marked
     from rbpsym.document.writers.page import shell
 
     rows = [
@@ -215,8 +226,27 @@ def as_html(found: CheckRun) -> str:
             "word": word(result),
             "lines": list(lines(result)),
             "drawn": [Markup(link.mathml) if link.mathml else str(link.relation) for link in result.links],
-            "kind": "unexpected" if not result.expected else result.outcome.name.lower(),
+            "kind": kind_of(result),
         }
         for result in found.results
     ]
-    return shell("check.html", autoescape=True, rows=rows, summary=summary(found), remarks=found.remarks)
+    texts = dict.fromkeys(result.file for result in found.results if result.file and result.line)
+    sources = [_source_of(file, marked(file, found.results)) for file in texts]
+    return shell("check.html", autoescape=True, rows=rows, sources=sources, summary=summary(found), remarks=found.remarks)
+
+
+def kind_of(result: Result) -> str:
+    """Its colour on a page."""
+    return "unexpected" if not result.expected else result.outcome.name.lower()
+
+
+def _source_of(file: str, pieces: Iterator[tuple[str, Result | None]]) -> dict[str, Any]:
+    """A text as the page shows it: how many formulas of each verdict it has, and its pieces with what was read of them."""
+    parts = [(text, result and (result.id, kind_of(result), _read_as(result))) for text, result in pieces]
+    counted = Counter(told[1] for _, told in parts if told)
+    return {"name": shown(file), "counts": counted, "parts": parts}
+
+
+def _read_as(result: Result) -> str:
+    """What was read, and what was found out of it."""
+    return "\n".join((*(str(link.relation) for link in result.links), word(result), *lines(result)))

@@ -130,7 +130,7 @@ class Result:
     """What was found out about a claim, or (`kind` "derivation") about a whole derivation.
 
     file and line: in the text; declared: file and line of the claim. right: the outcome of the
-    declared correct form of an erratum, right_latex that form.
+    declared correct form of an erratum, right_latex that form. known: a baseline holds it.
     """
 
     id: str
@@ -151,6 +151,7 @@ class Result:
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
     kind: str = "claim"
+    known: bool = False
     declared: tuple[str, int] = field(default=("", 0), compare=False)
 
     @property

@@ -16,6 +16,7 @@ from hashlib import blake2b
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rbpsym.algebra import in_all
 from rbpsym.errors import RbpsymError, ReadError, StatementError
 from rbpsym.notation.tree import Chain
 from rbpsym.quantity.bound import World
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from rbpsym.verify.diagnosis import Diagnosis
 
 MOST = 20_000
+MOST_WORK = 200_000_000  # products of terms for a formula: a limit that is the same on every machine
 NAME = "certificates.json"
 _PACKAGE = Path(__file__).resolve().parent.parent
 
@@ -230,6 +232,7 @@ class Remembering(Checker):
 
     cache: Certificates = field(default_factory=lambda: Certificates(None))
     folder: Path = Path()
+    contents: dict[str, bytes] = field(default_factory=dict)
 
     def check(self, claim: Claim, printed: Printed | None = None) -> Result:
         """The result, remembered or found now."""
@@ -237,7 +240,8 @@ class Remembering(Checker):
         known = self.cache.get(key) if key else None
         if known is not None:
             return replace(known, **told_of(claim))
-        found = super().check(claim, printed)
+        with in_all(MOST_WORK):
+            found = super().check(claim, printed)
         self.cache.put(key, found)
         return found
 
@@ -255,7 +259,10 @@ class Remembering(Checker):
             return b""
         phrases = (re.fullmatch(r".+ in ([\w./-]+)", meaning.phrase) for meaning in setting.symbols.values())
         names = [setting.problem, *sorted({found[1] for found in phrases if found})]
-        return b"\0".join(problem_path(name, self.folder).read_bytes() for name in names)
+        for name in names:
+            if name not in self.contents:
+                self.contents[name] = problem_path(name, self.folder).read_bytes()
+        return b"\0".join(self.contents[name] for name in names)
 
 
 def checker(file: ClaimsFile, cache: Certificates) -> Remembering:

@@ -41,12 +41,13 @@ def bound(paper: Paper, claims: Iterable[Claim], beside: Iterable[tuple[Formula,
     Displayed formulas and inline relations all occur; claims in words stand at their line.
     """
     claims, taken = list(claims), dict(beside)
+    placed = {claim.id for claim in taken.values()}
     for match in (_labelled, _same, _inline, _numbered, _changed):
         for claim in claims:
-            if claim.id not in {c.id for c in taken.values()} and (formula := match(claim, paper, taken)) is not None:
+            if claim.id not in placed and (formula := match(claim, paper, taken)) is not None:
                 taken[formula] = claim
+                placed.add(claim.id)
     found = [Pair(formula, taken.get(formula)) for formula in _asserting(paper)]
-    placed = {claim.id for claim in taken.values()}
     found += [Pair(None, claim) for claim in claims if claim.id not in placed]
     order = {claim.id: place for place, claim in enumerate(claims)}
     return sorted(found, key=lambda pair: (_offset(pair, paper), order.get(pair.claim.id, -1) if pair.claim else -1))

@@ -9,8 +9,10 @@ r"""Claims beside the formulas: what the comments of a text say, `% rbpsym: ...`
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import islice, takewhile
 from pathlib import Path
 
 from rbpsym.errors import ReadError
@@ -67,6 +69,7 @@ class _Reader:
         self.scopes: list[Scope] = []
         self.found: list[tuple[Formula, Claim]] = []
         self.latest: list[int] = []
+        self.offsets = [formula.offset for formula in paper.formulas]
 
     @property
     def setting(self) -> Setting | None:
@@ -154,10 +157,12 @@ class _Reader:
 
     def _next(self, note: Note, inline: bool) -> list[Formula]:
         """The next relation; all of a display of several numbers that begins behind the comment."""
-        behind = [f for f in self.paper.formulas if f.offset >= note.offset and f.displayed is not inline and f.is_relation]
-        first = behind[0] if behind else None
+        start = bisect_left(self.offsets, note.offset)
+        behind = (f for f in islice(self.paper.formulas, start, None) if f.displayed is not inline and f.is_relation)
+        first = next(behind, None)
         whole = first is not None and first.block >= note.offset and not inline
-        return [f for f in behind if f.block == first.block] if whole else behind[:1]
+        rest = takewhile(lambda f: f.block == first.block, behind) if whole else ()
+        return [first, *rest] if first else []
 
     def _add(self, note: Note, key: str, value: str) -> None:
         """What is said of the claim above. Raises ReadError for a word that it can't have."""

@@ -74,7 +74,7 @@ class Text:
 
 def read_source(path: Path) -> Text:
     """The text of a file. Raises ReadError or LimitError with the place of what can't be read."""
-    files = _Files(path.resolve().parent)
+    files = _Files(path.resolve().parent, path.parent)
     lines = list(files.lines(path, ()))
     starts, offset, notes = [], 0, []
     for line in lines:
@@ -102,8 +102,8 @@ class _Line:
 class _Files:
     """The files of a text, read one within the other: all in one folder, and of bounded size together."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder, self.size = folder, 0
+    def __init__(self, folder: Path, given: Path) -> None:
+        self.folder, self.given, self.size = folder, given, 0
         self.remarks: list[Remark] = []
 
     def lines(self, path: Path, around: tuple[Path, ...]) -> Iterator[_Line]:
@@ -158,7 +158,7 @@ class _Files:
             raise LimitError(f"more than {MAX_FILES} files are nested", place=place)
         if not target.is_file():
             raise ReadError(f"there is no file “{name}” beside the text", place=place)
-        return target
+        return self.given / target.relative_to(self.folder)
 
     def _existing(self, beside: Path, below: str, name: str, place: Place) -> Path:
         """The file of this name, beside the text or the file that names it; small letters may stand for large ones."""

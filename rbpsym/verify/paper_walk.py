@@ -207,6 +207,9 @@ def _rows(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         yield begin, end
 
 
+BACK = 200  # characters that are looked at in front of a label
+
+
 def _remarks(text: Text, formulas: tuple[Formula, ...]) -> Iterator[tuple[str, int, str]]:
     """(file, line, remark) of labels that are given twice or stand behind their equation."""
     inside = {label for formula in formulas for label in formula.labels}
@@ -216,7 +219,7 @@ def _remarks(text: Text, formulas: tuple[Formula, ...]) -> Iterator[tuple[str, i
         if label in seen:
             yield file, line, f"the label “{label}” is defined a second time (first in line {seen[label]})"
         seen.setdefault(label, line)
-        behind = text.text[: found.start()].rstrip()
+        behind = text.text[max(found.start() - BACK, 0) : found.start()].rstrip()
         if re.search(rf"\\end\s*\{{(?:{_NAMES})\*?\}}$", behind):
             known = " (and names another equation)" if label in inside else ""
             yield file, line, f"the label “{label}” stands behind its equation{known}"

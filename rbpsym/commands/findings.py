@@ -1,0 +1,88 @@
+"""Findings of a check for other programs: those that are known already (a baseline), and all of them as SARIF 2.1.0."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rbpsym.commands.reports import lines, name_of, place, shown, word
+from rbpsym.errors import Place, ReadError
+from rbpsym.verify.claims_model import Outcome, Result
+from rbpsym.verify.claims_run import digest
+from rbpsym.verify.paper_check import plain
+
+if TYPE_CHECKING:
+    from rbpsym.commands.check import CheckRun
+
+MOST_BYTES = 4 * 1024 * 1024
+Finding = tuple[str, str, str]
+SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+RULES = {  # what a finding is, and how grave
+    Outcome.REFUTED: ("refuted", "error", "The formula is false."),
+    Outcome.UNREAD: ("unread", "error", "The formula could not be read."),
+    Outcome.UNDECIDED: ("undecided", "warning", "It was not decided whether the formula is true."),
+    Outcome.NOT_COMPUTED: ("not-computed", "warning", "Nothing can be computed of the formula."),
+    Outcome.PROVED: ("proved", "warning", "The formula is true, and was said not to be."),
+    Outcome.DEFINITION: ("definition", "warning", "The formula defines a symbol, and was said not to."),
+}
+REMARK = ("text", "note", "Something about the text.")
+
+
+def finding(result: Result) -> Finding:
+    """What stays of a finding while lines and numbers around it move: its file, formula and verdict."""
+    return shown(place(result)[0]), plain(result.latex) or result.id, str(result.outcome)
+
+
+def as_baseline(found: CheckRun) -> str:
+    """The findings of a run as a file to be kept: one a line, in an order that does not depend on the text's."""
+    kept = sorted(finding(result) for result in found.results if not result.expected or result.known)
+    rows = [json.dumps(dict(zip(("file", "formula", "verdict"), one, strict=True)), ensure_ascii=False) for one in kept]
+    return '{"version": 1, "findings": [\n' + ",\n".join(rows) + "\n]}\n"
+
+
+def without_known(found: CheckRun, path: Path) -> CheckRun:
+    """The run with each finding of a baseline marked as known, which is as expected. Raises ReadError for what is no baseline."""
+    from rbpsym.commands.check import CheckRun
+    from rbpsym.statement.files import text_in
+
+    try:
+        rows = json.loads(text_in(path, MOST_BYTES, "the baseline"))["findings"]
+        left = Counter((str(row["file"]), str(row["formula"]), str(row["verdict"])) for row in rows)
+    except (ValueError, KeyError, TypeError, RecursionError):
+        raise ReadError("this is no baseline", instead="write one with --write-baseline.", place=Place(str(path))) from None
+    results = []
+    for result in found.results:
+        known = not result.expected and left[finding(result)] > 0
+        left[finding(result)] -= known
+        results.append(replace(result, expected=True, known=True) if known else result)
+    gone = sum(left.values())
+    said = f"{gone} findings of the baseline are gone; write it anew with --write-baseline"
+    return CheckRun(results, [*found.remarks, *([(str(path), 1, said)] if gone else [])])
+
+
+def as_sarif(found: CheckRun) -> str:
+    """All findings as SARIF 2.1.0; known ones are suppressed."""
+    from rbpsym import __version__
+
+    told = [_told(result) for result in found.results if not result.expected or result.known]
+    told += [_record(REMARK, remark, file, line) for file, line, remark in found.remarks]
+    rules = [{"id": name, "shortDescription": {"text": text}} for name, _, text in (*RULES.values(), REMARK)]
+    address = "https://github.com/rbpsym/rbpsym"
+    driver = {"name": "rbpsym", "version": __version__, "informationUri": address, "rules": rules}
+    run = {"tool": {"driver": driver}, "results": told, "columnKind": "unicodeCodePoints"}
+    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=1, ensure_ascii=False) + "\n"
+
+
+def _told(result: Result) -> dict[str, Any]:
+    said = "\n".join((f"{name_of(result)} {word(result)}", *lines(result)))
+    record = _record(RULES[result.outcome], said, *place(result))
+    known = {"suppressions": [{"kind": "external"}]} if result.known else {}
+    return {**record, "partialFingerprints": {"formula/v1": digest(*finding(result))}, **known}
+
+
+def _record(rule: tuple[str, str, str], said: str, file: str, line: int) -> dict[str, Any]:
+    where = {"artifactLocation": {"uri": shown(file)}, "region": {"startLine": max(line, 1)}}
+    return {"ruleId": rule[0], "level": rule[1], "message": {"text": said}, "locations": [{"physicalLocation": where}]}
