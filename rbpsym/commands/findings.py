@@ -70,8 +70,7 @@ def as_sarif(found: CheckRun) -> str:
     told = [_told(result) for result in found.results if not result.expected or result.known]
     told += [_record(REMARK, remark, file, line) for file, line, remark in found.remarks]
     rules = [{"id": name, "shortDescription": {"text": text}} for name, _, text in (*RULES.values(), REMARK)]
-    address = "https://github.com/rbpsym/rbpsym"
-    driver = {"name": "rbpsym", "version": __version__, "informationUri": address, "rules": rules}
+    driver = {"name": "rbpsym", "version": __version__, "rules": rules}
     run = {"tool": {"driver": driver}, "results": told, "columnKind": "unicodeCodePoints"}
     return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=1, ensure_ascii=False) + "\n"
 
