@@ -8,7 +8,7 @@ from rbpsym.notation.latex_functions import operand, relation
 from rbpsym.notation.latex_grammar import argument, between, expression, multiplied
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
 from rbpsym.notation.latex_tokens import Token
-from rbpsym.notation.symbol_table import LatexReader, begins
+from rbpsym.notation.symbol_table import Drawn, LatexReader, begins
 
 Limits = tuple[t.Node | str | None, t.Node | None]
 
@@ -187,8 +187,11 @@ def argument_label(reader: LatexReader) -> None:
 
 
 def _region_label(reader: LatexReader) -> str | None:
-    """Ω, or the upright name of a body, if it is not a symbol that could be a limit."""
+    """Ω, the upright name of a body, or a capital letter, if it is no symbol that could be a limit."""
     token = reader.token
+    alone = reader.ahead().text != "^" and (reader.ahead().text != "}" or reader.ahead(2).text != "^")
+    if token.kind == "letter" and token.text != "Ω" and token.text.isupper() and alone and Drawn(token.text) not in reader.table.names:
+        return reader.take().text
     if token.kind == "letter" and token.text == "Ω":
         reader.take()
         return "Omega"
@@ -219,13 +222,13 @@ def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str,
     """The integral that a sign, a differential and limits make."""
     lower, upper = limits
     product = {r"\cdot": "dot", r"\times": "cross", "": "times"}[sign]
-    if isinstance(lower, str) and lower != "path":
+    if isinstance(lower, str) and lower != "path" and (len(lower) > 1 or path == t.Sym("m")):
         return _over_body(integrand, product, path, lower)
     if lower is None or lower == "path":
         if upper is not None:
             raise reader.error("the lower limit is missing", "", start)
         return t.PathIntegral(integrand, path, product)
-    if upper is None or not isinstance(path, (t.Sym, t.Vec)):
+    if upper is None or isinstance(lower, str) or not isinstance(path, (t.Sym, t.Vec)):
         raise reader.error("the limits do not fit the differential", r"Over a body, write \int_{body} f dm.", start)
     if isinstance(path, t.Vec):
         integrand = t.Dot(integrand, t.Unit("z"))

@@ -19,7 +19,7 @@ from rbpsym.notation.infix import Ways
 from rbpsym.notation.latex_functions import relation
 from rbpsym.notation.latex_grammar import BELOW, UNKNOWN_COMMAND
 from rbpsym.notation.latex_rows import GAP, laid_out
-from rbpsym.notation.latex_tokens import CONDITION, CONDITIONS, Token, tokenize
+from rbpsym.notation.latex_tokens import CONDITION, CONDITIONS, MAX_LENGTH, Token, tokenize
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
 
@@ -155,7 +155,8 @@ def _parted(reading: Reading) -> tuple[bool, ...]:
     return tuple(chosen for question, chosen in pairs if question[0] == BELOW)
 
 
-_FRAME = re.compile(r"\s*\\(?:boxed|fbox|shrunk)\s*\{")
+_FRAME = re.compile(r"\\(?:A?boxed|fbox|shrunk)\s*\{")
+_RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 
 
 def _closed_at(text: str, start: int) -> int:
@@ -169,11 +170,11 @@ def _closed_at(text: str, start: int) -> int:
 
 
 def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
-    """The tokens of the relations; a frame round all of it is made blank, so that places are kept."""
-    frame, end = _FRAME.match(text), len(text.rstrip()) - 1
-    while frame and _closed_at(text, frame.end()) == end:
-        text = " " * frame.end() + text[frame.end() : end] + " " * (len(text) - end)
-        frame, end = _FRAME.match(text), len(text.rstrip()) - 1
+    """The tokens of the relations; a frame round a relation, or round all, is made blank, so that places are kept."""
+    for frame in _FRAME.finditer(text[:MAX_LENGTH]):
+        end = _closed_at(text, frame.end())
+        if end > 0 and (_RELATES.search(text, frame.end(), end) or not (text[: frame.start()] + text[end + 1 :]).strip()):
+            text = f"{text[: frame.start()]}{' ' * len(frame[0])}{text[frame.end() : end]} {text[end + 1 :]}"
     return laid_out(source, tokenize(Source(text, source.place), gaps=True))
 
 

@@ -18,6 +18,7 @@ GAP = "gap"  # the text of a row token made by a wide gap, behind which a condit
 RELATIONS = frozenset(("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\to"))
 _JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which nothing begins
 _SIGNS = frozenset((*RELATIONS, *_JOINING, "-"))
+ARROW = r"\to"
 _CUT = (r"\left.", r"\right.")
 _HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
 _DEEPER, _HIGHER = frozenset("([{") | {r"\{", COLUMN}, frozenset(")]}") | {r"\}", END_COLUMN}
@@ -37,6 +38,7 @@ class _Layout:
         self.depth = self.cut = 0
         self.columns: list[int] = []  # how deep the columns stand that are open
         self.related = False  # was there a relation sign since the last parting?
+        self.stated = False  # and one that is no arrow?
         self.parted = 0  # relations side by side in this row
 
     def tokens(self) -> tuple[Token, ...]:
@@ -47,11 +49,12 @@ class _Layout:
             if token.text in (COLUMN, END_COLUMN):
                 self.columns = [*self.columns, self.depth] if token.text == COLUMN else self.columns[:-1]
             self.related |= self.depth == 0 and _is_relation(token)
+            self.stated |= self.depth == 0 and _is_relation(token) and token.text != ARROW
             kept = self._kept(k, token)
             if kept is None or (kept.kind == "row" and kept.text != CONDITION and not found):
                 continue
             if kept.kind == "row":
-                self.related = False
+                self.related = self.stated = False
                 while found and found[-1].kind == "row":
                     kept = _both(found.pop(), kept)
             found.append(kept)
@@ -64,7 +67,7 @@ class _Layout:
         """The token, a token that parts two relations, or None where it only forms the page."""
         if token.text in PUNCTUATION and token.kind == "sign":
             return self._punctuation(k, token)
-        rule = _RULES.get(token.kind if token.kind != "sign" else token.text)
+        rule = _RULES.get(token.text if token.kind == "sign" or token.text == ARROW else token.kind)
         return rule(self, k, token) if rule else token
 
     # --- what stands around
@@ -104,6 +107,7 @@ class _Layout:
         if self.columns and self.depth == self.columns[-1]:
             return None if behind and behind.text == END_COLUMN else replace(token, kind="sign", text=NEXT)
         if not token.text.startswith("\\"):
+            self.parted -= self._at_edge(k, -1)  # a row may begin with a word
             return self._part(token, token.text if token.text == CONDITION else "")
         several, self.parted = self.parted, 0
         if before is None or behind is None:
@@ -183,6 +187,17 @@ class _Layout:
             raise self._error(token, f"an environment “{name}” within a formula can't be read", "Write it alone.")
         return None
 
+    def _arrow(self, k: int, token: Token) -> Token | None:
+        """An arrow between two relations says that the second follows; a value tends to another in none of them."""
+        behind = (self.all[place] for place in self._row_behind(k))
+        follows = self.depth == 0 and self.stated and any(_is_relation(one) and one.text != ARROW for one in behind)
+        return self._part(token, "") if follows else token
+
+    def _equal(self, k: int, token: Token) -> Token | None:
+        """A sign at the end of a row that the next row begins with again."""
+        behind = self._near(k, 1) if self.depth == 0 and self._at_edge(k, 1) else None
+        return None if behind is not None and behind.text == token.text else token
+
     def _cut_delimiter(self, k: int, token: Token) -> Token | None:
         """\\right. at the end of a row, and the \\left. that opens the same parenthesis again."""
         if token.text == r"\left.":
@@ -213,7 +228,7 @@ class _Layout:
 
 _RULES = {
     "row": _Layout._row, "gap": _Layout._gap, "&": _Layout._cell, "begin": _Layout._environment,
-    r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter,
+    ARROW: _Layout._arrow, "=": _Layout._equal, r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter,
 }  # fmt: skip
 
 

@@ -27,14 +27,14 @@ _SILENT = (
     r"\\(?:,|:|!|>)"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
+    r"|tiny|small|normalsize|large|Large|LARGE|huge|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)"
     r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{[^{}]*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
 )
 _SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
 _INDEX = r"(?:[A-Za-z]|\\[a-z]+)"
-_EACH = (  # (i = 1, 2, ..., n) behind a formula: for each value of an index
-    rf"(?<=[\s,~(])\(?\s*{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*\d+\s*(?:,\s*(?:\d+|\\[cl]?dots[bc]?(?![A-Za-z])|{_INDEX})\s*)+\)?"
+_EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
+    rf"(?<=[\s,~(])(?:\\text(?:rm)?\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}\s*)?\(?\s*{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*\d+\s*(?:,\s*(?:\d+|\\[cl]?dots[bc]?(?![A-Za-z])|{_INDEX})\s*)+\)?"
     r"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end))"
 )
 _ZERO = r"\\(?:vec|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
@@ -52,10 +52,11 @@ _PATTERNS = re.compile(
     rf"|(?P<silent>{_SILENT})"
     rf"|(?P<gap>{_GAP})"
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
-    r"|(?P<differential>\\mathrm\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
+    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
     r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
     rf"|\{{\s*\\rm\s+(?:{'|'.join(FUNCTION_WORDS)})\s*\}})"
-    r"|(?P<begin>\\(?:begin|end)\s*\{[^{}]*\}(?:\[[tbc]\])?(?:\{(?:[lcr|]*|\d+)\})?)"
+    r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"
+    r"(?:(?<!split\})(?<!ed\})\s*\{(?:[lcr|\s\d]|[@!p]\{[^{}]*\})*\})?|\\(?:begin|end)\s*\{[^{}]*\})"
     rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
     rf"|(?P<degree>{_DEGREE})"
     r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
@@ -211,9 +212,16 @@ def _command(source: Source, kind: str, text: str, start: int, end: int) -> Toke
     return Token("command" if text.startswith("\\") else "sign", text, start, end)
 
 
+def _is_column(whole: str, text: str, start: int, end: int) -> bool:
+    """Is it an array of one column in brackets (or its end): [\\begin{array}{c} a \\\\ b \\end{array}]?"""
+    if text.startswith(r"\end"):
+        return re.compile(r"\s*(?:\\right\s*)?[\])]").match(whole, end) is not None
+    return whole[:start].rstrip()[-1:] in ("[", "(") and re.search(r"\{\s*[lcr]\s*\}$", text) is not None
+
+
 def _environment(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     name = re.search(r"\{([^{}]*)\}", text)[1]
-    if name.removesuffix("*") in _COLUMNS:
+    if name.removesuffix("*") in _COLUMNS or (name == "array" and _is_column(source.text, text, start, end)):
         return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
     if name not in _ENVIRONMENTS:
         what = f"the environment “{name[:40]}” can't be read"

@@ -24,7 +24,7 @@ _HEAD = re.compile(
     r"|\\DeclareMathOperator\*?\s*+\{\s*+(\\[A-Za-z]++)\s*+\}\s*+(?=\{)"
 )
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax|boxed)(?![A-Za-z])")
+_DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax)(?![A-Za-z])")
 
 
 @dataclass(frozen=True, slots=True)

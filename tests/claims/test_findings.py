@@ -8,6 +8,7 @@ import jsonschema
 import pytest
 
 from rbpsym.cli import main
+from rbpsym.commands.check import command
 from rbpsym.errors import RbpsymError
 from tests.claims.test_beside import RIGHT, TEX, WRONG
 
@@ -111,7 +112,7 @@ def test_the_action_and_the_hook_call_what_there_is():
     assert "using: composite" in action and 'pip install "$GITHUB_ACTION_PATH"' in action
     [call] = re.findall(r"^\s+(rbpsym check .*)$", action, re.M)
     [entry] = re.findall(r"^\s+entry: (rbpsym check.*)$", hook, re.M)
-    known = {name for option in main.commands["check"].params for name in option.opts}
+    known = {name for option in command.params for name in option.opts}
     assert set(re.findall(r"--[\w-]+", f"{call} {entry}")) <= known
     named = set(re.findall(r"\$\{\{ inputs\.([\w-]+) \}\}", action))
     assert named == set(re.findall(r"^  ([\w-]+):$", action.partition("inputs:")[2].partition("runs:")[0], re.M))
