@@ -67,7 +67,7 @@ REFUSED = {
     r"\ddot y &= g & \ddot x &= g \\ &= a & &= a": "which relation",
     r"x = (h + b \\ r)": "product",
     r"x = h - \\ - b": "a sign begins the next",
-    r"\left(\begin{array}{c} h \\ -b \end{array}\right)": "environment",
+    r"\left(\begin{array}{cc} h & -b \end{array}\right)": "environment",
     r"\begin{array}{cc} h & -b \end{array}": "“&”",
     r"x = \begin{cases} h \\ -b \end{cases}": "environment",
     r"\theta(0) = 0": "value of a function",

@@ -41,6 +41,16 @@ SAME = [
     (r"a = b \quad (i = 1, 2, \ldots, N)", "a = b"),
     (r"a = b, \qquad i=1,2", "a = b"),
     (r"a = b \qquad \text{(Newton's second law)}", "a = b"),
+    (r"a = b \quad \Aboxed{\therefore k &= g}", "a=b, k=g"),
+    (r"\begin{array}{l l} a = b \\ k = g \end{array}", "a=b, k=g"),
+    (r"\begin{array}{r@{}c@{}l} a &=& b \end{array}", "a=b"),
+    (r"F = m a \rightarrow a = \frac{F}{m}", r"F = m a, a = \frac{F}{m}"),
+    (r"a = \\ = b", "a = b"),
+    (r"a = b \\ \therefore k = g \\ = F", "a=b, k=g=F"),
+    (r"\vec r = \left[\begin{array}{c} a \\ b \end{array}\right]", r"\vec r = \begin{bmatrix} a \\ b \end{bmatrix}"),
+    (r"\int_a^b x \text{d}t = k", r"\int_a^b x dt = k"),
+    (r"\int_B x^2 dm = \large I", r"\int_{\text{B}} x^2 dm = I"),
+    (r"a = b \textrm{ for } i = 1,\ldots,n", "a = b"),
     (r"a = x × b · k", r"a = x \times b \cdot k"),
 ]  # fmt: skip
 
