@@ -190,7 +190,8 @@ def _region_label(reader: LatexReader) -> str | None:
     """Ω, the upright name of a body, or a capital letter, if it is no symbol that could be a limit."""
     token = reader.token
     alone = reader.ahead().text != "^" and (reader.ahead().text != "}" or reader.ahead(2).text != "^")
-    if token.kind == "letter" and token.text != "Ω" and token.text.isupper() and alone and Drawn(token.text) not in reader.table.names:
+    free = token.text.isupper() and token.text != "Ω" and Drawn(token.text) not in reader.table.names
+    if token.kind == "letter" and free and alone:
         return reader.take().text
     if token.kind == "letter" and token.text == "Ω":
         reader.take()
