@@ -8,54 +8,81 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rbpsym.commands.arguments import name_argument, output_option
+from rbpsym.commands.arguments import ShelfName
 
 if TYPE_CHECKING:
-    from rbpsym.kernel.certify import Report
+    from rbpsym.kernel.coqc import Report
 
 
 @click.command("certify")
-@name_argument
-@output_option(".", "Folder of the Rocq files.")
-def command(name: str, output: Path) -> int:
+@click.argument("name", metavar="[NAME|FILE]", type=ShelfName("problem"), required=False)
+@click.option("--all", "every", is_flag=True, help="Every problem that ships.")
+@click.option("--output", "-o", type=click.Path(file_okay=False, path_type=Path), help="Folder of the Rocq files.")
+@click.option("--no-cache", is_flag=True, help="Compile everything anew.")
+def command(name: str | None, every: bool, output: Path | None, no_cache: bool) -> int:
     """Write each step of a problem as a lemma for Rocq, from its listed premises alone; coqc, if it is there, checks them.
 
     \b
     Examples:
       rbpsym certify sliding-ladder
       rbpsym certify my-problem.toml -o rocq
+      rbpsym certify --all
 
     Prelude.v is written, and a file for each phase, named after the problem (coqc needs Coquelicot as well). A step that
-    can't be stated or proved is told by name, never assumed.
+    can't be stated or proved is told by name, never assumed. What coqc said of the same text before is kept.
+
+    \b
+    Exit codes: 0 every step is certified (with --all: coqc accepts all that is written), 1 not.
     """
-    from rbpsym.commands.progress import Progress
     from rbpsym.commands.shelf import found
+    from rbpsym.statement.library import problem_files
+    from rbpsym.verify.claims_run import default_folder
+
+    if every == (name is not None):
+        raise click.UsageError("name one problem, or write --all for every problem that ships.")
+    paths = list(problem_files().values()) if every else [found(name or "", ("problem",))[1]]
+    folder, is_fine = None if no_cache else default_folder(), True
+    for path in paths:
+        report = certified(path, output if every else output or Path(), folder)
+        click.echo("\n".join(lines(report, f"{path.stem}: " if every else "")))
+        is_fine = is_fine and report.is_sound and (every or not report.refused)
+    return 0 if is_fine else 1
+
+
+def certified(path: Path, output: Path | None, folder: Path | None) -> Report:
+    """The report on a problem; its files are written if there is an `output`. What was found before stands in `folder`."""
+    from rbpsym.commands.progress import Progress
     from rbpsym.derive import derive
     from rbpsym.document.files import write_all
     from rbpsym.kernel.begins import parts
-    from rbpsym.kernel.certify import PRELUDE, compiled, text, together, written
+    from rbpsym.kernel.certify import text, written
+    from rbpsym.kernel.coqc import PRELUDE, compiled, reported, together
     from rbpsym.kernel.rocq import identifier
     from rbpsym.statement.loader import load_problem
+    from rbpsym.verify.claims_run import digest, engine
 
-    _, path = found(name, ("problem",))
-    with Progress(f"deriving {name}"):
-        derivation = derive(load_problem(path), simulation=False)
-        each = [(part, word, written(own)) for part, word, own in parts(derivation)]
-    stem = identifier(path.stem).replace(chr(39), "_")
-    texts = {f"{stem}{word}.v": text(done) for _, word, done in each}
-    for file in write_all(output, {PRELUDE.name: PRELUDE.read_text(encoding="utf-8"), **texts}):
-        click.echo(str(file))
-    with Progress("coqc"):
-        report = together((part, compiled(done)) for part, _, done in each)
-    click.echo("\n".join(lines(report)))
-    return 1 if report.refused else 0
+    def found() -> Report:
+        with Progress(f"deriving {path.stem}"):
+            derivation = derive(load_problem(path), simulation=False)
+            each = [(part, word, written(own)) for part, word, own in parts(derivation)]
+        stem = identifier(path.stem).replace(chr(39), "_")
+        texts = {f"{stem}{word}.v": text(done) for _, word, done in each}
+        prelude = {PRELUDE.name: PRELUDE.read_text(encoding="utf-8")}
+        for file in write_all(output, {**prelude, **texts}) if output is not None else ():
+            click.echo(str(file))
+        with Progress("coqc"):
+            return together((part, compiled(done, folder)) for part, _, done in each)
+
+    if output is not None:
+        return found()
+    return reported(folder, digest(engine(), PRELUDE.read_bytes(), path.read_bytes()), found)
 
 
-def lines(report: Report) -> Iterator[str]:
+def lines(report: Report, name: str = "") -> Iterator[str]:
     """How many steps are certified, and why the others are not."""
     for id, why in report.refused.items():
         yield f"  {id}: {why}"
-    count = f"{report.steps - len(report.refused)} of {report.steps} steps"
+    count = f"{name}{report.steps - len(report.refused)} of {report.steps} steps"
     if report.axioms is None:
         yield f"{count} written as {report.lemmas} lemmas; nothing is certified: there is no coqc (apt: coq libcoq-coquelicot)"
     else:

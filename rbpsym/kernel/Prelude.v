@@ -155,8 +155,6 @@ Proof. intros f t a b A B. rewrite <- (is_derive_unique _ _ _ A). apply is_deriv
 (* Algebra: an equation less multiples of known ones. *)
 Lemma trig : forall x, sin x ^ 2 + cos x ^ 2 = 1.
 Proof. intros x. assert (H := sin2_cos2 x). unfold Rsqr in H. simpl. lra. Qed.
-Lemma m0 : forall l r, l = r -> l - r = 0.
-Proof. intros; subst; ring. Qed.
 Lemma lin0 : forall l r, l - r = 0 -> l = r.
 Proof. intros; lra. Qed.
 Lemma less : forall (c a b : R), a = b -> forall g, g - c * (a - b) = 0 -> g = 0.

@@ -1,17 +1,11 @@
-"""A derivation as Rocq source: each claim of each step as a lemma from the premises of that step; and what coqc says of it."""
+"""A derivation as Rocq source: each claim of each step as a lemma from the premises of that step."""
 
 from __future__ import annotations
 
-import re
-import shutil
-import subprocess
-import tempfile
-import time
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
@@ -20,7 +14,7 @@ from rbpsym.kernel.claim import Claim, Said
 from rbpsym.kernel.claims import Source
 from rbpsym.kernel.components import START
 from rbpsym.kernel.proofs import Search
-from rbpsym.kernel.rocq import REFUSED, Lemma, Terms, Writer, identifier
+from rbpsym.kernel.rocq import Lemma, Terms, Writer, identifier
 from rbpsym.notation import tree as t
 
 
@@ -148,72 +142,3 @@ def text(found: Written, *, without: Collection[str] = (), trial: bool = False) 
     whole = ", ".join(f"{lemma.name}'holds" for lemma in kept)
     lines += [] if trial or not kept else [f"Definition all'of'it := ({whole}).", "Print Assumptions all'of'it."]
     return "\n".join([*lines, "End Problem.", ""])
-
-
-PRELUDE = Path(__file__).with_name("Prelude.v")
-NOT_ACCEPTED = "coqc does not accept its proof"
-LONGEST = 900  # seconds that coqc may take for one file
-
-
-@dataclass(frozen=True, slots=True)
-class Report:
-    """refused: why a step is not certified, by its id; axioms: what the accepted lemmas rest on; None: no coqc."""
-
-    steps: int
-    lemmas: int
-    refused: dict[str, str]
-    axioms: tuple[str, ...] | None = None
-    seconds: float = 0.0
-
-
-def together(reports: Iterable[tuple[str, Report]]) -> Report:
-    """The report of all parts, each with what stands before the ids of its steps."""
-    told = list(reports)
-    every = {f"{part}{id}": why for part, report in told for id, why in report.refused.items()}
-    each = [report.axioms for _, report in told]
-    axioms = None if None in each else tuple(dict.fromkeys(axiom for one in each for axiom in one or ()))
-    steps, lemmas = (sum(getattr(report, name) for _, report in told) for name in ("steps", "lemmas"))
-    return Report(steps, lemmas, every, axioms, sum(report.seconds for _, report in told))
-
-
-def has_coqc() -> bool:
-    """Whether coqc is at hand."""
-    return shutil.which("coqc") is not None
-
-
-def compiled(found: Written) -> Report:
-    """The report of coqc; lemmas that it does not accept are found in one more pass, and left out in a third."""
-    refused, lemmas = dict(found.refused), sum(map(len, found.lemmas.values()))
-    report = Report(len(found.lemmas) + len(found.refused), lemmas, refused)
-    if not has_coqc():
-        return report
-    begin = time.perf_counter()
-    [done] = with_prelude([text(found)])
-    if done.returncode:
-        bad = re.findall(rf"^{REFUSED}(\S+)", with_prelude([text(found, trial=True)])[0].stdout, re.MULTILINE)
-        refused |= {id: NOT_ACCEPTED for id, own in found.lemmas.items() if {lemma.name for lemma in own} & {*bad}}
-        [done] = with_prelude([text(found, without=bad)])
-        if done.returncode:
-            raise RbpsymError(f"coqc does not read the written file: {done.stderr[-400:]}")
-    axioms = tuple(re.findall(r"^([\w.']+)\s*:", done.stdout.partition("Axioms:")[2], re.MULTILINE))
-    return replace(report, axioms=axioms, seconds=time.perf_counter() - begin)
-
-
-def with_prelude(contents: Iterable[str]) -> list[subprocess.CompletedProcess[str]]:
-    """coqc on texts that begin with the prelude."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        shutil.copy(PRELUDE, folder)
-        _run(folder, PRELUDE.name)
-        found = []
-        for content in contents:
-            (folder / "Steps.v").write_text(content, encoding="utf-8")
-            found.append(_run(folder, "Steps.v"))
-    return found
-
-
-def _run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
-    try:
-        return subprocess.run(["coqc", "-q", name], cwd=folder, capture_output=True, text=True, timeout=LONGEST, check=False)
-    except subprocess.TimeoutExpired as error:
-        raise RbpsymError(f"coqc takes more than {LONGEST} seconds") from error

@@ -12,18 +12,14 @@ from click.testing import CliRunner
 from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
 from rbpsym.kernel.certificates import reduced
-from rbpsym.kernel.certify import Report, Written, compiled, declared, has_coqc, text, with_prelude, written
+from rbpsym.kernel.certify import Written, declared, text, written
+from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, with_prelude
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.rocq import REFUSED, Lemma, identifier
 from rbpsym.notation import tree as t
 from tests.library.derived import unsimulated
 
 PAPER = ("rod-and-disk-fixed", "rod-and-disk-free", "sliding-ladder", "sliding-ladder-with-spring")
-AXIOMS = {  # of the real numbers, and that functions are equal that have equal values
-    "ClassicalDedekindReals.sig_not_dec",
-    "ClassicalDedekindReals.sig_forall_dec",
-    "FunctionalExtensionality.functional_extensionality_dep",
-}
 needs_coqc = pytest.mark.skipif(not has_coqc(), reason="coqc is not installed (apt: coq libcoq-coquelicot)")
 each_problem = pytest.mark.parametrize("name", PAPER)
 
@@ -151,7 +147,7 @@ def test_a_wrong_proof_is_reported_by_its_step() -> None:
 
 
 def test_the_command_writes_both_files(tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr("rbpsym.kernel.certify.has_coqc", lambda: False)
+    monkeypatch.setattr("rbpsym.kernel.coqc.has_coqc", lambda: False)
     done = CliRunner().invoke(main, ["certify", "sliding-ladder", "-o", str(tmp_path)], standalone_mode=False)
     assert {path.name for path in tmp_path.iterdir()} == {"Prelude.v", "sliding_ladder.v"}
     assert "there is no coqc" in done.output

@@ -1,0 +1,134 @@
+"""What coqc says of a derivation that is written for it; what it once said of a text is kept."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from dataclasses import asdict, dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from rbpsym.errors import RbpsymError
+from rbpsym.kernel.certify import Written, text
+from rbpsym.kernel.rocq import REFUSED
+from rbpsym.verify.claims_run import digest
+
+PRELUDE = Path(__file__).with_name("Prelude.v")
+NOT_ACCEPTED = "coqc does not accept its proof"
+LONGEST = 900  # seconds that coqc may take for one file
+AXIOMS = frozenset((  # of the real numbers, and that functions are equal that have equal values
+    "ClassicalDedekindReals.sig_not_dec",
+    "ClassicalDedekindReals.sig_forall_dec",
+    "FunctionalExtensionality.functional_extensionality_dep",
+))  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """refused: why a step is not certified, by its id; axioms: what the accepted lemmas rest on; None: no coqc."""
+
+    steps: int
+    lemmas: int
+    refused: dict[str, str]
+    axioms: tuple[str, ...] | None = None
+    seconds: float = 0.0
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether coqc accepts all that is written, from no axioms but those of the reals."""
+        return NOT_ACCEPTED not in self.refused.values() and {*(self.axioms or ())} <= AXIOMS
+
+
+def together(reports: Iterable[tuple[str, Report]]) -> Report:
+    """The report of all parts, each with what stands before the ids of its steps."""
+    told = list(reports)
+    every = {f"{part}{id}": why for part, report in told for id, why in report.refused.items()}
+    each = [report.axioms for _, report in told]
+    axioms = None if None in each else tuple(dict.fromkeys(axiom for one in each for axiom in one or ()))
+    steps, lemmas = (sum(getattr(report, name) for _, report in told) for name in ("steps", "lemmas"))
+    return Report(steps, lemmas, every, axioms, sum(report.seconds for _, report in told))
+
+
+def has_coqc() -> bool:
+    """Whether coqc is at hand."""
+    return shutil.which("coqc") is not None
+
+
+def compiled(found: Written, folder: Path | None = None) -> Report:
+    """The report of coqc; lemmas that it does not accept are found in one more pass, and left out in a third. What it said
+    before of the same text is taken from the folder, if one is given."""
+    refused, lemmas = dict(found.refused), sum(map(len, found.lemmas.values()))
+    report = Report(len(found.lemmas) + len(found.refused), lemmas, refused)
+    if not has_coqc():
+        return report
+    whole = text(found)
+    said = kept(folder, digest(version(), PRELUDE.read_bytes(), whole), lambda: _said(found, whole))
+    bad = {*said["bad"]}
+    refused |= {id: NOT_ACCEPTED for id, own in found.lemmas.items() if {lemma.name for lemma in own} & bad}
+    return replace(report, axioms=tuple(said["axioms"]), seconds=said["seconds"])
+
+
+def _said(found: Written, whole: str) -> dict[str, Any]:
+    """The lemmas that coqc does not accept, the axioms of the others, and how long it took."""
+    begin, bad = time.perf_counter(), []
+    [done] = with_prelude([whole])
+    if done.returncode:
+        bad = re.findall(rf"^{REFUSED}(\S+)", with_prelude([text(found, trial=True)])[0].stdout, re.MULTILINE)
+        [done] = with_prelude([text(found, without=bad)])
+        if done.returncode:
+            raise RbpsymError(f"coqc does not read the written file: {done.stderr[-400:]}")
+    axioms = re.findall(r"^([\w.']+)\s*:", done.stdout.partition("Axioms:")[2], re.MULTILINE)
+    return {"bad": bad, "axioms": axioms, "seconds": time.perf_counter() - begin}
+
+
+def kept(folder: Path | None, key: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """What the folder has under a key, else what is made and put there."""
+    path = None if folder is None else folder / "rocq" / f"{key}.json"
+    if path is not None and path.is_file():
+        with suppress(ValueError):  # a file that was cut off
+            return dict(json.loads(path.read_text(encoding="utf-8")))
+    made = make()
+    if path is not None:
+        with suppress(OSError):  # a folder that can't be written is no error
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(json.dumps(made), encoding="utf-8")
+    return made
+
+
+@cache
+def version() -> str:
+    """What coqc says of itself."""
+    return subprocess.run(["coqc", "--version"], capture_output=True, text=True, check=False).stdout
+
+
+def reported(folder: Path | None, key: str, make: Callable[[], Report]) -> Report:
+    """A whole report, kept in the same way."""
+    found = kept(folder, digest(key, version() if has_coqc() else ""), lambda: asdict(make()))
+    return Report(**{**found, "axioms": None if found["axioms"] is None else tuple(found["axioms"])})
+
+
+def with_prelude(contents: Iterable[str]) -> list[subprocess.CompletedProcess[str]]:
+    """coqc on texts that begin with the prelude."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        shutil.copy(PRELUDE, folder)
+        _run(folder, PRELUDE.name)
+        found = []
+        for content in contents:
+            (folder / "Steps.v").write_text(content, encoding="utf-8")
+            found.append(_run(folder, "Steps.v"))
+    return found
+
+
+def _run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
+    try:
+        return subprocess.run(["coqc", "-q", name], cwd=folder, capture_output=True, text=True, timeout=LONGEST, check=False)
+    except subprocess.TimeoutExpired as error:
+        raise RbpsymError(f"coqc takes more than {LONGEST} seconds") from error
