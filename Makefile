@@ -6,6 +6,7 @@
 # make check   derive every problem that ships and decide every claim, all of it anew
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
 # make distractors  every wrong answer of every problem, for 200 students: none may look right
+# make certify  each step of every problem that ships, re-proved by Rocq; the report in build/certify.txt
 # make lint    style, by ruff
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
@@ -40,7 +41,7 @@ PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test test-fast bare thorough check mutants distractors lint bench library docs clean
+.PHONY: help notes test test-fast bare thorough check mutants distractors certify lint bench library docs clean
 .DELETE_ON_ERROR:
 unexport PYTHONDONTWRITEBYTECODE  # tests run hundreds of short processes: what they load is compiled once
 
@@ -80,6 +81,10 @@ mutants: $(VENV)/run.stamp
 
 distractors: $(VENV)/run.stamp
 	@$(BIN)/python benchmarks/slow/distractors.py
+
+certify: $(VENV)/run.stamp
+	@mkdir -p $(OUT)
+	@$(BIN)/rbpsym certify --all > $(OUT)/certify.txt; found=$$?; grep 'certified by\|written as' $(OUT)/certify.txt; exit $$found
 
 lint: $(VENV)/dev.stamp
 	$(BIN)/ruff check .

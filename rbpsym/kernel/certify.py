@@ -92,12 +92,14 @@ def _proved(
 ) -> tuple[Claim, Proof, Search]:
     """The claim with its proof; where it needs them, on the conditions that the step prints. known: premises, declared."""
     claims, further = known
+    held = (part for item in claims.values() for part in item.given)
+    conditions = [part for part in dict.fromkeys((*source.conditions(step), *held)) if part not in claim.given]
     search = Search(source, {**claims, **further}, further)
     try:
-        return claim, search.prove(claim), search
+        proof = search.prove(claim)
+        if search.is_sure or not conditions:
+            return claim, proof, search
     except Undecided:
-        held = (part for item in claims.values() for part in item.given)
-        conditions = [part for part in dict.fromkeys((*source.conditions(step), *held)) if part not in claim.given]
         if not conditions:
             raise
     claim = replace(claim, given=(*claim.given, *conditions))
@@ -128,6 +130,27 @@ def _letters(source: Source, nodes: Sequence[t.Node]) -> set[str]:
     return found | {node.var for node in inner}
 
 
+def results(found: Written, without: Collection[str] = ()) -> Iterator[str]:
+    """Each boxed result as one theorem, with those on its way: from laws, starts, ranges and definitions alone."""
+    lemmas = {lemma.name: lemma for each in found.lemmas.values() for lemma in each if lemma.name not in without}
+    boxed = [lemma for step in found.source.derivation.steps if step.is_result for lemma in found.lemmas.get(step.id, ())]
+    needed, left = set[str](), [lemma.name for lemma in boxed]
+    while left:
+        if (name := left.pop()) in lemmas and name not in needed:
+            needed.add(name)
+            left += lemmas[name].premises
+    grounds: dict[str, dict[str, None]] = {}  # of each what it stands on at last, in order
+    for name in (name for name in lemmas if name in needed):
+        own = {premise: grounds.get(premise, {premise: None}) for premise in lemmas[name].premises}
+        grounds[name] = dict.fromkeys(leaf for leaves in own.values() for leaf in leaves)
+        shown = (" ".join((f"({premise}'result", *(f"h_{leaf}" for leaf in own[premise]))) + ")" if premise in grounds
+                 else f"h_{premise}" for premise in own)  # fmt: skip
+        enter = "".join(f" h_{leaf}" for leaf in grounds[name])
+        body = " ".join((f"{name}'holds", *shown))
+        yield (f"Theorem {name}'result : {''.join(f'{leaf} -> ' for leaf in grounds[name])}{name}.\n"
+               f"Proof. {f'intros{enter}; ' if enter else ''}exact ({body}). Qed.")  # fmt: skip
+
+
 def text(found: Written, *, without: Collection[str] = (), trial: bool = False) -> str:
     """The Rocq source; on `trial`, each lemma that is not accepted only says so and nothing is kept."""
     writer = found.writer
@@ -140,5 +163,6 @@ def text(found: Written, *, without: Collection[str] = (), trial: bool = False) 
     kept = [lemma for lemma in lemmas if lemma.name not in without]
     lines += [writer.trial(lemma) if trial else writer.lemma(lemma) for lemma in kept]
     whole = ", ".join(f"{lemma.name}'holds" for lemma in kept)
+    lines += [] if trial else results(found, without)
     lines += [] if trial or not kept else [f"Definition all'of'it := ({whole}).", "Print Assumptions all'of'it."]
     return "\n".join([*lines, "End Problem.", ""])

@@ -73,7 +73,7 @@ class Source:
         for claim in definitions:
             if claim.kind == "equal" and isinstance(claim.left, t.Sym) and any(map(self.moving, t.names(claim.right))):
                 self._defined.add(claim.left.name)
-        return Said(tuple(definitions), tuple(self._at_event(claim) for claim in self._asserted(step)))
+        return Said(tuple(definitions), tuple(self._asserted(step)))
 
     def _at_event(self, claim: Claim) -> Claim:
         """The claim; one with letters of the moment at which the phase ends is made of any time at which the event holds."""
@@ -91,7 +91,7 @@ class Source:
         claims = [claim for claim in claims if claim.kind != "equal" or claim.left != claim.right] or claims[:1]
         more = MORE.get(step.rule)
         try:
-            return more(self, step, claims) if more else claims
+            return [self._at_event(claim) for claim in (more(self, step, claims) if more else claims)]
         except (RbpsymError, LookupError) as error:
             self.unsaid[step.id] = str(error) if isinstance(error, RbpsymError) else "its data are not read yet"
             return []

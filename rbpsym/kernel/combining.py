@@ -67,7 +67,12 @@ def _by_letters(poly: Poly, letters: Collection[int]) -> dict[Monomial, Poly]:
 
 def stays(search: Search, value: Scalar) -> bool:
     """Whether a value surely does not vanish."""
-    return search.is_nonzero(value) or positive_sum(value.num, search.positive | search.certain) is not None
+    return search.is_nonzero(value) or signed(search, value.num) is not None
+
+
+def signed(search: Search, poly: Poly) -> Sum | None:
+    """The polynomial as a sum of one sign: by what ranges keep positive, else by what sines and cosines are at most."""
+    return positive_sum(poly, search.positive | search.certain) or positive_sum(poly, search.always)
 
 
 def based(search: Search, value: Scalar) -> Scalar:
@@ -93,8 +98,10 @@ def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[Known]) -> 
             by, value = Multiples(), Scalar(poly)
             if any(map(search.order(), poly.atoms())):
                 value, by = search.follow(value, known)
-            if value.den.is_monomial() and (found := positive_sum(value.num, search.positive | search.certain)) is not None:
+            if value.den.is_monomial() and (found := signed(search, value.num)) is not None:
                 yield _have(search, f"z{len(seen)}", (search.tree(Scalar(poly)), value), found, by)
+            else:
+                search.is_sure = False
 
 
 def _below(part: t.Node) -> Iterator[t.Node]:

@@ -11,7 +11,7 @@ from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, generator, names_in, r
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, reduced, vanishes, wound
 from rbpsym.kernel.claim import Claim, letter, tree_of
 from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.combining import based, combined, nonzero, stays
@@ -20,12 +20,13 @@ from rbpsym.kernel.courses import courses
 from rbpsym.kernel.formulas import brief, formulas, sides
 from rbpsym.kernel.integrals import integrated
 from rbpsym.kernel.radicals import rootless
-from rbpsym.kernel.ranges import note_signs
+from rbpsym.kernel.ranges import above, note_signs
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 
 AHEAD = Claim(t.Sym(TIME), t.ZERO, "more")
+BEGUN = t.Sym(TIME + START)
 
 
 class Search:
@@ -45,10 +46,12 @@ class Search:
         signs = source.study.assumptions.signs
         above = [name for name, sign in signs.items() if sign == "positive"]
         self.positive = {atoms.intern("symbol", name) for name in (*above, "pi")}
+        self.always = frozenset(self.positive)
         self.fixed: set[str] = {*signs, *source.rates, TIME, "pi"} - {n for n in source.rates if n.endswith("_dot")}
         self.certain = set(self.positive)  # what may stand below
         self.nonzero: set[int] = set()
         self.deep = False
+        self.is_sure = True  # whether nothing is divided by of which it is not known that it does not vanish
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
         self.rates = {TIME: UNITY}
         self.starts: dict[str, t.Node] = {TIME + START: t.ZERO}
@@ -77,6 +80,8 @@ class Search:
             return self._turned(tree_of(scalar(node)))
         if isinstance(node, t.Sqrt):
             return self._rooted(node)
+        if node == BEGUN:
+            return t.ZERO
         if not isinstance(node, t.Integral):
             return t.mapped(node, self._lettered)
         name = next((n for n, known in self.integrals.items() if known == node), f"J_{len(self.integrals) + 1}")
@@ -226,8 +231,9 @@ class Search:
             found = self._shown(self._rate(like) - self.value(claim.right), known)
             return self._proof(found, like=(self.tree(like), by))
         if claim.kind == "more":
-            return self._above(goal, known)
-        ways = (self._shown, self._cancelled if claim.given else self.by_rates, self._multiplied)
+            found, square = above(self, goal, known)
+            return self._proof(found, square=square)
+        ways = (self._shown, *((self._cancelled, self._cancelled_rates) if claim.given else (self.by_rates,)), self._multiplied)
         reasons = []
         for way in ways:
             del self.haves[self._count :]
@@ -356,6 +362,10 @@ class Search:
                 return self._proof(self._summed(factor * goal, whole, known, values), factor=self.tree(factor))
         raise Undecided("what stands beside it may vanish")
 
+    def _cancelled_rates(self, goal: Scalar, known: Sequence[Known]) -> Proof:
+        """The same with the rates of what vanishes."""
+        return self._cancelled(goal, [*known, *self._stills(known)])
+
     def _multiplied(self, goal: Scalar, known: Sequence[Known]) -> Proof:
         """left - right times the letters below it vanishes, and these do not."""
         order, factor = self.order(), UNITY
@@ -376,21 +386,3 @@ class Search:
             return None
         below = {index for m in found.terms for index, exponent in m if exponent < 0}
         return Scalar(found) * Scalar(by.den) / Scalar(value.den) if below <= self.positive | self.nonzero else None
-
-    def _above(self, goal: Scalar, known: Sequence[Known]) -> Proof:
-        """left - right is something positive, or that and a positive multiple of a square."""
-        rest, _ = self.follow(goal, known)
-        rest = wound(rest, "cos")
-        if self.is_positive(rest):
-            _, found = self.follow(goal - rest, known)
-            return self._proof(found, square=(t.ONE, t.ZERO, self.tree(rest)))
-        for index in sorted(filter(partner, rest.num.atoms())):
-            parts = {power: Scalar(part, rest.den) for power, part in rest.num.by_power(index).items()}
-            if set(parts) <= {0, 1, 2} and 2 in parts and self.is_positive(parts[2]):
-                a, b, c = (parts.get(power, NOTHING) for power in (2, 1, 0))
-                left = wound(c - b * b / (a * 4))
-                if self.is_positive(left):
-                    root = Scalar(generator(index)) + b / (a * 2)
-                    _, found = self.follow(goal - a * root * root - left, known)
-                    return self._proof(found, square=(self.tree(a), self.tree(root), self.tree(left)))
-        raise Undecided("no square was found that leaves something positive of " + brief(self.tree(rest)))
