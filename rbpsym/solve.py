@@ -312,7 +312,7 @@ def _sides(study: Study) -> list[dict[str, Any]]:
 
 
 def _demands(found, study: Study) -> list[str]:
-    return [f"{text(demand.value, study)} {demand.op} 0" for demand in found]
+    return list(dict.fromkeys(f"{text(demand.value, study)} {demand.op} 0" for demand in found))
 
 
 def _complete(found) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.question import Question
 from rbpsym.ask.seen import Scene
+from rbpsym.ask.words import doubts
 from rbpsym.derivation.checks import guarded
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.draft import Draft
@@ -36,7 +37,7 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
     left = settle((*found.valid, *more), world.motion.assumptions)
     found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
-    doubts = [] if found.symbol else map(undecided, world.doubts)
+    open_ = [] if found.symbol else map(undecided, world.doubts)
     nodes = tuple(draft.show(value, factor=True, met=found.valid) for value in found.values)
     letters = {}
     if found.form is not None:
@@ -50,7 +51,7 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
         world.study,
         found.values,
         nodes,
-        all_of([last.certificate.verdict, *doubts, *(one.verdict for one in quantities)]),
+        all_of([last.certificate.verdict, *open_, *(one.verdict for one in quantities)]),
         "",
         draft.asked(found.valid),
         (*steps, *found.steps, *([last] if nodes and found.grounds else [])),
@@ -102,7 +103,7 @@ def _last(draft: Draft, found: Finding, nodes: tuple[t.Node, ...], name: str, le
         draft.define(letter.name, found.values[0])
         rows = [t.equation(letter, t.renamed(found.form, letters), nodes[0])]
     statement = t.ZERO if not rows else rows[0] if len(rows) == 1 else t.System(tuple(rows))
-    verdict = all_of([*([found.verdict] if found.verdict else []), *_verdicts(draft.context, found, rows)])
+    verdict = all_of([*([found.verdict] if found.verdict else []), *_verdicts(draft.context, found, rows), *doubts(found)])
     step = ground(found.grounds[0] if found.grounds else ("identity", {}), statement)
     checks = tuple(dict.fromkeys(check.__name__ for rule, _ in found.grounds for check in RULES[rule]))
     return replace(step, is_result=True, obligations=draft.asked(found.valid), certificate=Certificate(checks, verdict))

@@ -39,19 +39,20 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
         return Finding(undecided("the conditions exclude each other, as it seems"))
     if left is None or not left:
         holds = (left is not None) != opposite
-        said = _said(parts, condition, holds=left is not None)
+        said = _said(parts, condition, holds=left is not None, opposite=opposite)
         return Finding(**said, says="yes" if holds else "no", holds=holds, valid=surely)
     says = "no where this is met, else yes" if opposite else "yes where this is met, else no"
     says = says.partition(",")[0] if surely else says  # what is asked of the motion does not tell what is else
-    return Finding(**_said(parts, condition, holds=None), valid=(*surely, *left), says=says)
+    return Finding(**_said(parts, condition, holds=None, opposite=opposite), valid=(*surely, *left), says=says)
 
 
-def _said(parts: Sequence[Part], condition: Wanted, *, holds: bool | None) -> dict[str, Any]:
+def _said(parts: Sequence[Part], condition: Wanted, *, holds: bool | None, opposite: bool) -> dict[str, Any]:
     """What is said of the least values on the way, checked."""
     told = tuple((value, low and low.place, value if low is None else low.value) for value, low, _ in parts)
     turns = {value: tuple(zero.place for zero in low.table.zeros.found) for value, low, _ in parts if low and low.table}
     given = where_met(condition.given, condition.asked)
-    return checked("least_on_way", parts=told, along=condition.along, given=given, holds=holds, turns=turns)
+    data = {"parts": told, "along": condition.along, "given": given, "holds": holds, "opposite": opposite, "turns": turns}
+    return checked("least_on_way", **data)
 
 
 def does_not(world: Scene, text: str) -> Finding:

@@ -7,7 +7,7 @@ the step holds where it does, and a page says so.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 
@@ -19,6 +19,7 @@ from rbpsym.derivation.view import View
 from rbpsym.equality.domain import Condition, conditions, divisors, nonzero, obligations
 from rbpsym.equality.verdict import Obligation
 from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
 
 
@@ -27,7 +28,17 @@ def duties(view: View, step: Step) -> tuple[Obligation, ...]:
     found: dict[Condition, None] = dict.fromkeys(_conditions(view, step))
     firm = [value for one in found if one.op == ">" for value in (one.value, _along(view, one.value)) if value is not None]
     kept = (one for one in found if one.value.number() is None and not _is_said(one, firm))
-    return tuple(_discharged(view, one) for one in kept)
+    made = [_discharged(view, one) for one in kept]
+    left = merged(duty.relation for duty in made if not duty.is_discharged)
+    return (*(duty for duty in made if duty.is_discharged), *map(Obligation, left))
+
+
+def merged(relations: Iterable[t.Node]) -> tuple[t.Node, ...]:
+    """Conditions of the form “… > 0”, “… ≥ 0” or “… ≠ 0”, each quantity once: what is positive is not zero."""
+    ops: dict[t.Node, set[str]] = {}
+    for one in relations:
+        ops.setdefault(one.items[0], set()).update(one.ops)
+    return tuple(t.relation(node, found.pop() if len(found) == 1 else ">", t.ZERO) for node, found in ops.items())
 
 
 def _is_said(one: Condition, firm: list[Scalar]) -> bool:
@@ -67,8 +78,23 @@ def _discharged(view: View, one: Condition) -> Obligation:
         if not made.is_discharged and (seen := _along(view, one.value)) is not None:
             [other] = obligations([Condition(one.node, one.op, seen)], view.whole.assumptions)
             made = replace(made, why=other.why)
-        view.rows[key] = made if made.is_discharged else replace(made, why=_told(view, one))
-    return replace(view.rows[key], relation=one.relation)
+        view.rows[key] = made if made.is_discharged else _open(view, one)
+    made = view.rows[key]
+    return replace(made, relation=one.relation) if made.is_discharged else made
+
+
+def _open(view: View, one: Condition) -> Obligation:
+    """What is not discharged by signs and ranges: told by a step, or open, in the form in which the derivation has it first:
+    a - b ≠ 0 is not asked for beside b - a ≠ 0, nor with a factor of known sign."""
+    if told := _told(view, one):
+        return Obligation(one.relation, told)
+    core = essential(one.value, view.whole.assumptions)
+    keys = [("open", value) for value in ((core, -core) if one.op == "!=" else (core,))]
+    node = next((view.rows[key] for key in keys if key in view.rows), None)
+    if node is None:
+        known = (one.node, present(core, view.whole.style, factor=True))
+        node = view.rows[keys[0]] = min(known, key=lambda form: sum(1 for _ in t.walk(form)))
+    return Obligation(t.relation(node, one.op, t.ZERO))
 
 
 def _told(view: View, one: Condition) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
 
+from rbpsym.derivation.duties import merged
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
@@ -62,7 +63,7 @@ def _is_rest(step: Step) -> bool:
 def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Node, ...]]:
     """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on."""
     by_id = {step.id: step for step in steps}
-    found = {id: tuple(dict.fromkeys(_open(by_id, by_id[id], shown))) for id in shown if id in by_id}
+    found = {id: merged(_open(by_id, by_id[id], shown)) for id in shown if id in by_id}
     return {id: nodes for id, nodes in found.items() if nodes}
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rbpsym.derivation.assertions import Said
+from rbpsym.derivation.duties import merged
 from rbpsym.derivation.grounds import is_steady
 from rbpsym.derivation.step import BodyRef, Derivation, Step, StepRef
 from rbpsym.document.breaking import lines, table_width
@@ -158,7 +159,7 @@ class Teller:
 
     def conditions(self, steps: Sequence[Step]) -> Iterator[Block]:
         """As long as what is not implied by the declared signs and ranges the formulas hold."""
-        owed = dict.fromkeys(node for step in steps for node in self.said.owed.get(step.id, ()))
+        owed = merged(node for step in steps for node in self.said.owed.get(step.id, ()))
         if owed:
             yield Paragraph(self.said.say("obligation.holds", conditions=list(owed), count=len(steps)))
 

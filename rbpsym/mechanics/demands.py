@@ -64,8 +64,9 @@ def _parted(item: Demand, given: Assumptions) -> list[Demand]:
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
     """Without what follows from the rest."""
     strict = [item for item in demands if item.op == ">"]
-    weak = {one for one in demands if one.op == ">=" and any(_divided(item, [Demand(one.value)]) != item for item in strict)}
-    demands = [Demand(item.value) if item in weak else item for item in demands]  # a factor of what is positive is not zero
+    parts = {one for one in demands if one.op != ">" and any(_divided(item, [Demand(one.value)]) != item for item in strict)}
+    demands = [item for item in demands if item.op != "!=" or item not in parts]  # a factor of what is positive is not zero
+    demands = [Demand(item.value) if item in parts else item for item in demands]
     demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
     demands = [item for k, item in enumerate(demands) if item.op != "!=" or Demand(-item.value, "!=") not in demands[:k]]
     apart = {item.value for item in demands if item.op == "!="}
