@@ -15,7 +15,7 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
 from rbpsym.solve import answer_of, solve
 from rbpsym.statement import load_text
-from tests.library.derived import FOLLOWED, NAMES, unsimulated
+from tests.library.derived import FOLLOWED, NAMES, problem, unsimulated
 
 FALLING = """
 [parameters]
@@ -74,12 +74,24 @@ def test_every_open_condition_of_a_page_stands_in_the_answer(name):
     """Wherever it stands there; the speeds by which other roads to the equation of motion divide are no part of it, and of
     one-sided forces the answer has a list."""
     found = unsimulated(name)
-    told = answer_of(found)
+    assert _missing(found, found.steps, answer_of(found)) == NOT_TOLD.get(name, set())
+
+
+@pytest.mark.parametrize("name", [name for name in FOLLOWED if problem(name).phases])
+def test_every_open_condition_of_a_later_phase_stands_in_its_part_of_the_answer(name):
+    """Those of how it begins and of what follows."""
+    found = unsimulated(name)
+    for phase, told in zip(found.phases, answer_of(found)["phases"], strict=False):
+        assert not _missing(phase.derivation, (*phase.begins, *phase.derivation.steps), told), told["name"]
+
+
+def _missing(found, steps, told) -> set[str]:
+    """The steps of which something is open that the answer does not tell."""
     names = {*found.letters.scalars, *found.study.letters.quantities, *found.study.system.scope.rates, "t"}
     known = _known(found, told, names)
     sided = [symbol(row["force"]) for row in told["one_sided"]]
     missing = set()
-    for step in found.steps:
+    for step in steps:
         for duty in () if step.id.startswith("motion.from_") else step.certificate.verdict.open_obligations:
             try:
                 value, op = found.letters.value(duty.relation.items[0]), duty.relation.ops[0]
@@ -88,7 +100,7 @@ def test_every_open_condition_of_a_page_stands_in_the_answer(name):
                 continue
             if value not in sided and not any(_tells(one, value, op, found) for one in known):
                 missing.add(step.id)
-    assert missing == NOT_TOLD.get(name, set())
+    return missing
 
 
 def _tells(one: Demand, value: Scalar, op: str, found) -> bool:
