@@ -11,16 +11,20 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 
+from rbpsym.algebra import UNITY, Scalar, factors, generator, inverse
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.checks import divides
 from rbpsym.derivation.step import Step
 from rbpsym.derivation.view import View
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition, conditions, divisors, nonzero, obligations
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Obligation
 from rbpsym.errors import RbpsymError
-from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
+from rbpsym.notation.machine import to_machine
+
+WAYS = {"positive": 1, "negative": -1}
 
 
 def duties(view: View, step: Step) -> tuple[Obligation, ...]:
@@ -88,13 +92,30 @@ def _open(view: View, one: Condition) -> Obligation:
     a - b ≠ 0 is not asked for beside b - a ≠ 0, nor with a factor of known sign."""
     if told := _told(view, one):
         return Obligation(one.relation, told)
-    core = essential(one.value, view.whole.assumptions)
-    keys = [("open", value) for value in ((core, -core) if one.op == "!=" else (core,))]
-    node = next((view.rows[key] for key in keys if key in view.rows), None)
+    core = _core(one.value, view.whole.assumptions)
+    cores = (core, -core) if one.op == "!=" else (core,)
+    node = next((view.rows["open", value] for value in cores if ("open", value) in view.rows), None)
     if node is None:
-        known = (one.node, present(core, view.whole.style, factor=True))
-        node = view.rows[keys[0]] = min(known, key=lambda form: sum(1 for _ in t.walk(form)))
+        short = [present(value, view.whole.style, factor=True) for value in cores]
+        forms = [one.node, *sorted(short, key=to_machine)]
+        node = view.rows["open", core] = min(forms, key=lambda form: sum(1 for _ in t.walk(form)))
     return Obligation(t.relation(node, one.op, t.ZERO))
+
+
+def _core(value: Scalar, given: Assumptions) -> Scalar:
+    """The value without factors of known sign; itself where another one stands in a power or below the line."""
+    _, powers = value.num.content()
+    try:
+        coefficient, found = factors(value.num.scaled(1, inverse(powers)))
+    except RbpsymError:
+        return value
+    core = UNITY if coefficient > 0 else -UNITY
+    for part, exponent in (*found, *((generator(index), power) for index, power in powers), (value.den, -1)):
+        way = WAYS.get(sign(Scalar(part), given).kind or "")
+        if way is None and exponent != 1:
+            return value
+        core = core * Scalar(part) if way is None else core * way**exponent
+    return core
 
 
 def _told(view: View, one: Condition) -> str:
