@@ -232,8 +232,17 @@ def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str,
     if upper is None or isinstance(lower, str) or not isinstance(path, (t.Sym, t.Vec)):
         raise reader.error("the limits do not fit the differential", r"Over a body, write \int_{body} f dm.", start)
     if isinstance(path, t.Vec):
+        if not _is_angle(reader, path):
+            raise reader.error("between which places does this path go?", "Write the integral over a coordinate.", start)
         integrand = t.Dot(integrand, t.Unit("z"))
     return t.Integral(integrand, path.name, lower, upper)
+
+
+def _is_angle(reader: LatexReader, path: t.Vec) -> bool:
+    """Is it a Greek letter, a turn about the normal of the plane; a Latin one is a way in the plane."""
+    begin, end = path.span or (0, 0)
+    letters = (token.text for token in reader.tokens if begin <= token.start < end and token.kind == "letter")
+    return any(not letter.isascii() and letter != "ℓ" for letter in letters)
 
 
 def _over_body(integrand: t.Node, product: str, path: t.Node, body: str) -> t.Node:

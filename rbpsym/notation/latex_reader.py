@@ -159,6 +159,12 @@ _FRAME = re.compile(r"\\(?:A?boxed|fbox|shrunk)\s*\{")
 _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 
 
+_UNIT = r"(?:k?g|[ckm]?m|[mk]?N|k?[JW]|s|Hz|rad|K|Pa)(?:\^\{?-?\d\}?)?"
+_MEASURED = re.compile(  # a decimal number and letters behind a gap that spell a unit, up to the end of a row
+    rf"\d\.\d+\s*(?:~|\\[ ;]|\\q?quad)\s*({_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}})\s*[.,]?\s*(?:\\\\|$)"
+)
+
+
 def _closed_at(text: str, start: int) -> int:
     """Where the brace is closed behind which the text begins; -1 if nowhere."""
     depth = 1
@@ -175,6 +181,9 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
         end = _closed_at(text, frame.end())
         if end > 0 and (_RELATES.search(text, frame.end(), end) or not (text[: frame.start()] + text[end + 1 :]).strip()):
             text = f"{text[: frame.start()]}{' ' * len(frame[0])}{text[frame.end() : end]} {text[end + 1 :]}"
+    if measured := _MEASURED.search(text[:MAX_LENGTH]):
+        hint = "Write the number alone in the unit that the claim says, or * where a product is meant."
+        raise source.error(f"is “{measured[1]}” a unit, or a product of symbols?", *measured.span(1), hint)
     return laid_out(source, tokenize(Source(text, source.place), gaps=True))
 
 

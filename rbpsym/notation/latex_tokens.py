@@ -59,6 +59,7 @@ _PATTERNS = re.compile(
     r"(?:(?<!split\})(?<!ed\})\s*\{(?:[lcr|\s\d]|[@!p]\{[^{}]*\})*\})?|\\(?:begin|end)\s*\{[^{}]*\})"
     rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
     rf"|(?P<degree>{_DEGREE})"
+    rf"|(?P<plain>(?<![A-Za-z\\])(?:{'|'.join(FUNCTION_WORDS)})(?=\s*(?:\(|\\left|\\[a-z])))"
     r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
     r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|[-+*/=<>()\[\]{}|_^',.;&])"
@@ -174,7 +175,14 @@ def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     plain = "" if text.startswith((r"\mathrm", r"\operatorname")) else word.strip(" ,;:.")
     if plain in CONDITIONAL:
         return Token("row", CONDITION, start, end)
+    if word in PUNCTUATION:
+        return Token("sign", word, start, end)
     return Token("row" if plain in JOINING else "text", word, start, end)
+
+
+def _function(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """The name of a function in italics: sin(x) is no product of three letters."""
+    return Token("command", rf"\{text}", start, end)
 
 
 def _differential(source: Source, kind: str, text: str, start: int, end: int) -> Token:
@@ -230,6 +238,6 @@ def _environment(source: Source, kind: str, text: str, start: int, end: int) -> 
 
 
 _MAKERS = {
-    "text": _text, "differential": _differential, "begin": _environment, "command": _command,
+    "text": _text, "plain": _function, "differential": _differential, "begin": _environment, "command": _command,
     "bar": _bar, "zero": _zero, "empty": _empty, "row": _row, "degree": _degree,
 }  # fmt: skip

@@ -51,6 +51,8 @@ SAME = [
     (r"\int_a^b x \text{d}t = k", r"\int_a^b x dt = k"),
     (r"\int_B x^2 dm = \large I", r"\int_{\text{B}} x^2 dm = I"),
     (r"a = b \textrm{ for } i = 1,\ldots,n", "a = b"),
+    (r"a = sin(\theta) + m cos\theta", r"a = \sin(\theta) + m\cos\theta"),
+    (r"a = b\text{.}", "a = b"),
     (r"a = x × b · k", r"a = x \times b \cdot k"),
 ]  # fmt: skip
 
