@@ -32,9 +32,14 @@ _SILENT = (
     r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{[^{}]*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
 )
 _SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
-_INDEX = r"(?:[A-Za-z]|\\[a-z]+)"
+_INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
+_DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
+_RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
+    rf"{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*\d+)*\s*,?\s*{_DOTS}\s*,?\s*(?:\d*{_INDEX}(?:\s*[-+]\s*\w)?|\d+)"
+    r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))\s*=\s*\d+(?:\s*,\s*\d+)+"
+)
 _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
-    rf"(?<=[\s,~(])(?:\\text(?:rm)?\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}\s*)?\(?\s*{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*\d+\s*(?:,\s*(?:\d+|\\[cl]?dots[bc]?(?![A-Za-z])|{_INDEX})\s*)+\)?"
+    rf"(?<=[\s,~(])(?:\\text(?:rm)?\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}\s*)?\(?\s*(?:{_RUN})\s*\)?"
     r"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end))"
 )
 _ZERO = r"\\(?:vec|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"

@@ -104,7 +104,7 @@ def _fenced(kind: str, directive: bool, rest: str, body: str) -> str:
 
 
 INCLUDING = ("include", "toctree")
-_NO_FILE = re.compile(r"[*{}]|://|^:")
+_NO_FILE = re.compile(r"[*{}]|://|^:|^---|^\w+:\s")
 
 
 def _included(kind: str, rest: str, body: str) -> str:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
 from rbpsym.statement.files import latin_or_utf8_in
-from rbpsym.verify.paper_formats import NOTE, NOTE_END, lines_of
+from rbpsym.verify.paper_formats import LATEX, NOTE, NOTE_END, lines_of
 
 MAX_BYTES = 4 * 1024 * 1024
 MAX_LINE = 200_000
@@ -119,7 +119,8 @@ class _Files:
             for found in _INPUT.finditer(line):
                 yield _Line(line[begin : found.start()], str(path), number, said)
                 said = ()
-                yield from self.lines(self._beside(found, path, number, around), (*around, path.resolve()))
+                if (target := self._followed(found, path, number, around)) is not None:
+                    yield from self.lines(target, (*around, path.resolve()))
                 begin = found.end()
             yield _Line(line[begin:], str(path), number, said)
 
@@ -142,6 +143,16 @@ class _Files:
             self.remarks.append((str(path), 1, "this file is not UTF-8; it was read as Latin-1"))
         self.size += len(text)
         return text.replace("\r\n", "\n").replace("\r", "\n")
+
+    def _followed(self, found: re.Match[str], path: Path, line: int, around: tuple[Path, ...]) -> Path | None:
+        """The file that is put in. One that LaTeX could not find is an error, one that a page does not find is told."""
+        try:
+            return self._beside(found, path, line, around)
+        except ReadError as error:
+            if path.suffix.lower() in LATEX:
+                raise
+            self.remarks.append((str(path), line, f"not read: {error.what}"))
+            return None
 
     def _beside(self, found: re.Match[str], path: Path, line: int, around: tuple[Path, ...]) -> Path:
         r"""The file of an \input, which must be in the folder of the text or below it."""

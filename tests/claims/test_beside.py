@@ -78,7 +78,7 @@ def test_a_comment_in_front_of_a_display_claims_all_its_numbers(folder, capsys):
 
 INCLUDES = [
     ("a.md", f"{MD}\n```{{include}} part/b.md\n:x: y\n```\n"),
-    ("a.md", f"{MD}\n```{{toctree}}\n:maxdepth: 2\n\nB <part/b>\n*\n```\n"),
+    ("a.md", f"{MD}\n```{{toctree}}\n---\nmaxdepth: 2\n---\nB <part/b>\n*\n```\n"),
     ("a.rst", f"{RST}\n\n.. include:: part/b.md\n"), ("a.rst", f"{RST}\n\n.. toctree::\n   :caption: C\n\n   part/b.md\n"),
     ("a.typ", f'{TYP}\n#include "part/b.md"\n'),
 ]  # fmt: skip
@@ -90,6 +90,16 @@ def test_files_that_a_text_puts_in_are_read_where_it_does(folder, capsys, case):
     (folder / "part" / "b.md").write_text(f"\n<!-- rbpsym: claim -->\n$${RIGHT}$$\n")
     code, [row] = checked(folder, capsys, *INCLUDES[case])
     assert (code, row["line"]) == (0, 3) and row["file"].endswith("b.md")
+
+
+@pytest.mark.parametrize("name", ["../README.md", "nothing.md", "a.md"])
+def test_what_a_page_does_not_find_is_told_and_loses_nothing(folder, capsys, name):
+    (folder / "README.md").write_text("$$a=b$$")
+    (folder / "in").mkdir()
+    text = f"{MD}\n```{{include}} {name}\n```\n<!-- rbpsym: claim -->\n$${RIGHT}$$\n"
+    (folder / "in" / "a.md").write_text(text)
+    assert main.main(["check", "in/a.md"], standalone_mode=False) == 0
+    assert "in/a.md:4: not read: " in capsys.readouterr().out
 
 
 def test_a_notebook_carries_its_claims_in_metadata(folder, capsys):

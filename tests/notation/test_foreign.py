@@ -53,6 +53,8 @@ SAME = [
     (r"a = b \textrm{ for } i = 1,\ldots,n", "a = b"),
     (r"a = sin(\theta) + m cos\theta", r"a = \sin(\theta) + m\cos\theta"),
     (r"a = b\text{.}", "a = b"),
+    (r"a = b \quad (i = k+1, \cdots, 3N-k)", "a = b"),
+    (r"a = b, \quad i = 1, ..., n", "a = b"),
     (r"a = x × b · k", r"a = x \times b \cdot k"),
 ]  # fmt: skip
 
