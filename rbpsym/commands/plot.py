@@ -31,10 +31,10 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
     from rbpsym.commands.shelf import found
     from rbpsym.derive import derive
     from rbpsym.document.files import write_all
+    from rbpsym.document.moving import REASONS
     from rbpsym.document.notes import notation_of
     from rbpsym.document.notes_plots import plot_figures
     from rbpsym.document.pictures import RESOLUTION, drawings
-    from rbpsym.document.plots.following import REASONS
     from rbpsym.document.plots.motion import motion
     from rbpsym.document.words import Words
     from rbpsym.errors import NotApplicable, StatementError

@@ -15,6 +15,8 @@ from rbpsym.algebra import NOTHING, ONE, UNITY, Monomial, Poly, Scalar, atoms, g
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.algebra.squares import with_squares
+from rbpsym.errors import NoNumber
+from rbpsym.mechanics.numbers import number
 
 TINY = 1e-9
 
@@ -227,10 +229,10 @@ def _may_vanish(slope: Scalar) -> bool:
     """Whether it is zero, or a sum of roots that numbers can't tell from zero: p √(1 + x²/p²) - √(p² + x²)."""
     if is_zero(slope) or sum(atoms.atom(index).kind == "root" for index in slope.atoms()) < 2:
         return is_zero(slope)
-    from rbpsym.numeric.formulas import compiled  # numpy is slow to load, and seldom asked
-
-    [found] = compiled([slope])({name: 1 + k / 7 for k, name in enumerate(sorted(names_in(slope)), 1)})
-    return not abs(found) >= TINY  # also where it has no value
+    try:
+        return abs(number(slope, {name: 1 + k / 7 for k, name in enumerate(sorted(names_in(slope)), 1)})) < TINY
+    except NoNumber:
+        return True
 
 
 def _pivot(value: Scalar, name: str, sources: frozenset[str], row: Scalar) -> Pivot:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from importlib.util import find_spec
 
 from rbpsym.ask.asking import own_answers
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
@@ -15,7 +16,6 @@ from rbpsym.document.notes_checks import checks_section, course_checks_section, 
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
-from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.notes_question import answer_section, question_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
@@ -142,7 +142,7 @@ def problem_sections(
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
     said = replace(said, is_brief=is_brief, level=DETAILS[detail])
     speaker = phase_words(detail, language)
-    drawn = plots_section(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
+    drawn = _curves(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
     answers, later = tuple(own_answers(derivation.study)), list(phase_results(derivation, said, speaker))
     answered = answer_section(answers, ((said, derivation.steps), *later), said, level)
     return [
@@ -155,6 +155,16 @@ def problem_sections(
         *(() if is_brief else results_section(derivation, said, level, later, detail)),
         checks_section(derivation, said, level, checks or (None if is_brief else "")),
     ]
+
+
+def _curves(derivation: Derivation, said: Words, level: int) -> Section:
+    """The formulas as curves; a sentence where numpy, which draws them, is not there (in a browser)."""
+    if find_spec("numpy") is None:
+        told = Paragraph(said.say("plots.none.numpy"))
+        return Section(said.say("plots.title"), (told,), said.prefix + "section.plots", level)
+    from rbpsym.document.notes_plots import plots_section
+
+    return plots_section(derivation, said, level)
 
 
 def phase_words(detail: str, language: str) -> Callable[[Derivation, str], Words]:

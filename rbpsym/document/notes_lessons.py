@@ -7,9 +7,7 @@ from collections.abc import Iterator
 from rbpsym.derivation.step import Derivation, Lesson, Step
 from rbpsym.document.figures.plane_motion import FIGURES
 from rbpsym.document.model import Block, FigureBlock, Inlines, Paragraph, Section
-from rbpsym.document.notes_plots import numbers, panels_figure
 from rbpsym.document.phrases import plain
-from rbpsym.document.plots.compared import beside, motions
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
@@ -38,6 +36,9 @@ def _drawn(lesson: Lesson, said: Words) -> Iterator[Block]:
 
 def compared_figure(first: Derivation, second: Derivation, coordinate: str, said: Words) -> Iterator[Block]:
     """Both motions in one plot, where both can be followed."""
+    from rbpsym.document.notes_plots import numbers, panels_figure  # with numpy, which is slow to load
+    from rbpsym.document.plots.compared import beside, motions
+
     name = common_coordinate((first.study, second.study), coordinate)
     try:
         pair = motions(first, second)

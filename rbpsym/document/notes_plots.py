@@ -9,8 +9,8 @@ import numpy as np
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section, Text
+from rbpsym.document.moving import REASONS
 from rbpsym.document.phrases import plain
-from rbpsym.document.plots.following import REASONS
 from rbpsym.document.plots.motion import PlottedMotion, motion
 from rbpsym.document.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
 from rbpsym.document.plots.scales import Scale, told_numbers

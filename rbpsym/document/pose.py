@@ -22,6 +22,7 @@ Point = tuple[float, float]
 LEAST_ANGLE, SHOWN_ANGLE, LEAST_SHARE = 0.3, 0.6, 0.2
 DRIVEN_ANGLE = 0.9
 ROUNDS = 30
+FLAT = 1e-9  # of a row: less is nothing new
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,17 +121,28 @@ def shown_time(system: System, numbers: Mapping[str, float]) -> float:
 
 def fitted(system: System, numbers: dict[str, float]) -> dict[str, float]:
     """The nearest numbers with which the conditions that stay as equations hold (Newton's method); what depends follows."""
-    import numpy as np
-
     free = [name for name in system.coordinates if name not in system.independent] or list(system.coordinates)
     rows = [(one.value, [derivative(one.value, name) for name in free]) for one in system.implicit]
     for _ in range(ROUNDS):
-        gaps = np.array([number(value, numbers) for value, _ in rows])
-        slopes = np.array([[number(slope, numbers) for slope in all_] for _, all_ in rows])
-        moves = np.linalg.pinv(slopes) @ gaps
-        numbers |= {name: float(numbers[name] - move) for name, move in zip(free, moves, strict=True)}
+        gaps = [number(value, numbers) for value, _ in rows]
+        slopes = [[number(slope, numbers) for slope in all_] for _, all_ in rows]
+        moves = shortest(slopes, gaps)
+        numbers |= {name: numbers[name] - move for name, move in zip(free, moves, strict=True)}
         numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
     return numbers
+
+
+def shortest(rows: list[list[float]], wanted: list[float]) -> list[float]:
+    """The shortest vector whose products with the rows are those wanted; rows that say nothing new are left out."""
+    kept: list[tuple[list[float], float]] = []  # at right angles to each other, of length 1
+    for row, value in zip(rows, wanted, strict=True):
+        rest, size = list(row), math.hypot(*row)
+        for other, known in kept:
+            along = sum(a * b for a, b in zip(rest, other, strict=True))
+            rest, value = [a - along * b for a, b in zip(rest, other, strict=True)], value - along * known
+        if (length := math.hypot(*rest)) > FLAT * size:
+            kept.append(([a / length for a in rest], value / length))
+    return [sum(row[k] * value for row, value in kept) for k in range(len(rows[0]))]
 
 
 RADII = ("radius", "outer", "inner")

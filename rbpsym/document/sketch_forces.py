@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from rbpsym.algebra import Scalar, names_in
 from rbpsym.document.figures.sketch import Point, SketchCouple, SketchForce
+from rbpsym.document.moving import Moving, require_motion
 from rbpsym.document.pose import DrawnPose, other_numbers
 from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.motion import net_power
@@ -48,17 +49,15 @@ def after_start(pose: DrawnPose) -> Numbers:
 
     Nor with numbers for which kinetic friction would not act against the slip.
     """
-    from rbpsym.document.plots.following import Flow, require_motion, with_forces
-
-    system, flow = pose.study.system, Flow(pose.study, pose.numbers)
+    system, moving = pose.study.system, Moving(pose.study, pose.numbers)
     rubbing = [e["friction"] for e in pose.study.problem.constraints if e.values.get("coefficient") is not None]
     try:
         require_motion(pose.study)
-        state = flow.start()
-        step = SHARE * flow.pace(state)
+        state = moving.start()
+        step = SHARE * moving.pace(state)
         for _ in range(STEPS if math.isfinite(step) else 0):
-            state = state + step * flow.rate(0.0, state)
-        soon = with_forces(flow, state)
+            state = moving.after(state, step)
+        soon = moving.with_forces(state)
     except (NotApplicable, NoNumber):
         return {}
     return {} if any(_value(net_power(system, system.named(name)), soon) > SMALL for name in rubbing) else soon

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.plots.following import leg, require_motion
+from rbpsym.document.moving import require_motion
+from rbpsym.document.plots.following import leg
 from rbpsym.document.plots.motion import Journey, PlottedMotion, legs
 from rbpsym.document.plots.panel import Panel, PlotCurve
 from rbpsym.document.plots.scales import Scales, scales

@@ -15,16 +15,15 @@ import numpy as np
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.pose import fitted
-from rbpsym.errors import NoNumber, NotApplicable
+from rbpsym.document.moving import REASONS, Moving, at, reactions, require_motion
+from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.endings import State as Ending
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.numbers import bound, number, sample
+from rbpsym.mechanics.numbers import bound
 from rbpsym.mechanics.study import Study
 from rbpsym.numeric.formulas import compiled
 from rbpsym.numeric.integration import Event, followed
-from rbpsym.quantities import LENGTH, NUMBER
 
 PACES = 60  # of the start, at most
 PARTS = 16  # moments in a step of the integration
@@ -34,55 +33,16 @@ TURNINGS = 4  # of the first coordinate, after which an oscillation has been see
 SHAKEN = 20  # the same where a given motion drives it
 SEVERAL = 8  # the same where several coordinates oscillate
 FAR = 2 * math.pi  # how many sizes of its own a coordinate may move; twice as many where it is driven
-STILL = 1e-9
 EDGE = 1e-8  # what starts so near to the end of its range may go so far beyond it
-SOON = 1e-4
 TOLERANCES = 1e-9, 1e-11
-
-REASONS = {  # why there is no motion that can be followed
-    "statics": "nothing moves: it is a problem of statics",
-    "tied": "the speeds are tied by a condition that is no condition on the places",
-    "no_start": "the statement does not say where the motion starts",
-    "rest": "nothing moves",
-    "at_start": "the motion is known at its start alone",
-}
 
 Numbers = Mapping[str, float | np.ndarray]
 State = np.ndarray  # coordinates that are no closed form of others, independent speeds, the time
 
 
-def at(value: Scalar, numbers: Numbers) -> float:
-    """A quantity at one moment; not a number where it has none."""
-    try:
-        return float(number(value, numbers))
-    except NoNumber:
-        return math.nan
-
-
 @dataclass(frozen=True)
-class Flow:
-    """A system with numbers for its parameters: how its state changes, and all numbers of a state (or of many)."""
-
-    study: Study
-    given: Mapping[str, float]
-
-    @cached_property
-    def names(self) -> tuple[str, ...]:
-        """What a state consists of."""
-        return (*self.study.system.coordinates, *self.study.system.speeds, "t")
-
-    @cached_property
-    def shown(self) -> tuple[str, ...]:
-        """The coordinates that are shown: the independent ones, or all where everything is driven."""
-        return tuple(self.study.system.independent) or tuple(c.name for c in self.study.problem.coordinates)
-
-    @cached_property
-    def sizes(self) -> dict[str, float]:
-        """What a far way is for each coordinate: a radian, or a length of the problem."""
-        lengths = [q.name for q in self.study.problem.parameters if q.dimension == LENGTH and self.given.get(q.name)]
-        length = abs(self.given[lengths[0]]) if lengths else 1.0
-        kinds = {c.name: c.quantity.dimension for c in self.study.problem.coordinates}
-        return {name: 1.0 if kind == NUMBER else length for name, kind in kinds.items()}
+class Flow(Moving):
+    """The same with arrays: many states as columns."""
 
     @cached_property
     def _defined(self) -> tuple[tuple[str, ...], Callable[[Numbers], np.ndarray]]:
@@ -106,28 +66,13 @@ class Flow:
         gains = self._accelerations(state[-1], state[: len(names)], state[len(names) : -1])
         return np.array([*speeds, *gains, 1.0])
 
+    def after(self, state: State, time: float) -> State:
+        """The state a short time later."""
+        return state + time * self.rate(0.0, state)
+
     def start(self) -> State:
         """Where the motion starts; what the author left open is where the conditions that stay want it."""
-        scope, still = self.study.system.scope.start, dict.fromkeys((*self.study.system.speeds, "t"), 0.0)
-        found = {**sample(self.study.problem), **self.given, **still}
-        found |= {name: at(scope[name], self.given) for name in self.names if name in scope}
-        if self.study.system.implicit:
-            found = fitted(self.study.system, found)
-        state = np.array([found[name] for name in self.names])
-        if not np.isfinite(state).all():
-            raise NotApplicable("the start has no numbers")
-        return state
-
-    def pace(self, state: State) -> float:
-        """The time in which the fastest coordinate moves by its size; infinite if nothing moves."""
-        now, soon = self.numbers(state), self.numbers(state + SOON * self.rate(0.0, state))
-        paces = [math.inf]
-        for name in self.shown:
-            speed = now[f"{name}_dot"] / self.sizes[name]
-            gain = (soon[f"{name}_dot"] - now[f"{name}_dot"]) / SOON / self.sizes[name]
-            paces += [1 / abs(speed)] if abs(speed) > STILL else []
-            paces += [math.sqrt(1 / abs(gain))] if abs(gain) > STILL else []
-        return min(paces)
+        return np.array(super().start())
 
     def room(self, state: State) -> float:
         """How far the coordinates are from the ends of their declared ranges, the least of all; negative outside."""
@@ -187,11 +132,6 @@ class Leg:
         """The first moments."""
         numbers = {name: value[:count] if np.ndim(value) else value for name, value in self.numbers.items()}
         return replace(self, moments=self.moments[:count], numbers=numbers)
-
-
-def reactions(study: Study) -> dict[str, Scalar]:
-    """The unknown forces: along the motion where they are known so, else as functions of the state."""
-    return {**study.dynamics.reactions, **(study.reactions_along_motion or {})}
 
 
 def leg(
@@ -267,16 +207,3 @@ def watched(flow: Flow, start: State, is_open: bool) -> Iterator[tuple[str, Even
     for name in one_sided(study):
         value = compiled([reactions(study)[name]])
         yield name, Event(lambda _, state, value=value: float(value(flow.numbers(state))[0]), math.inf)
-
-
-def require_motion(study: Study) -> None:
-    """Raises NotApplicable if there is no motion that could be followed."""
-    system = study.system
-    if not study.problem.coordinates:
-        raise NotApplicable(REASONS["statics"])
-    if study.at_start:
-        raise NotApplicable(REASONS["at_start"])
-    if system.speed_ties:
-        raise NotApplicable(REASONS["tied"])
-    if any(name not in system.scope.start for name in system.independent):
-        raise NotApplicable(REASONS["no_start"])

@@ -11,7 +11,8 @@ import numpy as np
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.plots.following import Leg, leg, require_motion
+from rbpsym.document.moving import require_motion
+from rbpsym.document.plots.following import Leg, leg
 from rbpsym.document.plots.scales import Scales, scales
 from rbpsym.mechanics.phases import stages
 

@@ -13,7 +13,8 @@ import numpy as np
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.step import Step
-from rbpsym.document.plots.following import Leg, at
+from rbpsym.document.moving import at
+from rbpsym.document.plots.following import Leg
 from rbpsym.document.plots.motion import Journey, PlottedMotion
 from rbpsym.document.plots.panel import Panel, PlotCurve, PlotMark
 from rbpsym.document.plots.scales import Scale
