@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
 
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import Scene
+from rbpsym.document.figures.svg import color_rules, number, to_svg
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.model import Document, FigureBlock
 from rbpsym.document.numbering import parts
 from rbpsym.document.writers.page import shell
+from rbpsym.errors import RbpsymError
 from rbpsym.notation.glyphs import Notation
 
 ROW, GAP = 16.0, 0.5  # cm
@@ -49,6 +52,8 @@ def drawings(scenes: Sequence[tuple[tuple, Notation]], kind: str, resolution: fl
     """Each group of scenes side by side, all of them drawn in one run."""
     if not scenes:
         return []
+    if find_spec("typst") is None:
+        return [without_typst(*group) for group in scenes] if kind == "svg" else missing(kind)
     import typst
 
     groups = [drawn(*group) for group in scenes]
@@ -56,6 +61,28 @@ def drawings(scenes: Sequence[tuple[tuple, Notation]], kind: str, resolution: fl
         return [typst.compile(source_of([group])) for group in groups]
     found = typst.compile(source_of(groups), format=kind, ppi=resolution)
     return found if isinstance(found, list) else [found]
+
+
+def easiest() -> str:
+    """The kind of pictures that can be made here: "png", or "svg" where Typst is not installed (in a browser)."""
+    return "svg" if find_spec("typst") is None else "png"
+
+
+def missing(kind: str) -> list[bytes]:
+    """Raises RbpsymError: only Typst draws this kind."""
+    raise RbpsymError(f"{kind} pictures are drawn by Typst, which is not installed here", instead="pip install typst brings it.")
+
+
+def without_typst(scenes: Sequence[Scene], notation: Notation) -> bytes:
+    """Scenes side by side as an SVG whose labels are MathML, which browsers show."""
+    at, high, inner = 0.0, 0.0, []
+    for scene in scenes:
+        left, bottom, right, top = placed(scene, notation).bounds
+        inner.append(to_svg(scene, notation).replace("<svg ", f'<svg x="{number(at)}" ', 1))
+        at, high = at + right - left + GAP, max(high, top - bottom)
+    size = f'width="{number(at - GAP)}" height="{number(high)}"'
+    body = "".join(inner)
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {size}><style>{color_rules()}</style>{body}</svg>'.encode()
 
 
 def source_of(groups: Sequence[str]) -> bytes:

@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 from hashlib import blake2b
 from typing import Any
 
-import numpy as np
-
 from rbpsym.algebra import Scalar, Space, root
 from rbpsym.algebra import value as exact_value
 from rbpsym.errors import NoNumber, RbpsymError
@@ -21,8 +19,45 @@ from rbpsym.quantity.path import sense
 from rbpsym.verify.claims_ground import Question
 from rbpsym.verify.claims_refute import carried_out
 
-Value = float | np.ndarray  # of a vector, its three components
 TOLERANCE, SMALL = 1e-8, 1e-4
+
+
+class Triple(tuple[float, ...]):
+    """The three components of a vector, with the arithmetic of vectors."""
+
+    def __add__(self, other: Any) -> Triple:
+        return Triple(a + b for a, b in zip(self, other, strict=True))
+
+    def __radd__(self, zero: float) -> Triple:
+        return self  # as the first term of a sum
+
+    def __sub__(self, other: Any) -> Triple:
+        return self + -other
+
+    def __neg__(self) -> Triple:
+        return self * -1.0
+
+    def __mul__(self, factor: Any) -> Triple:
+        return Triple(a * float(factor) for a in self)
+
+    __rmul__ = __mul__
+
+    def __matmul__(self, other: Triple) -> float:
+        return sum(a * b for a, b in zip(self, other, strict=True))
+
+
+Value = float | Triple
+
+
+def size_of(value: Value) -> float:
+    """The largest component, or the number, without its sign."""
+    return max(map(abs, value)) if isinstance(value, Triple) else abs(value)
+
+
+def cross(left: Triple, right: Triple) -> Triple:
+    """The vector product."""
+    (a, b, c), (x, y, z) = left, right
+    return Triple((b * z - c * y, c * x - a * z, a * y - b * x))
 
 
 class Numbers(dict):
@@ -60,7 +95,7 @@ class Sample:
 
     def _value(self, found: Scalar | Space | None, name: str) -> Value:
         if isinstance(found, Space):
-            return np.array([self._scalar(part) for part in found.components()])
+            return Triple(self._scalar(part) for part in found.components())
         return math.pi if name == "pi" else self.numbers[name] if found is None else self._scalar(found)
 
     def _scalar(self, found: Scalar) -> float:
@@ -73,8 +108,7 @@ class Sample:
         """How far the sides are apart, relative to their size; None if that can't be said."""
         try:
             left, right = (value(node, self) for node in relation.items)
-            size = max(np.max(np.abs(left)), np.max(np.abs(right)), SMALL)
-            return float(np.max(np.abs(left - right)) / size)
+            return size_of(left - right) / max(size_of(left), size_of(right), SMALL)
         except (ArithmeticError, ValueError, KeyError, TypeError, RbpsymError):
             return None
 
@@ -125,7 +159,12 @@ def value(node: t.Node, at: Sample) -> Value:
 
 def _power(node: t.Pow, at: Sample) -> float:
     base, exponent = value(node.base, at), value(node.exponent, at)
-    return float(base @ base) if isinstance(base, np.ndarray) else math.pow(base, exponent)
+    return base @ base if isinstance(base, Triple) else math.pow(base, exponent)
+
+
+def length(found: Value) -> float:
+    """Of a vector; of a number what it is without its sign."""
+    return math.sqrt(found @ found) if isinstance(found, Triple) else abs(found)
 
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
@@ -135,7 +174,7 @@ FUNCTIONS: Mapping[str, Callable[[float], float]] = {
     "sec": lambda x: 1 / math.cos(x),
     "csc": lambda x: 1 / math.sin(x),
 }
-UNITS = dict(zip("xyz", np.eye(3), strict=True))
+UNITS = {axis: Triple(float(axis == other) for other in "xyz") for axis in "xyz"}
 
 VALUES: Mapping[type, Callable[[Any, Sample], Value]] = {
     t.Num: lambda node, at: float(node.value),
@@ -149,8 +188,8 @@ VALUES: Mapping[type, Callable[[Any, Sample], Value]] = {
     t.Pow: _power,
     t.Sqrt: lambda node, at: math.sqrt(value(node.arg, at)),
     t.Fn: lambda node, at: FUNCTIONS[node.name](value(node.arg, at)),
-    t.Abs: lambda node, at: float(np.linalg.norm(value(node.arg, at))),
+    t.Abs: lambda node, at: length(value(node.arg, at)),
     t.Group: lambda node, at: value(node.arg, at),
-    t.Cross: lambda node, at: np.cross(value(node.left, at), value(node.right, at)),
-    t.Dot: lambda node, at: float(np.dot(value(node.left, at), value(node.right, at))),
+    t.Cross: lambda node, at: cross(value(node.left, at), value(node.right, at)),
+    t.Dot: lambda node, at: value(node.left, at) @ value(node.right, at),
 }

@@ -10,13 +10,16 @@ from dataclasses import dataclass
 
 from rbpsym.document.model import Block, Callout, Display, Document, FigureBlock, Live, Section
 from rbpsym.document.numbering import numbered
-from rbpsym.document.pictures import pictures
+from rbpsym.document.pictures import easiest, pictures
 from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
 from rbpsym.document.writers.page import page_of
 from rbpsym.document.writers.plain_text import plain_text
 
 SCREEN = 110.0  # dots an inch
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
+
+
+MIME = {"png": "image/png", "svg": "image/svg+xml"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +34,7 @@ class NotebookCell:
 def write_notebook(document: Document) -> str:
     """The document as a notebook (nbformat 4.5)."""
     document = numbered(document)
-    drawn = {number: found.content for number, found in pictures(document, resolution=SCREEN).items()}
+    drawn = {number: found.content for number, found in pictures(document, easiest(), SCREEN).items()}
     page = markdown_page(document, {number: f"attachment:{name(number)}" for number in drawn})
     cells = [as_json(cell, place) for place, cell in enumerate(cells_of(document, page, drawn), 1)]
     title = plain_text(document.title, document.notation)
@@ -42,7 +45,7 @@ def write_notebook(document: Document) -> str:
 
 def name(number: str) -> str:
     """What a picture is called inside the notebook."""
-    return f"figure-{number}.png"
+    return f"figure-{number}.{easiest()}"
 
 
 def as_json(cell: NotebookCell, place: int) -> dict:
@@ -51,7 +54,7 @@ def as_json(cell: NotebookCell, place: int) -> dict:
     if cell.is_code:
         return {"cell_type": "code", "execution_count": None, "outputs": [], **found}
     if cell.files:
-        held = {name: {"image/png": base64.b64encode(data).decode()} for name, data in cell.files}
+        held = {name: {MIME[name[-3:]]: base64.b64encode(data).decode()} for name, data in cell.files}
         found["attachments"] = held
     return {"cell_type": "markdown", **found}
 
