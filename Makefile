@@ -11,6 +11,7 @@
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
 # make docs    write the reference pages of docs/ anew and build the site, with the gallery, in build/docs
+# make studio  the page in which the engine runs: build/studio; “rbpsym studio” serves it
 # make clean   remove what was written, but for .venv
 #
 # Needs python3 (3.11 or newer, with venv) and make; the rest is put into .venv.
@@ -41,7 +42,7 @@ PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test test-fast bare thorough check mutants distractors certify lint bench library docs clean
+.PHONY: help notes test test-fast bare thorough check mutants distractors certify lint bench library docs studio clean
 .DELETE_ON_ERROR:
 unexport PYTHONDONTWRITEBYTECODE  # tests run hundreds of short processes: what they load is compiled once
 
@@ -101,6 +102,17 @@ docs: $(VENV)/docs.stamp
 	$(BIN)/python docs/gallery.py $(OUT)/gallery
 	$(BIN)/python -m sphinx -q -W --keep-going -D html_extra_path=$(abspath $(OUT)/gallery) docs $(OUT)/docs
 	@echo $(OUT)/docs/index.html
+
+studio: $(OUT)/studio/index.html
+	@echo $(OUT)/studio/index.html
+
+$(OUT)/studio/index.html: studio/node_modules/.stamp $(VENV)/run.stamp $(SOURCES) $(wildcard studio/* studio/src/*)
+	node studio/build.mjs $(OUT)/studio $(BIN)/python
+
+studio/node_modules/.stamp: studio/package.json
+	@command -v npm > /dev/null || { echo "make studio needs Node and npm" >&2; exit 1; }
+	npm install --prefix studio --no-audit --no-fund --silent > /dev/null
+	@touch $@
 
 clean:
 	rm -rf $(OUT) dist .pytest_cache .ruff_cache .hypothesis

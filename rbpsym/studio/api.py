@@ -1,0 +1,248 @@
+"""What the page of the studio asks the engine: one JSON text in, one JSON text out (`call`), by the table `OPERATIONS`.
+
+A request is {"do": NAME, ...}; the keys of each operation and of its answer are told by `schema`. An answer is {"ok": …}, or
+{"error": {what, instead, line, column, width, text, told}}, `told` as the command line prints it.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+import tomllib
+from base64 import b64encode
+from collections.abc import Callable, Mapping
+from functools import lru_cache
+from importlib.util import find_spec
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from rbpsym.derivation.step import Derivation
+from rbpsym.derive import derive
+from rbpsym.errors import ReadError, RbpsymError
+from rbpsym.statement.library import library_folder, problem_files
+from rbpsym.statement.loader import load_text
+
+FORMATS = ("html", "tex", "md", "ipynb", "typ")  # of notes; PDF where Typst is installed
+SHEETS = ("html", "tex", "moodle", "qti", "canvas", "prairielearn", "gift")
+DETAILS = ("brief", "standard", "full")
+FILE = "problem.toml"
+Answer = Mapping[str, Any]
+
+
+def call(request: str) -> str:
+    """The answer to one request, both JSON. No input of a user raises an error."""
+    try:
+        told = _read(request)
+        return json.dumps({"ok": OPERATIONS[told.pop("do")](**told)}, ensure_ascii=False)
+    except RbpsymError as error:
+        return json.dumps({"error": told_error(error)}, ensure_ascii=False)
+
+
+def _read(request: str) -> dict[str, Any]:
+    """The request, its operation and keys known. Raises ReadError."""
+    try:
+        told = json.loads(request)
+    except ValueError:
+        told = None
+    if not isinstance(told, dict) or told.get("do") not in OPERATIONS:
+        raise ReadError("this is no request", instead=f'send {{"do": NAME, …}}; names: {", ".join(OPERATIONS)}.')
+    keys = inspect.signature(OPERATIONS[told["do"]]).parameters
+    needed = [key for key, one in keys.items() if one.default is one.empty]
+    wrong = [key for key in (*needed, *told) if key not in told or key not in (*keys, "do")]
+    wrong += [key for key, one in keys.items() if key in told and type(told[key]).__name__ != one.annotation]
+    if wrong:
+        raise ReadError(f"“{wrong[0]}” is missing, unknown or of another kind in “{told['do']}”", instead=_takes(told["do"]))
+    return told
+
+
+def _takes(name: str) -> str:
+    return f"it takes {inspect.signature(OPERATIONS[name])}."
+
+
+def told_error(error: RbpsymError) -> Answer:
+    """An error as keys: what is wrong, what to write instead, where (from 1; 0 unknown), and all of it as the terminal shows it."""
+    place = error.place
+    where = {key: getattr(place, key) if place else 0 for key in ("line", "column", "width")}
+    return {"what": error.what, "instead": error.instead, **where, "text": place.text if place else "", "told": str(error)}
+
+
+def schema() -> Answer:
+    """The operations: their keys with kinds and defaults, and what they answer."""
+    return {
+        name: {
+            "takes": {key: {"kind": one.annotation, **({} if one.default is one.empty else {"default": one.default})}
+                      for key, one in inspect.signature(function).parameters.items()},
+            "answers": inspect.getdoc(function) or "",
+        }
+        for name, function in OPERATIONS.items()
+    }  # fmt: skip
+
+
+@lru_cache(maxsize=8)
+def derived(text: str) -> Derivation:
+    """The derivation of a statement; the last ones are kept."""
+    return derive(load_text(text, FILE), simulation=False)
+
+
+# --- operations
+
+
+def gallery(language: str = "en") -> list[Answer]:
+    """[{name, title, topic, level}] of the problems that ship, by topic."""
+    found = [_card(name, path, language) for name, path in problem_files().items()]
+    return sorted(found, key=lambda card: (card["topic"], card["title"]))
+
+
+def _card(name: str, path: Path, language: str) -> Answer:
+    head = tomllib.loads(path.read_text(encoding="utf-8"))
+    words = {key: head.get(key, "") for key in ("title", "topic", "level")}
+    told = {key: text.get(language) or text.get("en", "") if isinstance(text, dict) else text for key, text in words.items()}
+    return {"name": name, **told, "topic": told["topic"] or path.parent.relative_to(library_folder()).name}
+
+
+def statement(name: str) -> Answer:
+    """{text}: the file of a problem that ships."""
+    if name not in problem_files():
+        raise ReadError(f"there is no problem “{name}”", instead="“gallery” names those that ship.")
+    return {"text": problem_files()[name].read_text(encoding="utf-8")}
+
+
+def notes(text: str, language: str = "en", detail: str = "standard") -> Answer:
+    """{title, html, summary}: the notes as a page, how many steps are proved, and by what roads."""
+    from rbpsym.document.notes import notes as written
+    from rbpsym.document.writers.html import write_html
+
+    _one_of(detail, DETAILS, "level of detail")
+    derivation = derived(text)
+    document = written(derivation, language, detail)
+    return {
+        "title": derivation.study.problem.title.get(language) or derivation.study.problem.name,
+        "html": write_html(document),
+        "summary": derivation.summary(),
+    }
+
+
+def answers(text: str, language: str = "en") -> Answer:
+    """{figure, answers}: the system drawn (HTML), and [{question, shown, verdict, says, where}], `shown` and `where` MathML."""
+    from rbpsym.document.numbering import parts
+    from rbpsym.document.notes import notes as written
+    from rbpsym.document.figures.svg import to_svg
+    from rbpsym.document.model import FigureBlock
+
+    derivation = derived(text)
+    document = written(derivation, language, "brief")
+    blocks = (part for section in document.sections for part in parts(section.blocks))
+    figure = next((one for one in blocks if isinstance(one, FigureBlock) and one.scenes), None)
+    drawn = "".join(to_svg(scene, document.notation) for scene in figure.scenes) if figure else ""
+    return {"figure": drawn, "alt": figure.alt if figure else "", "answers": list(map(_told, _asked(derivation)))}
+
+
+def _asked(derivation: Derivation) -> list[Any]:
+    from rbpsym.ask.asking import own_answers
+
+    return list(own_answers(derivation.study))
+
+
+def _told(found: Any) -> Answer:
+    """A question with its answer, or with the reason why there is none."""
+    from rbpsym.ask.asking import Refused
+    from rbpsym.notation.glyphs import Notation
+    from rbpsym.notation.mathml import to_mathml
+    from rbpsym.notation.tree import Sym, relation
+
+    if isinstance(found, Refused):
+        return {"question": found.text, "shown": [], "verdict": "", "says": found.reason, "where": []}
+    notation = Notation(found.study.problem.notation)
+    named = [relation(Sym(found.symbol), "=", node) if found.symbol else node for node in found.nodes]
+    plain = "" if found.holds_so is None else ("yes" if found.holds_so else "no")
+    return {
+        "question": found.question.text,
+        "shown": [to_mathml(node, notation) for node in named],
+        "verdict": str(found.verdict.kind),
+        "says": "; ".join(filter(None, (plain, found.says, "" if found.verdict.is_proved else found.verdict.reason))),
+        "where": [to_mathml(node, notation) for node in found.valid],
+    }
+
+
+def explorer(text: str, language: str = "en") -> Answer:
+    """{html}: the page in which the system moves."""
+    from rbpsym.document.explorer.page import explorer as page
+
+    return {"html": page((load_text(text, FILE),), language)}
+
+
+def export(text: str, format: str, language: str = "en", detail: str = "standard") -> Answer:
+    """{files: [{name, content, base64}], left_out}: the notes in a format; `base64` says how the content is written."""
+    from rbpsym.document.notes import notes as written
+    from rbpsym.document.writers import files
+
+    _one_of(format, (*FORMATS, *(("pdf",) if find_spec("typst") else ())), "format")
+    _one_of(detail, DETAILS, "level of detail")
+    derivation = derived(text)
+    document = written(derivation, language, detail, plots=True)
+    return {"files": _files(files(document, format, derivation.study.problem.name)), "left_out": []}
+
+
+def worksheet(text: str, format: str, seed: str = "", language: str = "en") -> Answer:
+    """{files, left_out}: a worksheet of the problem with its key; `left_out` says what the format can't carry."""
+    from rbpsym.teaching.formats import Options, exporter
+    from rbpsym.teaching.plan import plan_of
+
+    _one_of(format, SHEETS, "format")
+    made = exporter(format)((plan_of(load_text(text, FILE)).worksheet(None, seed, language),), Options(key=True))
+    return {"files": _files(made.files), "left_out": list(made.left_out)}
+
+
+def _files(contents: Mapping[str, str | bytes]) -> list[Answer]:
+    """Files as JSON can hold them."""
+    return [
+        {"name": name, "content": text if isinstance(text, str) else b64encode(text).decode(), "base64": not isinstance(text, str)}
+        for name, text in contents.items()
+    ]
+
+
+def check(text: str, paper: str, suffix: str = ".tex") -> list[Answer]:
+    """[{line, latex, outcome, detail, fix}]: each formula of a pasted text decided with the names of the problem."""
+    from rbpsym.verify.claims_run import Certificates, check_paper, names_of_problem
+    from rbpsym.verify.paper_formats import TEXTS
+
+    _one_of(suffix, tuple(TEXTS), "kind of text")
+    load_text(text, FILE)
+    with TemporaryDirectory(prefix="rbpsym-") as name:
+        problem, page = Path(name, FILE), Path(name, f"text{suffix}")
+        problem.write_text(text, encoding="utf-8")
+        page.write_text(paper, encoding="utf-8")
+        found, _ = check_paper(page, [names_of_problem(problem)], Certificates(None), everything=True)
+    return [_decided(result) for result in found]
+
+
+def _decided(result: Any) -> Answer:
+    """What was found out about one formula."""
+    doubtful = [link.detail for link in result.links if link.detail and not link.diagnosis]
+    told = [*doubtful, result.detail if not doubtful else "", result.diagnosis]
+    return {
+        "line": result.line,
+        "latex": result.latex.strip(),
+        "outcome": str(result.outcome),
+        "detail": "; ".join(dict.fromkeys(filter(None, told))) or result.how,
+        "fix": result.fix.strip(),
+    }
+
+
+def completions() -> Answer:
+    """{sections, keys, kinds, values}: what can be written where, each with its meaning, from the registries."""
+    from rbpsym.studio.completing import tables
+
+    return tables()
+
+
+def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
+    if value not in known:
+        raise ReadError(f"unknown {what} “{value}”", instead=f"known: {', '.join(known)}.")
+
+
+OPERATIONS: Mapping[str, Callable[..., Any]] = {
+    one.__name__: one
+    for one in (schema, gallery, statement, notes, answers, explorer, export, worksheet, check, completions)
+}

@@ -1,0 +1,66 @@
+// Builds the static site: node studio/build.mjs OUT PYTHON. Nothing is fetched: Pyodide and the editor are packages of
+// npm (studio/package.json), sympy, mpmath, jinja2 and markupsafe those of the PYTHON that runs rbpsym.
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync, readdirSync, existsSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { build } from "esbuild";
+import { loadPyodide } from "pyodide";
+
+const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
+const out = resolve(process.argv[2] ?? join(root, "build", "studio")), python = process.argv[3] ?? "python3";
+const ENGINE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"];
+const PACKAGES = ["sympy", "mpmath", "jinja2", "markupsafe"];
+
+const hashed = (data) => createHash("sha256").update(data).digest("hex").slice(0, 10);
+const source = (name) => readFileSync(join(here, "src", name), "utf8");
+function put(name, data) {
+  mkdirSync(dirname(join(out, name)), { recursive: true });
+  writeFileSync(join(out, name), data);
+  return name;
+}
+
+// --- the program and its packages, compiled by the Python that will run them
+
+async function archive() {
+  const find = `import json, importlib.util as u; print(json.dumps({n: u.find_spec(n).submodule_search_locations[0] for n in ${JSON.stringify(PACKAGES)}}))`;
+  const folders = { ...JSON.parse(execFileSync(python, ["-c", find])), rbpsym: join(root, "rbpsym") };
+  const py = await loadPyodide({ indexURL: join(here, "node_modules", "pyodide") });
+  for (const [name, folder] of Object.entries({ ...folders, templates: join(root, "templates"), derivations: join(root, "derivations"), pack: here })) {
+    py.FS.mkdirTree("/src/" + name);
+    py.FS.mount(py.FS.filesystems.NODEFS, { root: folder }, "/src/" + name);
+  }
+  py.runPython(`import sys; sys.path[:0] = ["/src", "/src/pack"]; sys.dont_write_bytecode = True; import pack_engine`);
+  py.runPython(`pack_engine.pack("/engine.zip", "/data.zip")`);
+  return ["/engine.zip", "/data.zip"].map((name) => py.FS.readFile(name));
+}
+
+// --- the site
+
+rmSync(out, { recursive: true, force: true });
+const began = Date.now();
+for (const name of ENGINE) { mkdirSync(join(out, "pyodide"), { recursive: true }); cpSync(join(here, "node_modules", "pyodide", name), join(out, "pyodide", name)); }
+const [modules, contents] = await archive();
+const py = put(`py/engine.${hashed(modules)}.zip`, modules), data = put(`py/data.${hashed(contents)}.zip`, contents);
+const version = JSON.parse(readFileSync(join(here, "node_modules", "pyodide", "package.json"))).version;
+const files = { py, data, key: `snapshot-${version}-${hashed(py + data)}`, snapshots: process.env.STUDIO_SNAPSHOTS !== "0" };
+
+const worker = source("worker.js").replace("FILES;", JSON.stringify(files) + ";");
+const workerName = put(`worker.${hashed(worker)}.js`, worker);
+const bundled = await build({ entryPoints: [join(here, "src", "app.js")], bundle: true, minify: true, format: "esm", write: false, target: "es2022", logLevel: "error" });
+const app = bundled.outputFiles[0].text.replace("./WORKER", "./" + workerName);
+const appName = put(`app.${hashed(app)}.js`, app);
+const style = source("style.css"), styleName = put(`style.${hashed(style)}.css`, style);
+put("index.html", source("index.html").replace("STYLE", styleName).replace("APP", appName));
+put("frame.html", source("frame.html"));
+
+const all = (folder = "") => readdirSync(join(out, folder), { withFileTypes: true })
+  .flatMap((one) => one.isDirectory() ? all(join(folder, one.name)) : [join(folder, one.name)]);
+const names = all().filter((name) => name !== "index.html").sort();
+const sw = source("sw.js").replace("LIST", names.map((name) => JSON.stringify("./" + name)).join(", "));
+put("sw.js", sw.replace("VERSION", hashed(names.map((name) => name + hashed(readFileSync(join(out, name)))).join() + readFileSync(join(out, "index.html")))));
+const sizes = all().map((name) => gzipSync(readFileSync(join(out, name))).length);
+console.log(`${out}: ${all().length} files, ${(sizes.reduce((a, b) => a + b) / 1e6).toFixed(1)} MB gzipped, ${((Date.now() - began) / 1000).toFixed(0)} s`);
+process.exit(0);

@@ -1,0 +1,77 @@
+"""Runs inside Pyodide while the site is built: compiles the modules that the page can need into one zip."""
+
+import json
+import marshal
+import sys
+import zipfile
+from importlib.util import MAGIC_NUMBER
+from pathlib import Path
+
+SRC = Path("/src")
+OWN_LEFT_OUT = ("commands", "cli.py", "kernel/Prelude.v")
+TOUCHED = ("sliding-ladder", "rod-and-disk-free", "atwood-with-massive-pulley")  # to see which modules are loaded
+DATA = ("templates", "derivations")
+
+
+def call(**told):
+    """An answer of the engine; an error is told."""
+    from rbpsym.studio.api import call as asked
+
+    found = json.loads(asked(json.dumps(told)))
+    if "error" in found:
+        raise SystemExit(found["error"]["told"])
+    return found["ok"]
+
+
+def touch() -> None:
+    """Everything that the page asks for, once."""
+    for name in TOUCHED:
+        text = call(do="statement", name=name)["text"]
+        for do in ("notes", "answers", "explorer"):
+            call(do=do, text=text)
+    call(do="check", text=text, paper=r"\[ \ddot x = g \]")
+    for kind in ("html", "tex", "md", "ipynb", "typ"):
+        call(do="export", text=text, format=kind)
+    call(do="worksheet", text=text, format="moodle")
+    call(do="completions")
+    import sympy.polys.groebnertools  # noqa: F401
+
+
+def compiled(path: Path, name: str) -> bytes:
+    """A .pyc that is never compared with its source, without docstrings."""
+    code = compile(path.read_bytes(), name, "exec", dont_inherit=True, optimize=2)
+    return MAGIC_NUMBER + (1).to_bytes(4, "little") + bytes(8) + marshal.dumps(code)
+
+
+def modules():
+    """(file, name in the archive) of the program, and of what of the packages was loaded."""
+    for path in sorted((SRC / "rbpsym").rglob("*.py")):
+        inner = str(path.relative_to(SRC / "rbpsym"))
+        if not inner.startswith(OWN_LEFT_OUT):
+            yield path, f"rbpsym/{inner}"
+    for name, module in sorted(sys.modules.items()):
+        file = getattr(module, "__file__", None)
+        if file and file.startswith("/src/") and not name.startswith(("rbpsym", "pack_engine")):
+            yield Path(file), str(Path(file).relative_to(SRC))
+
+
+def data():
+    """(file, name in the archive) of what is read and not run."""
+    for path in sorted((SRC / "rbpsym").rglob("*")):
+        if path.suffix in (".toml", ".js"):
+            yield path, f"rbpsym/{path.relative_to(SRC / 'rbpsym')}"
+    for folder in DATA:
+        for path in sorted((SRC / folder).rglob("*")):
+            if path.is_file() and "claims" not in path.parts:
+                yield path, f"rbpsym/_data/{path.relative_to(SRC)}"
+    yield SRC / "sympy/__init__.py", "sympy/__init__.py"  # its list of names is read (`sympy_bridge`)
+
+
+def pack(code: str, rest: str) -> None:
+    """Writes the archives of the modules and of the data."""
+    touch()
+    found = [(name[:-3] + ".pyc", compiled(path, name)) for path, name in modules()]
+    for target, files in ((code, found), (rest, [(name, path.read_bytes()) for path, name in data()])):
+        with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+            for name, content in files:
+                archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED, 9)

@@ -1,0 +1,101 @@
+// The page in Chromium: node browser.mjs FOLDER-OF-node_modules ADDRESS; prints what was seen as JSON.
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+const [folder, address] = process.argv.slice(2);
+const load = createRequire(folder + "/any.js");
+const { chromium } = load("playwright-core");
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: ["--no-sandbox"] });
+const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
+await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(address).origin });
+const page = await context.newPage(), seen = { foreign: [], faults: [] };
+context.on("request", (request) => { if (!request.url().startsWith(address) && !/^(data|blob|about):/.test(request.url())) seen.foreign.push(request.url()); });
+page.on("pageerror", (error) => seen.faults.push(String(error)));
+page.on("console", (message) => message.type() === "error" && seen.faults.push(message.text()));
+
+const noted = (count) => page.waitForFunction((n) => window.studio?.times.length >= n, count, { timeout: 90000 });
+const title = () => page.frameLocator("#notes").locator("h1").first().textContent();
+
+async function axe(name) {
+  await page.addScriptTag({ content: readFileSync(load.resolve("axe-core/axe.min.js"), "utf8") }).catch(() => {});
+  return page.evaluate(async () => (await window.axe.run(document, { iframes: false })).violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(" | ")}`));
+}
+
+// load, and the notes of a problem
+await page.goto(address);
+await noted(1);
+seen.title = await title();
+seen.status = await page.textContent("#status");
+
+// an edit: typed at the end of the statement
+const end = async (text) => { await page.click("#editor .cm-content"); await page.keyboard.press("Control+End"); await page.keyboard.insertText(text); };
+await end('\n[[ask]]\nquestion = "N_f at the start"\n');
+await noted(2);
+await page.click("#tab-answers");
+await page.frameLocator("#answers").getByText("N_f at the start").waitFor({ timeout: 30000 });
+seen.edited = await page.frameLocator("#answers").locator("h2").count();
+
+// an error: told under its line
+await end('[bodies.other]\nshap = "rod"\n');
+await page.waitForSelector(".cm-fault", { timeout: 30000 });
+seen.fault = await page.textContent(".cm-fault");
+seen.panel = await page.textContent("#fault");
+for (let k = 0; k < 2; k++) await page.keyboard.press("Control+z");
+await page.waitForFunction(() => !document.querySelector(".cm-fault"), null, { timeout: 30000 });
+
+// completion from the registries
+await end('\n[interactions.S]\ntype = "spr');
+await page.keyboard.press("Control+Space");
+await page.getByText("a linear spring").first().waitFor({ timeout: 10000 });
+seen.completed = true;
+await page.keyboard.press("Escape");
+await page.keyboard.press("Control+z");
+await page.waitForTimeout(400);
+
+// the explorer moves, an export is saved, a pasted text is decided
+await page.click("#tab-explorer");
+await page.frameLocator("#explorer").getByRole("button", { name: "Play" }).waitFor({ timeout: 30000 });
+seen.explorer = true;
+await page.click("#tab-export");
+const waiting = page.waitForEvent("download", { timeout: 60000 });
+await page.click("#formats >> text=LaTeX");
+const file = await waiting;
+seen.export = [file.suggestedFilename(), readFileSync(await file.path(), "utf8").slice(0, 14)];
+await page.click("#tab-check");
+await page.fill("#paper", "\\[ \\ddot\\theta = -\\frac{3g}{2\\ell}\\cos\\theta \\]");
+await page.click("#decide");
+await page.waitForSelector("#decided td", { timeout: 30000 });
+seen.check = await page.textContent("#decided");
+await page.click("#tab-tutor");
+await page.fill("#line", "theta_ddot = -3*g/(4*ell)*cos(theta)");
+await page.keyboard.press("Enter");
+await page.waitForSelector("#lines li", { timeout: 60000 });
+seen.tutor = await page.textContent("#lines li");
+await page.click("#tab-notes");
+
+// a link brings the problem to another page
+await page.click("#link");
+await page.waitForFunction(() => /copied/.test(document.querySelector("#status").textContent), null, { timeout: 10000 });
+const link = await page.evaluate(() => navigator.clipboard.readText());
+seen.axe = await axe("desktop");
+await page.waitForFunction(() => window.studio.kept, null, { timeout: 60000 });
+const other = await context.newPage();
+await other.goto(link);
+await other.waitForFunction(() => window.studio?.notes, null, { timeout: 90000 });
+seen.linked = await other.evaluate(() => document.querySelector("#editor .cm-content").textContent.includes("[bodies.ladder]"));
+await other.waitForFunction(() => window.studio.boot.snapshot || window.studio.boot.how === "snapshot", null, { timeout: 30000 });
+await other.close();
+
+// without a network, on a phone
+await context.setOffline(true);
+await page.setViewportSize({ width: 360, height: 740 });
+await page.emulateMedia({ colorScheme: "dark" });
+await page.goto("about:blank");
+await page.goto(link);
+await noted(1);
+seen.offline = await title();
+seen.boot = await page.evaluate(() => window.studio.boot.how);
+seen.wider = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+seen.axePhone = await axe("phone");
+if (process.env.SHOT) await page.screenshot({ path: process.env.SHOT, fullPage: true });
+console.log(JSON.stringify(seen));
+await browser.close();

@@ -1,0 +1,93 @@
+"""The page in Chromium: notes, edits, errors, exports, links, offline, a phone, axe; and the server of its files."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from collections.abc import Iterator
+from http.client import HTTPConnection
+from pathlib import Path
+from threading import Thread
+
+import pytest
+from click.testing import CliRunner
+
+from rbpsym.cli import main
+from rbpsym.errors import RbpsymError
+from rbpsym.studio.serving import BUILT, HOST, server
+from tests.npm import MODULES
+
+needs_page = pytest.mark.skipif(
+    shutil.which("node") is None or shutil.which("chromium") is None
+    or not (MODULES / "axe-core").is_dir() or not (BUILT / "index.html").is_file(),
+    reason="needs Node, Chromium, npm install --prefix .ci and make studio",
+)  # fmt: skip
+
+
+@pytest.fixture
+def small(tmp_path: Path) -> Iterator[int]:
+    """The port of a site of two files, in a folder beside a secret."""
+    (tmp_path / "site").mkdir()
+    (tmp_path / "secret.html").write_text("secret", encoding="utf-8")
+    (tmp_path / "site" / "index.html").write_text("page", encoding="utf-8")
+    (tmp_path / "site" / "a.wasm").write_bytes(b"\0asm")
+    yield from _served(tmp_path / "site")
+
+
+def _served(folder: Path) -> Iterator[int]:
+    with server(folder=folder) as found:
+        Thread(target=found.serve_forever, daemon=True).start()
+        yield found.server_address[1]
+        found.shutdown()
+
+
+@pytest.mark.parametrize(
+    ("path", "host", "status", "kind"),
+    [
+        ("/", HOST, 200, "text/html; charset=utf-8"),
+        ("/a.wasm", "localhost", 200, "application/wasm"),
+        ("/../secret.html", HOST, 404, None),
+        ("/%2e%2e/secret.html", HOST, 404, None),
+        ("/", "elsewhere.example", 404, None),
+        ("/site", HOST, 404, None),
+    ],
+)
+def test_only_its_own_files_are_served(small: int, path: str, host: str, status: int, kind: str | None) -> None:
+    connection = HTTPConnection(HOST, small, timeout=10)
+    connection.putrequest("GET", path, skip_host=True)
+    connection.putheader("Host", f"{host}:{small}")
+    connection.endheaders()
+    found = connection.getresponse()
+    assert found.status == status
+    assert kind is None or found.headers["Content-Type"] == kind
+    connection.close()
+
+
+def test_without_the_page_it_is_said_how_to_get_it(tmp_path: Path) -> None:
+    done = CliRunner().invoke(main, ["studio", "--site", str(tmp_path)])
+    assert isinstance(done.exception, (RbpsymError, SystemExit))
+    assert "make studio" in (done.output + getattr(done.exception, "instead", ""))
+
+
+@needs_page
+def test_the_page_does_all_it_is_for() -> None:
+    running = _served(BUILT)
+    port = next(running)
+    command = ["node", str(Path(__file__).with_name("browser.mjs")), str(MODULES), f"http://{HOST}:{port}/"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+    next(running, None)
+    assert done.returncode == 0, done.stderr[-2000:]
+    seen = json.loads(done.stdout)
+    assert seen["title"] == "Sliding ladder"
+    assert "49 of 49 steps proved" in seen["status"]
+    assert seen["edited"] == 3
+    assert "unknown key “shap”" in seen["fault"] + seen["panel"]
+    assert seen["completed"] and seen["explorer"] and seen["linked"]
+    assert seen["export"][0].endswith(".tex")
+    assert "REFUTED" in seen["check"]
+    assert seen["tutor"]
+    assert seen["offline"] == "Sliding ladder"
+    assert seen["boot"] == "snapshot"
+    assert seen["wider"] <= 0
+    assert (seen["axe"], seen["axePhone"], seen["foreign"], seen["faults"]) == ([], [], [], [])
