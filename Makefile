@@ -34,6 +34,7 @@ FAST   := $(patsubst %,tests/%.py,\
           kernel/test_certify letters/test_letters library/test_printed_forms mechanics/test_balance \
           mechanics/test_numbers mutants/test_mutants notation/test_formats notation/test_infix notation/test_laws \
           oracles/test_eigenvalues solve/test_contract statement/test_broken statement/test_build statement/test_loader \
+          studio/test_api \
           teaching/test_grading_formulas teaching/test_sheet_errors teaching/test_tasks verify/test_simulation_steps \
           remarks/test_remarks)
 

@@ -35,6 +35,7 @@ COMMANDS: dict[str, str] = {
     "worksheet": "rbpsym.commands.worksheet",
     "grade": "rbpsym.commands.grade",
     "new": "rbpsym.commands.new",
+    "tutor": "rbpsym.commands.tutor",
     "studio": "rbpsym.commands.studio",
     "doctor": "rbpsym.commands.doctor",
 }

@@ -19,7 +19,7 @@ from typing import Any
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
-from rbpsym.errors import ReadError, RbpsymError
+from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.statement.library import library_folder, problem_files
 from rbpsym.statement.loader import load_text
 
@@ -28,6 +28,7 @@ SHEETS = ("html", "tex", "moodle", "qti", "canvas", "prairielearn", "gift")
 DETAILS = ("brief", "standard", "full")
 FILE = "problem.toml"
 Answer = Mapping[str, Any]
+NONE: list[str] = []
 
 
 def call(request: str) -> str:
@@ -61,7 +62,7 @@ def _takes(name: str) -> str:
 
 
 def told_error(error: RbpsymError) -> Answer:
-    """An error as keys: what is wrong, what to write instead, where (from 1; 0 unknown), and all of it as the terminal shows it."""
+    """An error as keys: what is wrong, what to write instead, where (from 1; 0 unknown), all of it as in the terminal."""
     place = error.place
     where = {key: getattr(place, key) if place else 0 for key in ("line", "column", "width")}
     return {"what": error.what, "instead": error.instead, **where, "text": place.text if place else "", "told": str(error)}
@@ -125,10 +126,10 @@ def notes(text: str, language: str = "en", detail: str = "standard") -> Answer:
 
 def answers(text: str, language: str = "en") -> Answer:
     """{figure, answers}: the system drawn (HTML), and [{question, shown, verdict, says, where}], `shown` and `where` MathML."""
-    from rbpsym.document.numbering import parts
-    from rbpsym.document.notes import notes as written
     from rbpsym.document.figures.svg import to_svg
     from rbpsym.document.model import FigureBlock
+    from rbpsym.document.notes import notes as written
+    from rbpsym.document.numbering import parts
 
     derivation = derived(text)
     document = written(derivation, language, "brief")
@@ -197,8 +198,8 @@ def worksheet(text: str, format: str, seed: str = "", language: str = "en") -> A
 def _files(contents: Mapping[str, str | bytes]) -> list[Answer]:
     """Files as JSON can hold them."""
     return [
-        {"name": name, "content": text if isinstance(text, str) else b64encode(text).decode(), "base64": not isinstance(text, str)}
-        for name, text in contents.items()
+        {"name": name, "content": b64encode(made).decode() if isinstance(made, bytes) else made, "base64": isinstance(made, bytes)}
+        for name, made in contents.items()
     ]
 
 
@@ -237,6 +238,29 @@ def completions() -> Answer:
     return tables()
 
 
+@lru_cache(maxsize=4)
+def _tutor(text: str) -> Any:
+    from rbpsym.studio.tutor import Tutor
+
+    return Tutor(derived(text))
+
+
+def judge(text: str, line: str, lines: list = NONE) -> Answer:
+    """{verdict, says, step} of a student's line, typed plainly or LaTeX; `lines` are those above it."""
+    found = _tutor(text).judge(line, lines)
+    return {"verdict": found.verdict, "says": found.says, "step": found.step}
+
+
+def hint(text: str, lines: list = NONE, depth: int = 1) -> Answer:
+    """{says}: the next step that can be made, the more of it the greater the depth (1 to 3)."""
+    return {"says": _tutor(text).hint(lines, depth)}
+
+
+def record(text: str, lines: list) -> Answer:
+    """{problem, lines: [{line, verdict, says}], steps}: what a student hands in."""
+    return _tutor(text).record(lines)
+
+
 def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
     if value not in known:
         raise ReadError(f"unknown {what} “{value}”", instead=f"known: {', '.join(known)}.")
@@ -244,5 +268,5 @@ def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
     one.__name__: one
-    for one in (schema, gallery, statement, notes, answers, explorer, export, worksheet, check, completions)
+    for one in (schema, gallery, statement, notes, answers, explorer, export, worksheet, check, completions, judge, hint, record)
 }

@@ -29,9 +29,10 @@ ASKED_AGAIN = ("index.html", "sw.js", "frame.html")  # the names of the others c
 def site(folder: Path = BUILT) -> dict[str, Path]:
     """The files of the page by their addresses. Raises RbpsymError where it is not built."""
     if not (folder / "index.html").is_file():
-        raise RbpsymError(f"the page of the studio is not built: {folder} is missing", instead="“make studio” in a checkout builds it.")
-    found = {f"/{path.relative_to(folder).as_posix()}": path for path in folder.rglob("*") if path.suffix in KINDS and path.is_file()}
-    return {**found, "/": folder / "index.html"}
+        what = f"the page of the studio is not built: {folder} is missing"
+        raise RbpsymError(what, instead="“make studio” in a checkout builds it.")
+    files = (path for path in folder.rglob("*") if path.suffix in KINDS and path.is_file())
+    return {**{f"/{path.relative_to(folder).as_posix()}": path for path in files}, "/": folder / "index.html"}
 
 
 class Handler(BaseHTTPRequestHandler):

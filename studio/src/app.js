@@ -179,9 +179,10 @@ async function decided() {
 const student = { lines: [], seen: "", hints: [] };
 async function tutored(name, keys) {
   if (student.seen !== text) { Object.assign(student, { lines: [], seen: text, hints: [] }); $("lines").replaceChildren(); }
-  const found = await work(name, { text, lines: student.lines, ...keys });
-  $("lines").append(el("li", { className: { true: "good", wrong: "bad" }[found.verdict] ?? "" },
-    el("code", { textContent: keys.line ?? "hint" }), " ", el("strong", { textContent: found.verdict ?? "" }), " ", found.says));
+  let found;
+  try { found = await work(name, { text, lines: student.lines, ...keys }); } catch (error) { found = { verdict: "", says: error.message }; }
+  $("lines").append(el("li", { className: found.verdict === "wrong" ? "bad" : /^true/.test(found.verdict) ? "good" : "" },
+    el("code", { textContent: keys.line ?? "a hint:" }), " ", el("strong", { textContent: found.verdict ?? "" }), " ", found.says));
   return found;
 }
 async function lined(event) {
@@ -190,6 +191,7 @@ async function lined(event) {
   if (!line) return;
   const found = await tutored("judge", { line });
   student.lines.push(line);
+  student.depth = 0;
   if (found.verdict !== "unread") $("line").value = "";
 }
 
@@ -219,7 +221,7 @@ buttons("sheets", SHEETS, (format) => exported("worksheet", { format, seed: $("s
 $("save").onclick = () => save("problem.toml", text);
 $("decide").onclick = decided;
 $("line-form").onsubmit = lined;
-$("hint").onclick = () => tutored("hint", {});
+$("hint").onclick = () => tutored("hint", { depth: (student.depth = (student.depth || 0) + 1) });
 $("record").onclick = async () => { const found = await engine.ask("record", { text, lines: student.lines }); save("record.json", JSON.stringify(found, null, 2)); };
 $("detail").onchange = $("language").onchange = refresh;
 $("stop").onclick = () => engine.stop();

@@ -10,7 +10,7 @@ FLOORS = {
     "notation": 1, "algebra": 1.2, "numeric": 1.4, "equality": 1.5,
     "statement": 2, "mechanics": 3, "quantity": 3.5, "derivation": 4, "methods": 5, "ask": 5.5, "remarks": 5.8,
     "verify": 6, "kernel": 6.5, "document": 8,
-    "derive": 9, "courses": 9.1, "solve": 9.2, "face": 9.22, "facade": 9.25, "teaching": 9.3,
+    "derive": 9, "courses": 9.1, "solve": 9.2, "face": 9.22, "facade": 9.25, "teaching": 9.3, "studio": 9.4,
     "commands": 9.5, "cli": 9.8, "__main__": 9.9,
 }  # fmt: skip
 HEAVY = {"sympy", "matplotlib", "scipy", "typst", "jinja2", "rich", "docx", "nbformat", "flint"}

@@ -12,6 +12,7 @@ MAKERS = ("rbpsym.mechanics", "rbpsym.methods", "rbpsym.derivation.chapters", "r
 DATA = {"rbpsym.mechanics.system", "rbpsym.mechanics.study"}  # what is stated, and the values that are checked
 SHARED = {  # what a checker takes from the mechanics beside these, with the reason
     ("rbpsym.derivation.primitives", "rbpsym.algebra.integration"): "proposes antiderivatives, which are differentiated",
+    ("rbpsym.derivation.entailment", "rbpsym.mechanics.numbers"): "floating-point values, by which a pivot is passed over",
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.conditions"): "what a constraint asks is the statement",
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.contacts"): "where bodies touch; their speeds are its own",
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.friction"): "the poses as places of points",

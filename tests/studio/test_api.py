@@ -69,7 +69,8 @@ def test_an_error_is_told_with_its_place(ladder: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "request_", ["", "{", "[]", '{"do": "eval"}', '{"do": "notes"}', '{"do": "notes", "text": 1}', '{"do": "notes", "text": "", "x": 1}',
+    "request_", ["", "{", "[]", '{"do": "eval"}', '{"do": "notes"}', '{"do": "notes", "text": 1}',
+                 '{"do": "notes", "text": "", "x": 1}',
                  '{"do": "export", "text": "a = 1", "format": "exe"}', '{"do": "statement", "name": "../../etc/passwd"}',
                  '{"do": "check", "text": "", "paper": "", "suffix": "/../x"}'])  # fmt: skip
 def test_a_bad_request_gets_a_sentence(request_: str) -> None:

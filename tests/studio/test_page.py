@@ -82,7 +82,8 @@ def test_the_page_does_all_it_is_for() -> None:
     assert seen["title"] == "Sliding ladder"
     assert "49 of 49 steps proved" in seen["status"]
     assert seen["edited"] == 3
-    assert "unknown key “shap”" in seen["fault"] + seen["panel"]
+    assert "bodies.other has no “shape”" in seen["fault"]
+    assert seen["panel"].splitlines()[1:3] == ["    [bodies.other]", "            ^^^^^"]
     assert seen["completed"] and seen["explorer"] and seen["linked"]
     assert seen["export"][0].endswith(".tex")
     assert "REFUTED" in seen["check"]

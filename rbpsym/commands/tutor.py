@@ -1,0 +1,54 @@
+"""`rbpsym tutor`: a problem worked out line by line, each line judged at once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from rbpsym.commands.arguments import name_argument
+
+HINT, END = ("?", "hint"), ("", "quit", "exit")
+
+
+@click.command("tutor")
+@name_argument
+@click.option(
+    "--record", metavar="FILE", type=click.Path(dir_okay=False, path_type=Path), help="Write the lines and their verdicts."
+)
+def command(name: str, record: Path | None) -> int:
+    """Work on a problem line by line: each line is judged at once, in any order.
+
+    \b
+    Examples:
+      rbpsym tutor sliding-ladder
+      rbpsym tutor my-problem.toml --record ana.json
+
+    Lines are typed plainly (theta_ddot = -3*g/(4*ell)*cos(theta)) or in LaTeX. “?” gives a hint for the next
+    step, more with each “?”; an empty line ends.
+    """
+    import json
+
+    from rbpsym.commands.progress import Progress
+    from rbpsym.commands.shelf import found
+    from rbpsym.derive import derive
+    from rbpsym.document.files import write_whole
+    from rbpsym.statement.loader import load_problem
+    from rbpsym.studio.tutor import Tutor
+
+    path = found(name, ("problem",))[1]
+    with Progress(f"deriving {path.stem}"):
+        tutor = Tutor(derive(load_problem(path), simulation=False))
+    lines, depth = list[str](), 0
+    while (line := click.prompt("", default="", show_default=False, prompt_suffix="> ").strip()) not in END:
+        if line in HINT:
+            depth += 1
+            click.echo(f"  {tutor.hint(lines, depth)}")
+            continue
+        judged = tutor.judge(line, lines)
+        click.echo(f"  {judged.verdict}. {judged.says}")
+        lines.append(line)
+        depth = 0
+    if record:
+        click.echo(str(write_whole(record, json.dumps(tutor.record(lines), indent=2, ensure_ascii=False) + "\n")))
+    return 0
