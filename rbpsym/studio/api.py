@@ -197,10 +197,8 @@ def worksheet(text: str, format: str, seed: str = "", language: str = "en") -> A
 
 def _files(contents: Mapping[str, str | bytes]) -> list[Answer]:
     """Files as JSON can hold them."""
-    return [
-        {"name": name, "content": b64encode(made).decode() if isinstance(made, bytes) else made, "base64": isinstance(made, bytes)}
-        for name, made in contents.items()
-    ]
+    held = {name: (b64encode(made).decode(), True) if isinstance(made, bytes) else (made, False) for name, made in contents.items()}
+    return [{"name": name, "content": content, "base64": is_coded} for name, (content, is_coded) in held.items()]
 
 
 def check(text: str, paper: str, suffix: str = ".tex") -> list[Answer]:

@@ -107,7 +107,7 @@ export function editor(parent, changed, tables) {
         lineNumbers(), history(), drawSelection(), highlightActiveLine(), closeBrackets(), StreamLanguage.define(toml), syntaxHighlighting(colours),
         autocompletion({ override: [complete], icons: false }), fault, EditorView.lineWrapping,
         keymap.of([...completionKeymap, { key: "Mod-Space", run: startCompletion }, ...defaultKeymap, ...historyKeymap, indentWithTab]),
-        EditorView.contentAttributes.of({ "aria-label": "The statement of the problem (TOML)" }),
+        EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "The statement of the problem (TOML)" }),
         EditorView.updateListener.of((update) => update.docChanged && changed(update.state.doc.toString())),
       ],
     }),
