@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.document.pose import fitted, shortest
 from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.compiled import entries_of

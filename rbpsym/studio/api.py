@@ -197,8 +197,8 @@ def worksheet(text: str, format: str, seed: str = "", language: str = "en") -> A
 
 def _files(contents: Mapping[str, str | bytes]) -> list[Answer]:
     """Files as JSON can hold them."""
-    held = {name: (b64encode(made).decode(), True) if isinstance(made, bytes) else (made, False) for name, made in contents.items()}
-    return [{"name": name, "content": content, "base64": is_coded} for name, (content, is_coded) in held.items()]
+    coded = {name: b64encode(made).decode() for name, made in contents.items() if isinstance(made, bytes)}
+    return [{"name": name, "content": coded.get(name, made), "base64": name in coded} for name, made in contents.items()]
 
 
 def check(text: str, paper: str, suffix: str = ".tex") -> list[Answer]:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib.util import find_spec
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 
