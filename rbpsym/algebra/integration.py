@@ -12,8 +12,8 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, split_factor, substitute
-from rbpsym.algebra.normal import without_even_roots
-from rbpsym.algebra.poly import ONE, Monomial, Poly
+from rbpsym.algebra.normal import short, without_even_roots
+from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
 from rbpsym.algebra.scalar import NOTHING, Scalar, generator_of, lift, quotient, symbol
 from rbpsym.algebra.trig import cosine, sine
 
@@ -28,10 +28,15 @@ def definite(value: Scalar, name: str, lower: Scalar, upper: Scalar) -> Scalar |
 
 def antiderivative(value: Scalar, name: str) -> Scalar | None:
     """An antiderivative with respect to the symbol, or None."""
+    num = without_even_roots(value.num)
+    value = value if num == value.num else Scalar(num) * quotient(ONE, value.den)
+    rooted = [i for i in num.atoms() if atoms.atom(i).kind == "root" and depends_on(Scalar(atoms.atom(i).arg), name)]
+    if rooted:
+        return _by_roots(value, rooted[0], name)
     if value.den is not ONE and depends_on(Scalar(value.den), name):
         return None
     groups: dict[Monomial, dict[Monomial, Fraction | int]] = {}
-    for m, c in without_even_roots(value.num).terms.items():
+    for m, c in num.terms.items():
         free, bound = split_factor(m, name)
         groups.setdefault(bound, {})[free] = c
     total = NOTHING
@@ -41,6 +46,20 @@ def antiderivative(value: Scalar, name: str) -> Scalar | None:
             return None
         total = total + part * Scalar(Poly(rest))
     return total * quotient(ONE, value.den) if value.den is not ONE else total
+
+
+def _by_roots(value: Scalar, index: int, name: str) -> Scalar | None:
+    """∫ f dx + Σ ∫ c B' B^(e/2) dx with constant c: the powers of one root √B by themselves, the rest alone."""
+    parts, below, inner = value.num.by_power(index), quotient(ONE, value.den), atoms.atom(index).arg
+    slope, root_ = derivative(inner, name), Scalar(generator(index))
+    total = NOTHING
+    for exponent, part in parts.items():
+        ratio = NOTHING if not exponent else short(Scalar(part) * below / slope)
+        found = antiderivative(Scalar(part) * below, name) if not exponent else ratio * root_ ** (exponent + 2)
+        if found is None or exponent == -2 or depends_on(ratio, name):
+            return None
+        total = total + (found / (exponent + 2) * 2 if exponent else found)
+    return total
 
 
 def _monomial(m: Monomial, name: str) -> Scalar | None:

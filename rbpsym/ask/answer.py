@@ -18,6 +18,7 @@ from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
+from rbpsym.mechanics.arrivals import followed
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
@@ -36,7 +37,8 @@ class Found:
     """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
     it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
-    `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `since`: what
+    `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `places` that
+    follow from one of them; `since`: what
     it was at the moment from which a change is counted, and the works of the phases between; `about`: how which mass is
     spread, about which point."""
 
@@ -51,6 +53,7 @@ class Found:
     asked: tuple[Demand, ...] = ()
     speeds: Mapping[str, Scalar] = field(default_factory=dict)
     kept: Mapping[str, Scalar] = field(default_factory=dict)
+    places: Mapping[str, Scalar] = field(default_factory=dict)
     since: tuple[Found, ...] = ()
     about: tuple[str, str | None] | None = None
 
@@ -317,8 +320,16 @@ def _along(asked: Asked, question: Question) -> Found:
     return _of(world, found, question) if question.of not in ("", "state") else found
 
 
-def _without_speeds(world: ProblemWorld, found: Found) -> Found:
-    """The values with the speeds as functions of the position, as far as these and their senses are known."""
+def on_way_back(world: ProblemWorld, found: Found) -> tuple[Scalar, ...]:
+    """The values as functions of the position with all speeds in the opposite sense, as when the motion comes back."""
+    closed = {name: done for name, (_, done) in found.works.items()}
+    values = tuple(short(world.motion.moved(substitute(value, closed))) for value in found.named)
+    return _without_speeds(world, replace(found, values=values), -1).values
+
+
+def _without_speeds(world: ProblemWorld, found: Found, turned: int = 1) -> Found:
+    """The values with the speeds as functions of the position, as far as these and their senses are known (`turned` -1: the
+    opposite ones)."""
     motion, ways, asked = world.motion, {}, []
     kept = world.study.kept_speeds if any(depends_on(v, speed) for v in found.values for speed in motion.speeds) else {}
     kept = {speed: value for speed, value in kept.items() if any(depends_on(v, speed) for v in found.values)}
@@ -335,7 +346,7 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
             if not way:
                 return found
             ways[name] = way
-            values = tuple(even(substitute(value, {speed: root(square) * way})) for value in values)
+            values = tuple(even(substitute(value, {speed: root(square) * (way * turned)})) for value in values)
     resisted = _resisted(world, values)
     values = tuple(substitute(value, {f"{name}_dot": speed for name, speed in resisted.items()}) for value in values)
     left = any(depends_on(value, speed) for value in values for speed in motion.speeds)
@@ -368,6 +379,11 @@ def _of(world: ProblemWorld, found: Found, question: Question) -> Found:
     moving = _moving(world, found.values)
     if name in world.dependent and moving:
         found, moving = _inverted(world, found, name, moving), {name}
+    places = {other: followed(world.study, name, other) for other in moving - {name} if other in world.study.system.independent}
+    places = {other: place for other, place in places.items() if place is not None} if name in rates else {}
+    if places:
+        values = tuple(short(substitute(value, places)) for value in found.values)
+        found, moving = replace(found, values=values, places=places, of="position"), _moving(world, values)
     speed = f"{name}_dot"
     is_repeated = any(value in (symbol(speed), -symbol(speed)) for value in found.values)
     stays = speed in moving and (is_repeated or name in world.motion.scope.start)

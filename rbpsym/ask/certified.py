@@ -45,7 +45,7 @@ COMES = undecided("whether the motion comes so far is not decided: the speed may
 LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
-    "course", "speed_along", "kept_speed", "reached_in_time",
+    "course", "speed_along", "kept_speed", "followed", "reached_in_time",
     "parallel_axis", "mass_integral", "mass_center",
 )  # fmt: skip
 
@@ -108,7 +108,7 @@ def _grounds(draft: Draft, found: Found) -> None:
     named = [*found.named, *(power for power, _ in found.works.values())]
     speeds = _speeds(found)
     wanted = {name for value in named for name in names_in(value) & known.keys()}
-    wanted |= {f"{name}_ddot" for name in speeds} & known.keys()
+    wanted |= {f"{name}_ddot" for name in (*speeds, *found.places)} & known.keys()
     laws = [id for id, fact in draft.context.facts.items() if fact.kind == "law" and fact.subject]
     for name in sorted(wanted):
         kind = f"motion.{name.removesuffix('_ddot')}" if name.endswith("_ddot") else f"reaction.{name}"
@@ -121,6 +121,12 @@ def _grounds(draft: Draft, found: Found) -> None:
         course.speed(draft, name, value)
     if found.kept:
         momentum.kept_speeds(draft, found.kept)
+    for name, place in found.places.items():
+        if f"{name}_dot" in study.kept_speeds:
+            momentum.kept_speeds(draft, [f"{name}_dot"])
+        draft.add(f"place_at.{name}", "followed", t.equation(t.Sym(name), draft.show(place, factor=True)), "course.followed",
+                  premises=draft.those(f"speed_at.{name}", *(f"motion.{n}" for n in study.system.independent)), name=t.Sym(name),
+                  is_result=True, data={"name": name})  # fmt: skip
     for letter, (power, done) in found.works.items():
         draft.context.works[letter] = power
         draft.add(f"done.{letter}", "work_done", t.equation(t.Sym(letter), draft.show(done, factor=True)), "ask.work",
@@ -165,7 +171,8 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> S
     rule = "value_told" if found.told else "value_along" if found.moment is None else "value_then"
     speeds = (name.removesuffix("_dot") for name in (*found.speeds, *found.kept))
     data = {"of": of, "works": {n: f"done.{n}" for n in found.works}}
-    data |= {"moment": found.moment, "ways": found.ways, "speeds": tuple(speeds), **_said(draft, found)}
+    data |= {"moment": found.moment, "ways": found.ways, "speeds": tuple(speeds), "places": tuple(found.places)}
+    data |= _said(draft, found)
     for letter, value in of.items():
         draft.define(letter, value)
     if found.study.at_start:

@@ -88,7 +88,7 @@ def _near(
             there = neat(substitute(value, {name: place}), given)
             if not where or not is_zero(there):
                 return Extreme(place, there, where, table.zeros.asked, table)
-    near = leading(value, name, place, side or 1)
+    near = leading(value, name, place, given, side or 1)
     if near is None:
         return None
     size = near.limit if near.limit is None else neat(near.limit, given)

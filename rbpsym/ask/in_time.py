@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import Scalar, derivative, names_in, substitute
+from rbpsym.algebra import NOTHING, Scalar, derivative, names_in, substitute
 from rbpsym.ask.moments import Asked, Moment
 from rbpsym.derivation.chapters import course, oscillations
 from rbpsym.derivation.draft import Draft
@@ -63,13 +63,12 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     found = solutions.courses_of(study, manner)
     at = {n: one.place for n, one in found.items()} | {f"{n}_dot": derivative(one.place, "t") for n, one in found.items()}
     letters = {letter: value for one in found.values() for letter, value in one.letters.items()}
-    gap = short(substitute(moving, at) - value)
-    drivers = [n for n in study.system.independent if names_in(moving) & {n, f"{n}_dot"}]
-    known = solutions.given(study, drivers[0], small=solutions.SMALL in manner) if len(drivers) == 1 else None
+    gap = short(substitute(moving - substitute(value, study.system.dependent), at))
+    known = solutions.Given(solutions.Form(NOTHING), NOTHING, NOTHING, study, "")  # signs are all that is asked of it
     # the end of a declared range may be where the motion is to come
     if sign(substitute(gap, letters), study.assumptions.without(*study.system.coordinates)).is_nonzero:
         raise StatementError(f"“{subject}” never has this value in this motion, though it may come ever closer to it")
-    first = None if known is None or names_in(gap) & (study.system.scope.rates.keys() - {"t"}) else time_to(gap, known, letters)
+    first = None if names_in(gap) & (study.system.scope.rates.keys() - {"t"}) else time_to(gap, known, letters)
     if first is None:
         raise NotApplicable(f"no closed form was found for the time at which “{subject}” has this value")
     time, valid = first
@@ -77,7 +76,8 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     if asked_for is None:
         raise StatementError(f"“{subject}” does not come to this value in this motion")
     made = at_time(asked, place, substitute(time, letters), manner, is_solved=True)
-    there = {**made.state.speeds, **({name: value} if subject != name else {})}  # by its own meaning, not by a long formula
+    is_given = subject != name and not names_in(value) & {*at}
+    there = {**made.state.speeds, **({name: value} if is_given else {})}  # by its own meaning, not by a long formula
     return replace(made, state=replace(made.state, speeds=there, valid=asked_for), watched=(subject, value, time))
 
 

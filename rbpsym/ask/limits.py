@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, ONE, PI, UNITY, Poly, Scalar, apart, at_most, atoms, generator, is_zero, symbol
-from rbpsym.algebra.calculus import atom_depends, derivative, root, split_factor, substitute
+from rbpsym.algebra.calculus import atom_depends, derivative, split_factor, substitute
 from rbpsym.algebra.roots import without_even_roots
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import root_of
 from rbpsym.errors import LimitError, Undecided
 from rbpsym.mechanics.elimination import short
 
@@ -34,8 +36,9 @@ class Leading:
         return None if self.order < 0 else self.coefficient if not self.order else NOTHING
 
 
-def leading(value: Scalar, name: str, to: Scalar | None, side: int = 1) -> Leading | None:
-    """The leading term for name → to from above (`side` 1) or below (-1); for `to` None: → ∞ or -∞.
+def leading(value: Scalar, name: str, to: Scalar | None, given: Assumptions, side: int = 1) -> Leading | None:
+    """The leading term for name → to from above (`side` 1) or below (-1); for `to` None: → ∞ or -∞. Squares of what is declared
+    positive leave their roots.
 
     None where no such term is found, as of what vanishes identically.
     """
@@ -45,7 +48,7 @@ def leading(value: Scalar, name: str, to: Scalar | None, side: int = 1) -> Leadi
                 step = symbol(SMALL) ** power * side
                 there = 1 / step if to is None else to + step
                 image = substitute(value, {name: there})
-                found = _series(image)
+                found = _series(image, given)
                 if found is not None:
                     break
     except (LimitError, Undecided, ZeroDivisionError):
@@ -93,11 +96,11 @@ def _inverse(found: Series) -> Series | None:
     return Series(-found.start, tuple(terms))
 
 
-def _series(value: Scalar) -> Series | None:
-    above = _of_poly(value.num)
+def _series(value: Scalar, given: Assumptions) -> Series | None:
+    above = _of_poly(value.num, given)
     if value.den is ONE or above is None:
         return above
-    below = _of_poly(value.den)
+    below = _of_poly(value.den, given)
     below = None if below is None else _inverse(below)
     return None if below is None else above * below
 
@@ -106,8 +109,8 @@ def _constant(value: Scalar) -> Series:
     return Series(0, (value, *[NOTHING] * (LENGTH - 1)))
 
 
-def _of_poly(poly: Poly) -> Series | None:
-    known = {index: _of_atom(index) for index in poly.atoms() if atom_depends(index, SMALL)}
+def _of_poly(poly: Poly, given: Assumptions) -> Series | None:
+    known = {index: _of_atom(index, given) for index in poly.atoms() if atom_depends(index, SMALL)}
     if None in known.values():
         return None
     groups: dict[tuple, dict] = {}
@@ -127,14 +130,14 @@ def _of_poly(poly: Poly) -> Series | None:
     return total or _constant(NOTHING)
 
 
-def _of_atom(index: int) -> Series | None:
+def _of_atom(index: int, given: Assumptions) -> Series | None:
     found = atoms.atom(index)
     if found.kind == "symbol":
         return Series(1, (UNITY, *[NOTHING] * (LENGTH - 1)))
     if found.kind == "root":
-        return _of_root(found.arg)
+        return _of_root(found.arg, given)
     if found.kind in POWERS and is_zero(substitute(found.arg, {SMALL: NOTHING})):
-        return _composed(POWERS[found.kind], found.arg)
+        return _composed(POWERS[found.kind], _series(found.arg, given))
     terms, value, factorial = [], Scalar(generator(index)), 1
     for k in range(LENGTH):
         terms.append(substitute(value, {SMALL: NOTHING}) / factorial)
@@ -149,20 +152,20 @@ POWERS = {
 }
 
 
-def _composed(powers: Sequence[Fraction], arg: Scalar) -> Series | None:
+def _composed(powers: Sequence[Fraction], inner: Series | None) -> Series | None:
     """(π/2) Σ c_k mᵏ of what goes to zero."""
-    inner, total = _series(arg), _constant(NOTHING)
+    total = _constant(NOTHING)
     for power in reversed(powers):
         total = None if inner is None or total is None else total * inner + _constant(PI / 2 * power)
     return total
 
 
-def _of_root(radicand: Scalar) -> Series | None:
-    inner = _series(radicand)
+def _of_root(radicand: Scalar, given: Assumptions) -> Series | None:
+    inner = _series(radicand, given)
     inner = None if inner is None else inner.from_first()
     if inner is None or inner.start % 2:
         return None
-    first = root(without_even_roots(inner.terms[0]))
+    first = root_of(without_even_roots(inner.terms[0]), given)
     terms = [first]
     for k in range(1, len(inner.terms)):
         mixed = sum((terms[i] * terms[k - i] for i in range(1, k)), NOTHING)

@@ -12,7 +12,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, substitute
+from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
@@ -25,6 +25,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.instant import has_start
+from rbpsym.mechanics.orbit import orbits
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.solutions import Course
@@ -140,6 +141,8 @@ class Asked:
         name = re.sub(r"^(?:the )?(?:phase |blow |collision |impulse )?", "", name)
         blows = {e.name: k for k, phase in enumerate(self.problem.phases, 1) for e in phase.impulses}
         known = {name: k for k, name in reversed(list(enumerate(self.names)))} | blows | {"first": 0}
+        struck = set(blows.values())
+        known |= dict.fromkeys(("blow", "collision", "impact", "impulse"), *struck) if len(struck) == 1 else {}
         if name not in known:
             hint = did_you_mean(name, list(known), "phases") if self.problem.phases else "the problem has no [[phases]]."
             raise StatementError(f"there is no phase or blow “{name}”", instead=hint)
@@ -157,11 +160,18 @@ def moment_of(asked: Asked, when: When, question: Question) -> Moment:
         found, refused = MOMENTS[when.kind](asked, when, place), None
     except StatementError as error:
         found, refused = None, error
-    if when.kind in ("reaches", "rests") and (found is None or (found.state.time is None and "time" in question.quantity)):
+    is_part = found is None or (found.state.time is None and ("time" in question.quantity or _is_open(asked, found)))
+    if when.kind in ("reaches", "rests") and is_part:
         found = _in_time(asked, when, place) or found
     if found is None:
         raise refused
     return found
+
+
+def _is_open(asked: Asked, found: Moment) -> bool:
+    """Whether the place or the speed of a coordinate is not known there."""
+    moving = {*asked.study(found.place).system.coordinates, *asked.study(found.place).system.speeds}
+    return any(names_in(value) & moving for value in (*found.state.places.values(), *found.state.speeds.values()))
 
 
 def _in_time(asked: Asked, when: When, place: int | None, manner: str = "") -> Moment | None:
@@ -323,7 +333,7 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
         return _ahead(asked, "takes", name, place, node)
     coordinate = _coordinate(asked, name.removesuffix("_dot"))
     require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
-    if coordinate != name:
+    if coordinate != name or names_in(scalar(node)) & world.motion.scope.rates.keys():
         raise NoClosedForm(f"no closed form was found for the moment at which “{name}” has this value", instead=BY_NUMBERS)
     return _ahead(asked, "reaches", name, place, node)
 
@@ -332,14 +342,28 @@ def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
     def find(asked: Asked, when: When, place: int | None) -> Moment:
         study = asked.study(asked.meant(place))
         found = [item for item in study.equilibria if bool(item.stable) is stable or (stable and item.stable is None)]
+        if not found and stable:
+            return _steady(study, asked.meant(place))
         if not found:
-            raise StatementError(f"no {'' if stable else 'un'}stable equilibrium is known")
+            raise StatementError("no unstable equilibrium is known")
         if len(found) > 1:
             raise StatementError(f"there are {len(found)} such equilibria", instead='write “where theta = …”.')
         still = dict.fromkeys(study.system.independent, NOTHING)
         return Moment(asked.meant(place), State(None, dict(found[0].at), still, found[0].valid), "rest")
 
     return find
+
+
+def _steady(study: Study, place: int) -> Moment:
+    """Where coordinates stay while others go on. Raises StatementError where no such motion, or more than one, is known."""
+    names = () if study.at_start or study.system.has_clock else study.system.independent
+    known = {name: orbits(study, name) for name in names}
+    there = {name: found[0] for name, found in known.items() if len(found) == 1}
+    if not there:
+        raise StatementError("no stable equilibrium is known")
+    valid = tuple(demand for one in there.values() for demand in one.valid)
+    state = State(None, {name: one.place for name, one in there.items()}, dict.fromkeys(there, NOTHING), valid)
+    return Moment(place, state, "rest")
 
 
 BY_NUMBERS = "ask for it with numbers: --with “M = 1 kg, …”."

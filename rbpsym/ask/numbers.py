@@ -15,6 +15,7 @@ from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
 from rbpsym.notation.text import to_text
 from rbpsym.quantities import NUMBER, TIME, Dimension
 from rbpsym.statement.checks import dimensions_with_unknowns
@@ -28,6 +29,7 @@ from rbpsym.statement.units import read_unit
 
 _NUMBER = r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _ONE = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
+_EXACT = re.compile(r"((?:\d|[-+*/^().\s]|pi|π|sqrt)*(?:\d|\)|pi|π))\s*((?!pi|sqrt)[^\W\d].*)?")  # pi/12, sqrt(2) m, 1/2
 _RANGE = re.compile(rf"\s*({_NUMBER}\s*[^.]*?)\s*\.\.\s*({_NUMBER}.*?)(?:\s+step\s+({_NUMBER}.*?))?\s*")
 STEPS, MOST = 10, 1000  # places of a range without a step, and at most
 NEAR, LEAST = 1e-9, 3
@@ -68,7 +70,8 @@ def read_numbers(text: str, problem: Problem) -> Given:
             if name not in known:
                 raise ReadError(f"“{name}” is no letter of this problem", instead=did_you_mean(name, list(known), "letters"))
             found[name] = _values(name, str(value), known[name])
-            digits += [_digits(number) for number in re.findall(_NUMBER, str(value)[:40])[:1]]
+            exact = _exact(str(value))
+            digits += [_digits(number) for number in re.findall(_NUMBER, str(value)[:40])[:1] if exact is None]
     if len({len(values) for values in found.values() if len(values) > 1}) > 1:
         raise ReadError("two ranges have different numbers of places", instead="give both the same number of steps.")
     given = Given(found, max(min(digits, default=LEAST), LEAST))
@@ -97,15 +100,26 @@ def _values(name: str, text: str, dimension: Dimension) -> tuple[float, ...]:
     return tuple(first + (last - first) * k / count for k in range(count + 1))
 
 
+def _exact(text: str) -> tuple[float, str] | None:
+    """A number that is written as an expression, and its unit; None for a plain one and for what is none."""
+    found = _EXACT.fullmatch(text.strip().replace("−", "-"))
+    if not found or re.fullmatch(_NUMBER, found[1].strip()):
+        return None
+    try:
+        return number(value_of(read_infix(found[1].replace("^", "**"), ())), {}), found[2] or ""
+    except (ZeroDivisionError, NoNumber):
+        return None
+
+
 def _single(name: str, text: str, dimension: Dimension) -> float:
     """A number with a unit in SI units; without one it is in SI units."""
-    found = _ONE.fullmatch(text.replace("−", "-"))
+    found = _exact(text) or ((one := _ONE.fullmatch(text.replace("−", "-"))) and (float(one[1]), one[2]))
     if not found:
         raise ReadError(f"“{text}” is no number for “{name}”", instead=unit_example(dimension))
-    unit = read_unit(found[2])
-    if unit.of_mechanics != dimension and found[2]:
+    unit = read_unit(found[1])
+    if unit.of_mechanics != dimension and found[1]:
         raise ReadError(f"“{text}” does not fit “{name}”, which is {a(dimension)}", instead=unit_example(dimension))
-    size = float(found[1]) * unit.factor * (2 * math.pi if unit.counts_cycles else 1)
+    size = found[0] * unit.factor * (2 * math.pi if unit.counts_cycles else 1)
     if not math.isfinite(size):
         raise ReadError(f"“{text}” is no size of a thing", instead=unit_example(dimension))
     return size

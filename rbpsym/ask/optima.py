@@ -6,15 +6,27 @@ import re
 from dataclasses import replace
 
 from rbpsym.algebra import Scalar, depends_on, is_zero, substitute, symbol
+from rbpsym.ask.answer import on_way_back
 from rbpsym.ask.critical import SUPERLATIVES, on_what
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.limits import leading
 from rbpsym.ask.regions import region
-from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
+from rbpsym.ask.seen import (
+    Scene,
+    comes_back,
+    moving,
+    one_period,
+    parameter,
+    parts_seen,
+    place_in,
+    seen,
+    told,
+    whole_ways,
+)
 from rbpsym.ask.special import limit_said
-from rbpsym.ask.zeros import precedes, sign_table, where_met
+from rbpsym.ask.zeros import precedes, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
@@ -38,7 +50,8 @@ def extremum(
     phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
     if over is not None and over not in (*world.coordinates, "t"):
         parameter(world, over)
-    value, given, sense = seen(world, phrase), world.motion.assumptions, SUPERLATIVES[superlative]
+    phrase, value = sized(world, phrase)
+    given, sense = world.motion.assumptions, SUPERLATIVES[superlative]
     free = moving(world, (value,))
     name = over or (free[0] if len(free) == 1 else None)
     if name is None:
@@ -58,7 +71,8 @@ def extremum(
         if where and not (where.asked or where.crossing or where.is_empty):
             ends = zip((where.lower, where.upper), given.range_of(name), strict=True)
             given = given.with_range(name, *(old if end is None else end for end, old in ends))
-    if is_turned := sense > 0 and sign(value, given).kind in ("negative", "nonpositive"):
+    back = _on_way_back(world, name, value, given)
+    if is_turned := sense > 0 and not back and not HIGH.match(phrase) and sign(value, given).kind in ("negative", "nonpositive"):
         value = -value
     ways = [((), given)]
     if low is not None:
@@ -74,8 +88,10 @@ def extremum(
         what = f"how far {name} goes in this motion is not known as a function of the position"
         raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
     closed = name in (*world.coordinates, "t") or low is not None
-    found = [_of_extreme(value, name, range_, sense, phrase, closed=closed, by_place=by_place) for _, range_ in ways]
-    found = [_lasting(world, name, one) for one in found]
+    found = []
+    for _, range_ in ways:
+        parts = [_of_extreme(one, name, range_, sense, phrase, closed=closed, by_place=by_place) for one in (value, *back)]
+        found.append(_lasting(world, name, _best(parts, sense, range_, by_place=by_place)))
     if is_turned:
         says = f"“{phrase}” is negative: its magnitude is meant"
         positive = ("least_on_way", {"parts": ((value, None, value),), "along": None, "given": given, "holds": True})
@@ -86,7 +102,44 @@ def extremum(
     if any(not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
         values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, _ in ways)
         return replace(found[0], **together(*found), values=values, asked=asked, place=None)
-    return replace(found[0], **together(*found))
+    common = [demand for demand in ways[0][0] if all(demand in asked for asked, _ in ways)]
+    valid = settle((*found[0].valid, *common), world.motion.assumptions) if common else None
+    return replace(found[0], **together(*found), valid=found[0].valid if valid is None else valid)
+
+
+def _on_way_back(world: Scene, name: str, value: Scalar, given: Assumptions) -> tuple[Scalar, ...]:
+    """What it is where the coordinate passes its places again in the opposite sense, if that is something else."""
+    found = world.used[-1][1]
+    if not found.ways or name not in world.motion.squares or found.of != "position":
+        return ()
+    [other] = on_way_back(world, found)
+    other = neat(other, given)
+    return () if is_zero(other - value) or not comes_back(world, name, given) else (other,)
+
+
+def _best(parts: list[Finding], sense: int, given: Assumptions, *, by_place: bool) -> Finding:
+    """The finding that no other one exceeds, of several about the same quantity."""
+    if len(parts) == 1:
+        return parts[0]
+    if not by_place and all(len(one.values) == 1 for one in parts):
+        for one, other in (parts, parts[::-1]):
+            under = where_met(given, (*one.valid, *other.valid))
+            if settled_sign((one.values[0] - other.values[0]) * sense, under) in (0, 1):
+                beyond = checked("greatest_of", best=one.values[0], others=((other.values[0], under),), sense=sense)
+                return replace(one, **together(one, Finding(**beyond), other))
+    return Finding(undecided("on the way back it is another one, and which one is beyond the other is not decided"))
+
+
+HIGH = re.compile("height of ")
+
+
+def sized(world: Scene, phrase: str) -> tuple[str, Scalar]:
+    """A quantity with its value; of a vector its magnitude."""
+    count = len(world.used)
+    if len(values := parts_seen(world, phrase)) == 1:
+        return phrase, values[0]
+    del world.used[count:]
+    return f"magnitude of {phrase}", seen(world, f"magnitude of {phrase}")
 
 
 def _lasting(world: Scene, name: str, found: Finding) -> Finding:
@@ -130,12 +183,12 @@ def _of_extreme(
     if found.value is None:
         says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found)}"
         side = 1 if found.where == ENDS[0] else -1
-        near = leading(value, name, found.place, side if found.place is not None else -side)
+        near = leading(value, name, found.place, given, side if found.place is not None else -side)
         return Finding(**limit_said(near, name, given), symbol=name if by_place else "", says=says)
     under = where_met(given, found.asked)
     data = {"value": value, "name": name, "place": found.place, "best": found.value, "sense": sense}
     said = checked("extreme", **data, given=under, at_end=bool(found.where))
-    if found.where and not closed:
+    if found.where and (not closed or found.place is None):
         says = f"no {word} value is reached: {told(found.value)} is approached as {name} goes to {_end(found)}"
         values = () if by_place else (found.value,)
         symbol_ = name if by_place else ""

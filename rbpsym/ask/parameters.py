@@ -21,6 +21,8 @@ _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
 _N, _FOR = r"(\w+)", r"(?:for|at|with) which"
 _NO_MODE = r"(?!(?:lowest|highest) frequency of |(?:longest|shortest) period of \w+$)"  # that of a mode is a quantity
 _BETWEEN = r"(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?"
+_START = r"(?:start|beginning|release)"
+_WAY = rf"(?:(?:from (?:the )?{_START} )?(?:until|up to|to)|between (?:the )?{_START} and) (?:where )?(\w+) (?:=|reaches|is) (.+)"
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
 Rows = tuple[tuple[str, Callable[..., Finding]], ...]
 ROWS: Rows = (
@@ -49,6 +51,7 @@ ROWS: Rows = (
     (rf"{_N} {_FOR} (.+) is {_BEST}", through.extreme_for),
     (rf"{_BEST} {_N} {_FOR} (.+)", critical.which),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: critical.which(world, None, name, text)),
+    (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
     (rf"{_NO_MODE}{_BEST} (.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
@@ -62,6 +65,7 @@ RESORTS: Rows = (
     ),
     (r"(.+[-+*/].+)", made.made),
 )
+AFTER = re.compile(rf"(?:the )?({_BEST} .+) after (?:the )?(\w+)")
 WITH = re.compile(r"(?:the )?(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
 
 
@@ -108,6 +112,8 @@ def resorted(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:
 def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding] | None:
     """What is found for a question about parameters, not concluded yet. Raises as `of_parameters`."""
     rest = ASKED.sub("", text, count=1) if ASKED.match(text) else text
+    if said := AFTER.fullmatch(rest):
+        rest = said[1] if re.fullmatch(_START, said[3]) else f"{said[1]} in phase {said[3]}"
     phase, place = PHASE.fullmatch(rest), None
     if phase is not None:
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])

@@ -75,7 +75,7 @@ OTHERWISE = (
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
     (rf"\b({_AT}) (?:the )?(?:angular )?(?:speed|velocity) of (\w+) (=|reaches|is) ", r"\1 \2_dot \3 "),
-    (r"^(?:the )?energy (?=lost (?:until|up to|by|in|during|over) )", "energy of motion, weights and springs "),
+    (r"^(?:the )?energy (?=lost (?:until|up to|by|in|during|over|from|between) )", "energy of motion, weights and springs "),
     (r"\b(translational|rotational) (kinetic energy of (?:the system|[\w-]+))", r"\2, \1"),
     (r"^(?:the )?change (?:of|in) (.+) (?:until|up to) (.+)", r"\1 from the start to \2"),
     (r"^(?:the )?change (?:of|in) (.+) (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
@@ -83,6 +83,7 @@ OTHERWISE = (
     (r"^(?:the )?change (?:of|in) (.+ (?:from|between) .+)", r"\1"),
     (r"^(?:the )?(.*energy.*) lost (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
      r"minus \1 in phase \2 from the start to the end of phase \2"),
+    (r"^(?:the )?(.*energy.*) lost ((?:from|between) .+)", r"minus \1 \2"),
     (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) ([\w-]+)$", r"minus \1 from the start to when \2 begins"),  # in a blow too
     (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) (.+)", r"minus \1 from the start to \2"),
     (r"\bhorizontal (?:component|part) of\b", "x component of"),
@@ -99,7 +100,7 @@ MANNERS = {
     r"in (?:the )?steady state|at last": "steady",
 }
 PHASE = re.compile(rf"(.+?),? in (?:the )?phase (?:“|\")?{_W}(?:”|\")?( .+)?")
-SINCE = re.compile(r"(.+?) (?:from|between) (.+?) (?:to|and) (.+)")
+SINCE = re.compile(r"(.+?) (?:from|between) (.+?) (?:to|and|until) (.+)")
 ASKED = re.compile(r"(?:what|how (?:large|big|great|fast|long)) (?:is|are) |(?:find|determine|give|compute) ", re.I)
 
 
@@ -120,8 +121,10 @@ def read_question(text: str) -> Question:
         found = replace(found, quantity=match[1], is_direction=True)
     if phase := PHASE.fullmatch(found.quantity):
         found = replace(found, quantity=phase[1] + (phase[3] or ""), phase=phase[2])
-    if (since := SINCE.fullmatch(found.quantity)) and (ends := _ends(since[2], since[3])):
-        return replace(found, quantity=since[1], since=ends[0], when=ends[1])
+    if since := SINCE.fullmatch(found.quantity):
+        ends = _end(since[2], BEGINS), _end(since[3], ENDS)
+        if None not in ends:
+            return replace(found, quantity=since[1], since=ends[0], when=ends[1])
     for pattern, manner in (*MANNERS.items(), *MANNERS.items()):  # one may stand behind another
         if said := re.search(rf",? ({pattern})(?=$|,| as )", found.quantity):
             found = replace(found, quantity=found.quantity[: said.start()] + found.quantity[said.end() :])
@@ -142,14 +145,12 @@ def is_jump(quantity: str) -> bool:
     return any(re.fullmatch(pattern, quantity) for pattern, *_ in JUMPS)
 
 
-def _ends(first: str, second: str) -> tuple[When, When] | None:
-    """Two moments: “the start” and “theta = 0”."""
-    ends = [_end(first), _end(second)]
-    return None if None in ends else tuple(ends)
+BEGINS, ENDS = "right after ", "until "
 
 
-def _end(text: str) -> When | None:
-    for lead in ("", "at ", "where ", "at the ", "until "):
+def _end(text: str, phase: str) -> When | None:
+    """One of two moments: “the start” or “theta = 0”; the name of a phase is its beginning, after its blows or before them."""
+    for lead in ("", "at ", "where ", "at the ", phase):
         if (found := _clause(f"x {lead}{text}")) and found[0] == "x":
             return When(*found[1:])
     return None

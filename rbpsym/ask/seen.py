@@ -159,7 +159,7 @@ def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> t
 def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """How far a coordinate goes as is told, in each sense in which it may set out: to where it first comes to rest, where a
     contact is lost, or to the end of its range. Raises StatementError where that depends on parameters."""
-    ended, found = world.study.ended, ways_to(world, name, None, given)
+    ended, found = world.study.ended, ways_to(world, name, None, given, may_turn=True)
     if ended.complete is not True or any(loss.valid or name not in loss.at for loss in ended.found):
         what = ended.found[0].force if ended.found else "a contact"
         raise StatementError(
@@ -188,8 +188,11 @@ def _until_next(world: Scene, way: Way, given: Assumptions) -> Assumptions:
     )
 
 
-def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> list[tuple[Way, Assumptions]]:
-    """The same as `way_to` for each sense in which it may set out."""
+def ways_to(
+    world: Scene, name: str, end: Scalar | None, given: Assumptions, *, may_turn: bool = False
+) -> list[tuple[Way, Assumptions]]:
+    """The same as `way_to` for each sense in which it may set out; `may_turn`: whether it turns round may depend on the
+    parameters, and is as at the sample numbers."""
     study = world.study
     square, begin = world.motion.squares.get(name), study.system.scope.start.get(name)
     if square is None or begin is None:
@@ -205,7 +208,20 @@ def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> 
     if not coming:
         sense = "grows" if found[0].sense > 0 else "falls"
         raise NeverThere(f"“{name}” never comes there before it turns round: it {sense} from {told(begin)}")
+    if end is None and may_turn:
+        coming = [replace(way, asked=(*way.asked, *_turns(world, way, where_met(given, way.asked)))) for way in coming]
     return [(way, _on_way(way, end, where_met(given, way.asked))) for way in coming]
+
+
+def _turns(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
+    """Under what condition it turns round at the one place that is known, or does not, as it is at the sample numbers."""
+    found = zeros(way.square, way.name, given.with_range(way.name, *_ends(way, given.range_of(way.name))))
+    if len(found.found) != 1 or found.open_ or found.crossings:
+        return ()
+    numbers, asked = sample(world.study.problem), found.found[0].asked
+    if all(floating(demand.value, numbers) >= 0 for demand in asked):
+        return asked
+    return (Demand(-asked[0].value, ">="),) if len(asked) == 1 else ()
 
 
 def to_and_fro(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
@@ -217,11 +233,7 @@ def to_and_fro(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, A
 
 def _back(world: Scene, way: Way, within: Assumptions, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """The other side of the start, if it comes back there from a place where it turns round."""
-    name = way.name
-    end = within.range_of(name)[way.sense > 0]
-    turns = end is not None and is_zero(without_even_roots(substitute(way.square, {name: end})))
-    is_over = not turns or bool(slips(world.study.system))  # what slips comes to rest
-    if is_over or not world.study.system.scope.start.get(f"{name}_dot", NOTHING):
+    if not _turns_round(world, way, within) or not world.study.system.scope.start.get(f"{way.name}_dot", NOTHING):
         return []
     back = replace(way, sense=-way.sense)
     return [(back, _on_way(back, None, where_met(given, way.asked)))]
@@ -231,6 +243,18 @@ def whole_motion(world: Scene, name: str, given: Assumptions) -> tuple[Way, Assu
     """How a coordinate sets out, and all the places to which it comes on either side of its start."""
     (way, within), *back = to_and_fro(world, name, given)
     return way, _both(way, within, back)
+
+
+def _turns_round(world: Scene, way: Way, within: Assumptions) -> bool:
+    """Whether it comes to rest at the end of its way, and goes back: what slips stays there."""
+    end = within.range_of(way.name)[way.sense > 0]
+    turns = end is not None and is_zero(without_even_roots(substitute(way.square, {way.name: end})))
+    return turns and not slips(world.study.system)
+
+
+def comes_back(world: Scene, name: str, given: Assumptions) -> bool:
+    """Whether a coordinate turns round where it first comes to rest, and passes its places again."""
+    return any(_turns_round(world, *pair) for pair in ways_to(world, name, None, given, may_turn=True))
 
 
 def _both(way: Way, within: Assumptions, back: list[tuple[Way, Assumptions]]) -> Assumptions:

@@ -104,7 +104,8 @@ def _together(found: Sequence[Finding], phrase: str) -> Finding:
 
 def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int = 1) -> Finding:
     """With what the quantity asks for, near the limit."""
-    near = ((demand, leading(demand.value, name, to, side)) for demand in (*world.demands, *world.standing))
+    given, demands = world.motion.assumptions, (*world.demands, *world.standing)
+    near = ((demand, leading(demand.value, name, to, given, side)) for demand in demands)
     asked = [Demand(demand.value if term is None else term.coefficient, demand.op) for demand, term in near]
     valid = settle(asked, world.motion.assumptions)
     if valid is None:
@@ -120,7 +121,7 @@ def near(world: Scene, phrase: str, name: str, text: str) -> Finding:
 def _limit(
     value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str, *, as_term: bool
 ) -> Finding:
-    found = leading(value, name, to, side)
+    found = leading(value, name, to, given, side)
     if not depends_on(value, name):
         return Finding(values=(value,), **checked("no_change", value=value, names=(name,), best=value, given=given))
     if found is None and is_zero(value):
@@ -168,7 +169,7 @@ def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Findin
     name, to = (small, NOTHING) if small in both else (great, None)
     found = []
     for part in parts:
-        term = leading(part, name, to)
+        term = leading(part, name, to, given)
         if term is None and not is_zero(part):
             return Finding(undecided("no leading term of its power series was found"))
         if term is None:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
 from rbpsym.ask import optima
 from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding, checked, together
-from rbpsym.ask.seen import Scene, moving, seen
-from rbpsym.ask.zeros import settled_sign, where_met
+from rbpsym.ask.seen import Scene, moving, place_in, seen
+from rbpsym.ask.zeros import precedes, settled_sign, where_met
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.demands import settle
+from rbpsym.notation.machine import to_machine
 
 
 def extremum(
@@ -50,13 +53,26 @@ def extremum(
     return replace(told, **together(told, *others), valid=valid if left is None else left)
 
 
+def until(world: Scene, superlative: str, phrase: str, name: str, text: str) -> Finding:
+    """The same on the way from the start to a place, to which the motion comes."""
+    end, begin = place_in(world, name, text), world.study.system.scope.start.get(name)
+    if begin is None:
+        raise StatementError(f"it is not said where “{name}” starts", instead=f"say between which values of {name}.")
+    if is_zero(end - begin):
+        raise StatementError(f"“{name}” starts there", instead="name a place to which it comes.")
+    seen(world, f"{name} where {name} = {text}")
+    low, high = (to_machine(present(value)) for value in (begin, end))
+    ends = (low, high) if precedes(begin, end, world.motion.assumptions) else (high, low)
+    return optima.extremum(world, superlative, phrase, name, *ends)
+
+
 def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:
     """SYMBOL for which a quantity is least or greatest."""
     return extremum(world, superlative, phrase, name, None, None, by_place=True)
 
 
 def _in_phase(part: Scene, superlative: str, phrase: str, over: str | None) -> Finding:
-    value = seen(part, phrase)
+    phrase, value = optima.sized(part, phrase)
     if not moving(part, (value,)):
         names, given = tuple(part.motion.scope.rates), part.motion.assumptions
         return Finding(values=(value,), **checked("no_change", value=value, names=names, best=value, given=given))

@@ -328,8 +328,9 @@ def _equal(world: Scene, left: str, right: str) -> Wanted:
 
 
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}
-RELATION = re.compile(r" (=|>=|<=|>|<|equals|is at least|is at most) ")
-WORDS = {"equals": "=", "is at least": ">=", "is at most": "<="}
+RELATION = re.compile(r" (=|>=|<=|>|<|equals|exceeds|is (?:at least|at most|less than|greater than|more than)) ")
+WORDS = {"equals": "=", "is at least": ">=", "is at most": "<=", "is less than": "<", "exceeds": ">", "is greater than": ">",
+         "is more than": ">"}  # fmt: skip
 
 
 def _compared(world: Scene, text: str) -> Wanted:

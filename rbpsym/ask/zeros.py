@@ -268,7 +268,7 @@ def sign_at_end(value: Scalar, name: str, given: Assumptions, upper: bool) -> in
 
 def sign_beside(value: Scalar, name: str, place: Scalar | None, side: int, given: Assumptions) -> int | None:
     """The sign on one side of a place, or at infinity, from the leading term there."""
-    found = leading(value, name, place, side)
+    found = leading(value, name, place, given, side)
     return None if found is None else settled_sign(found.coefficient, given.without(name))
 
 

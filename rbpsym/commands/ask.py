@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from rbpsym.notation.glyphs import Notation
     from rbpsym.statement.model import Problem
 
-FINE, DOUBTFUL, UNANSWERED = 0, 1, 2
+FINE, DOUBTFUL, UNANSWERED, BROKEN = 0, 1, 2, 70
+INSIDE = "an error inside rbpsym, not in this question"
+OURS = (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError)  # what a fault of ours raises
 
 
 @click.command("ask")
@@ -56,8 +58,9 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
         click.echo(json.dumps(records[0] if len(records) == 1 else records, indent=2, ensure_ascii=False))
     else:
         click.echo("\n\n".join("\n".join(lines(answer, record, numbers, problem)) for answer, record in told))
-    if any("error" in record for record in records):
-        return UNANSWERED
+    errors = [record["error"] for record in records if "error" in record]
+    if errors:
+        return BROKEN if any(error.startswith(INSIDE) for error in errors) else UNANSWERED
     return FINE if all(record["verdict"] == "PROVED" for record in records) else DOUBTFUL
 
 
@@ -78,14 +81,16 @@ def _told(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None
 
 
 def _told_or_refused(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None, dict[str, Any]]:
-    """The same; for a question without an answer the sentence that says why, as the reason and as the "error"."""
+    """The same; for a question without an answer the sentence that says why, as the reason and as the "error": what fails in one
+    question, by a fault of ours too, leaves the others theirs."""
     from rbpsym.ask.telling import unanswered
     from rbpsym.errors import RbpsymError
 
     try:
         return _told(asked, text, numbers)
-    except RbpsymError as error:
-        return None, {**unanswered(text, str(error)), "error": str(error)}
+    except (RbpsymError, *OURS) as error:
+        told = str(error) if isinstance(error, RbpsymError) else f"{INSIDE}: {type(error).__name__}: {error}"
+        return None, {**unanswered(text, told), "error": told}
 
 
 def lines(found: Answer | None, record: Mapping[str, Any], numbers: Given | None, problem: Problem) -> Iterator[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, names_in, substitute, symbol, time_derivative
+from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.primitives import primitive
 from rbpsym.errors import Undecided
@@ -16,11 +16,22 @@ def course_of(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
     if not names_in(value) & scope.rates.keys() - {"t"}:  # it is driven
         return value, time_derivative(value, scope)
     rate = time_derivative(value, scope)
-    gain = context.on_motion(time_derivative(rate, scope))
+    gain = substitute(context.on_motion(time_derivative(rate, scope)), _still(context))
     if names_in(gain) & {*scope.rates, *context.study.system.speeds} - {"t"}:
         raise Undecided("its acceleration is no function of the time")
     speed = _gained(gain) + context.start(rate)
     return _gained(speed) + context.start(value), speed
+
+
+def _still(context: Context) -> dict[str, Scalar]:
+    """Coordinates with their starts, and their speeds, that begin at rest and have no acceleration there, wherever the others
+    are: they stay."""
+    system, wanted = context.study.system, {}
+    for name in context.study.resting:
+        if name in system.coordinates and is_zero(context.start(symbol(f"{name}_dot"))):
+            wanted |= {name: context.start(symbol(name)), f"{name}_dot": NOTHING}
+    gains = (substitute(context.on_motion(symbol(f"{name}_ddot")), wanted) for name in wanted if name in system.coordinates)
+    return wanted if all(map(is_zero, gains)) else {}
 
 
 def moved_to(context: Context, value: Scalar, time: Scalar) -> tuple[Scalar, Scalar]:

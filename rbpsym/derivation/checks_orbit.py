@@ -21,10 +21,14 @@ def steady_place(context: Context, step: Step) -> Verdict:
 
 
 def steady_frequency(context: Context, step: Step) -> Verdict:
-    """What is stated is minus the slope of the acceleration at the place, and positive (`data`: the same)."""
+    """What is stated is minus the slope of the acceleration at the place, and positive; the speed itself has no part in first
+    order (`data`: the same)."""
     [(_, _, right)] = relations(step.statement)
-    slope = derivative(_gain(context, step), step.data["name"])
+    name, still = step.data["name"], {f"{step.data['name']}_dot": NOTHING}
+    drag = derivative(context.on_motion(symbol(f"{name}_ddot")), f"{name}_dot") if not step.data["speeds"] else NOTHING
+    slope = derivative(_gain(context, step), name)
     found = same(context, context.value(right), -substitute(slope, {step.data["name"]: step.data["place"]}))
+    found = weakest([found, same(context, substitute(drag, {**still, name: step.data["place"]}), NOTHING)])
     return weakest([found, compare(NOTHING, context.value(right), under(context, step, ">").assumptions)])
 
 

@@ -231,13 +231,14 @@ def characteristic(context: Context, step: Step) -> Verdict:
 
 
 def mode_shape(context: Context, step: Step) -> Verdict:
-    """(K - λ M) A = 0 for the amplitudes in the stated ratio, and A₁² Σ M_ij A_i A_j / A₁² = 1 (`data`: "at", "square")."""
-    ratio, *sizes = (context.value(right) for _, _, right in relations(step.statement))
-    near = near_place(context, step)
-    amplitudes = (UNITY, ratio)
-    pairs = ((near.mass[i][j], amplitudes[i] * amplitudes[j]) for i in range(2) for j in range(2))
-    mass = total(m * product for m, product in pairs)
-    found = [same(context, row[0] + row[1] * ratio, NOTHING) for row in _shifted(near, step.data["square"])]
+    """(K - λ M) A = 0 for the amplitudes in the stated ratios to that of the first in the order, and A₁² Σ M_ij A_i A_j / A₁² = 1
+    (`data`: "at", "square", "order")."""
+    order, near = step.data["order"], near_place(context, step)
+    told = [context.value(right) for _, _, right in relations(step.statement)]
+    ratios, sizes = dict(zip(order, (UNITY, *told), strict=False)), told[len(order) - 1 :]
+    mass = total(near.mass[i][j] * ratios[i] * ratios[j] for i in order for j in order)
+    rows = (total(row[k] * ratios[k] for k in order) for row in _shifted(near, step.data["square"]))
+    found = [same(context, row, NOTHING) for row in rows]
     return weakest([*found, *(same(context, size * mass, UNITY) for size in sizes)])
 
 

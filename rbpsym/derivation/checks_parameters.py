@@ -138,6 +138,17 @@ def end_said(value: Scalar, name: str, given: Assumptions) -> Verdict:
     return undecided("that it is monotone is not seen on a second road")
 
 
+def valley_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sense: int) -> Verdict:
+    """Whether the value falls up to zero and rises from there (the other way round for a least one), and is beyond the best one
+    at neither end."""
+    limits, core = of_symbol(name, given), _core(shorter(derivative(value, name)), given)
+    ends = [limits.lower, limits.upper]
+    sides = ((ends[0], NOTHING, -sense), (NOTHING, ends[1], sense))
+    if None in ends or any(sign(core, given.with_range(name, low, high)).kind != KINDS[way] for low, high, way in sides):
+        return undecided("that it is monotone is not seen on a second road")
+    return all_of(extreme_said(rooted(substitute(value, {name: end}), given), name, best, given, sense) for end in ends)
+
+
 def _core(value: Scalar, given: Assumptions) -> Scalar:
     """What has the sign of the value: without roots and factors of known sign, with the others once where their power is odd."""
     _, powers = value.num.content()
@@ -257,6 +268,7 @@ def extreme_there(context: Context, step: Step) -> Verdict:
     value, name, given, sense = (step.data[key] for key in ("value", "name", "given", "sense"))
     place, best = step.data["place"], step.data["best"]
     found = end_said(value, name, given) if step.data["at_end"] else slope_said(value, name, place, given, sense)
+    found = valley_said(value, name, best, given, sense) if step.data["at_end"] and not found.is_proved else found
     return found if found.is_proved else extreme_said(value, name, best, given, sense)
 
 

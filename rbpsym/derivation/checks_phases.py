@@ -223,12 +223,22 @@ def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]
         image[name] = (state.places if what == "place" else state.speeds)[coordinate]
         if moment.how == "time" and (said := said_of(context, coordinate)):
             found.append(same(context, at_time(state.time, said if what == "place" else derivative(said, "t")), image[name]))
-        elif moment.how != "rest":
+        elif moment.how == "rest":
+            found.append(_stays(context, state, coordinate))
+        else:
             found.append(_by_what(context, moment)(context, moment, what, coordinate, image[name]))
     for id in ("moment", "place"):
         if id in context.steps and (moment.how == "event" or moment.watched):
             context.use(id)
     return weakest(found), substitute(value, image)
+
+
+def _stays(context: Context, state, name: str) -> Verdict:
+    """Whether nothing moves a coordinate at rest there, if that is no place of rest of all."""
+    if any(item.at.get(name) == state.places[name] for item in context.study.equilibria):
+        return Verdict(PROVED, how="it is a place of rest")
+    still = {f"{n}_dot": speed for n, speed in state.speeds.items()}
+    return same(context, substitute(substitute(context.on_motion(symbol(f"{name}_ddot")), still), state.places), NOTHING)
 
 
 def said_of(context: Context, coordinate: str) -> Scalar | None:

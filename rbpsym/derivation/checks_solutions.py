@@ -60,14 +60,23 @@ def course(context: Context, step: Step) -> Verdict:
 
 
 def _tied(context: Context, step: Step, stated: Scalar) -> list[Verdict]:
-    """Where the law is a system of rows: each holds with all coordinates, of which the stated one is as said."""
+    """Where the law is a system of rows, or other coordinates stand in the acceleration: each row holds with all coordinates,
+    of which the stated one is as said."""
     law, moved = context.steps.get(step.data.get("law")), step.data.get("beside", {})
-    if law is None or law.rule != "linear_system":
+    if law is None:
+        gains = {name: context.on_motion(symbol(f"{name}_ddot")) for name in moved}
+        others = {key for name in moved if name != step.data["name"] for key in (name, f"{name}_dot")}
+        if not names_in(gains.get(step.data["name"], NOTHING)) & others:
+            return []
+        rules = [(symbol(f"{name}_ddot"), gain) for name, gain in gains.items()]
+    elif law.rule == "linear_system":
+        context.use(law.id)
+        rules = [(context.value(left), context.value(right)) for left, _, right in relations(law.statement)]
+    else:
         return []
-    context.use(law.id)
     speeds = {f"{name}_dot": derivative(place, "t") for name, place in moved.items()}
     at = {**moved, **speeds, **{f"{speed.removesuffix('_dot')}_ddot": derivative(v, "t") for speed, v in speeds.items()}}
-    rows = (substitute(context.value(left) - context.value(right), at) for left, _, right in relations(law.statement))
+    rows = (substitute(left - right, at) for left, right in rules)
     begins = ((substitute(value, {"t": NOTHING}), context.start(symbol(name))) for name, value in {**moved, **speeds}.items())
     solves = [same(context, stated, moved[step.data["name"]]), *(same(context, row, NOTHING) for row in rows)]
     return [*solves, *(same(context, *pair) for pair in begins)]
@@ -81,10 +90,11 @@ def reached(context: Context, step: Step) -> Verdict:
     system = context.study.system
     moving = system.dependent.get(name, symbol(name))
     moving = moving if name == subject else time_derivative(moving, system.scope)
-    used = [n for n in system.independent if names_in(moving) & {n, f"{n}_dot"}]
+    whole = moving - substitute(step.data["value"], system.dependent)
+    used = [n for n in system.independent if names_in(whole) & {n, f"{n}_dot"}]
     said = {n: said_of(context, n) for n in used}
     at = {**said, **{f"{n}_dot": derivative(place, "t") for n, place in said.items()}}
-    gap = substitute(moving, at) - step.data["value"]
+    gap = substitute(whole, at)
     there = same(context, substitute(gap, {"t": time}), NOTHING)
     return weakest([there, _lies_ahead(context, step, time), _is_first(context, step, gap, time)])
 
@@ -119,7 +129,8 @@ def positive(context: Context, step: Step, value: Scalar) -> Verdict:
 
 
 def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdict:
-    """What vanishes then grows all the time, or falls, from rest ever faster too; or it is a cos ϑt + b sin ϑt + c, with c = 0
+    """What vanishes then grows all the time, or falls, from rest ever faster too; or it bends to one side all the time, towards
+    zero from where it begins, or begins with zero; or it is a cos ϑt + b sin ϑt + c, with c = 0
     or b = 0 in the first half of the period, else in its first quarter. What dies out is taken off as a factor."""
     slope = derivative(gap, "t")
     dying = [function("exp", atoms.atom(i).arg) for i in gap.atoms() if atoms.atom(i).kind == "exp" and "t" in atom_names(i)]
@@ -130,6 +141,10 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
     begins, bends = sign(substitute(slope, {"t": NOTHING}), given_), sign(derivative(slope, "t"), given_)
     if bends.is_nonzero and bends.sense and (begins.kind == "zero" or begins.sense == bends.sense):
         return Verdict(PROVED, how="it changes in one sense, ever faster")
+    if bends.is_nonzero and bends.sense * sign(substitute(gap, {"t": NOTHING}), given_).sense < 0:
+        return Verdict(PROVED, how="it bends towards zero all the time")
+    if bends.is_nonzero and is_zero(substitute(gap, {"t": NOTHING})):
+        return Verdict(PROVED, how="it bends to one side all the time, and begins with zero")
     for value in (gap, *(short(gap / factor) for factor in dying)):
         rates = {derivative(Scalar(atoms.atom(i).arg), "t") for i in value.atoms() if atoms.atom(i).kind in ("cos", "sin")}
         rates = {rate for rate in rates if rate and not depends_on(rate, "t")}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, root, substitute, symbol
+from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, derivative, function, is_zero, names_in, root, substitute, symbol
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_phases import seen_then
@@ -49,9 +49,26 @@ def value_along(context: Context, step: Step) -> Verdict:
         said_so = {f"{name}_dot": _said(context, f"speed_at.{name}") for name in step.data["speeds"]}
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
         gap = substitute(substitute(gap, said_so), speeds)
+        gap = substitute(gap, {n: _said(context, f"place_at.{n}") for n in step.data.get("places", ())})
         is_seen = not is_zero(gap)
         found.append(same(context, without_even_roots(context.along(gap) if is_seen else gap), NOTHING))
     return weakest(found)
+
+
+def followed(context: Context, step: Step) -> Verdict:
+    """The stated function of another coordinate has the rate that the coordinate has, and begins as it does: by the speed
+    that another step gives, or the other one's accelerations and first speeds are in that constant ratio (`data`: "name")."""
+    [(_, _, right)] = relations(step.statement)
+    name, value = step.data["name"], context.value(right)
+    begins = [same(context, context.start(value), context.start(symbol(name)))]
+    [other] = names_in(value) & {*context.study.system.independent}
+    slope, rates = derivative(value, other), [symbol(f"{other}_dot"), symbol(f"{name}_dot")]
+    if f"speed_at.{name}" in context.steps:
+        return weakest([*begins, same(context, _said(context, f"speed_at.{name}"), slope * rates[0])])
+    gains = [context.on_motion(symbol(f"{n}_ddot")) for n in (other, name)]
+    pairs = [(slope * first, second) for first, second in (gains, map(context.start, rates))]
+    constant = same(context, derivative(slope, other), NOTHING)
+    return weakest([*begins, constant, *(same(context, *pair) for pair in pairs)])
 
 
 def kept_speed(context: Context, step: Step) -> Verdict:

@@ -101,6 +101,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "speed_along": (solved.speed_along,),
     "swing": (c.identity, solved.swing),
     "kept_speed": (values.kept_speed,),
+    "followed": (values.followed,),
     "steady_place": (orbit.steady_place,),
     "steady_frequency": (c.identity, orbit.steady_frequency),
     "feature": (c.identity, solved.feature),

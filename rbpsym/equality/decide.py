@@ -23,6 +23,7 @@ from rbpsym.equality.domain import Condition, conditions, holds_at, obligations
 from rbpsym.equality.enclosure import Number
 from rbpsym.equality.points import Point, all_atoms, points
 from rbpsym.equality.poles import pole
+from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, Witness, all_of, proved, refuted, undecided
 from rbpsym.errors import LimitError, Undecided
@@ -98,6 +99,10 @@ def _compare(
     found = sign(b - a, assumptions)
     if found.kind == "positive" or (not strict and found.is_nonnegative):
         return proved(f"right - left is {found.kind}: {found.certificate}")
+    if any(atoms.atom(i).kind == "root" for i in (a - b).atoms()) and all(sign(x, assumptions).is_nonnegative for x in (a, b)):
+        found = sign(rooted(b * b - a * a, assumptions), assumptions)
+        if found.kind == "positive" or (not strict and found.is_nonnegative):
+            return proved(f"the difference of the squares is {found.kind}: {found.certificate}")
     if not refuting:
         return undecided("it is not proved")
     failing = (0, 1) if strict else (1,)

@@ -43,6 +43,7 @@ def _moving(study: Study) -> list[str]:
     return [
         name
         for name in study.system.independent
+        if name not in study.resting
         if start.get(f"{name}_dot", NOTHING) or not is_zero(gains.get(f"{name}_ddot", symbol(name)))
     ]
 
@@ -62,6 +63,22 @@ def state_at(study: Study, name: str, place: Scalar, sense: int = 0) -> State:
     values = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
     return State(None, places, speeds)
+
+
+def followed(study: Study, name: str, other: str) -> Scalar | None:
+    """A coordinate as a function of another one: by the speed that a kept momentum gives, or where both have accelerations and
+    first speeds in one constant ratio; None where it is none."""
+    start, gains = study.system.scope.start, study.dynamics.accelerations or {}
+    if f"{other}_dot" in study.kept_speeds and mover(study) == name:
+        found = _followed(study, name, f"{other}_dot")
+        return None if names_in(found) & {other} else found
+    first, second = (gains.get(f"{n}_ddot", NOTHING) for n in (name, other))
+    if not {name, other} <= start.keys() or not first or study.ties:
+        return None
+    ratio = short(second / first)
+    begun = start.get(f"{other}_dot", NOTHING) - ratio * start.get(f"{name}_dot", NOTHING)
+    is_fixed = not names_in(ratio) & {*study.system.scope.rates, *study.system.speeds, "t"} and is_zero(begun)
+    return short(start[other] + ratio * (symbol(name) - start[name])) if is_fixed else None
 
 
 def _followed(study: Study, name: str, speed: str) -> Scalar:

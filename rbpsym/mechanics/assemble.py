@@ -14,7 +14,7 @@ from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.interactions import LAWS, Setting
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.placing import locator, open_names, poses, still_open
 from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
 from rbpsym.mechanics.tying import Tied, tie
@@ -180,7 +180,7 @@ def setting_of(system: System, where) -> Setting:
 
     def is_positive(value: Scalar) -> bool | None:
         found = number(value, numbers)
-        return None if abs(found) < 1e-12 else found > 0
+        return None if abs(found) < CLEAR else (_sure_sense(system.problem, value) or found) > 0
 
     return Setting(
         where,
@@ -191,6 +191,21 @@ def setting_of(system: System, where) -> Setting:
         frozenset(name for element in system.problem.constraints for name in unknowns_of(element)),
         lambda value: not any(depends_on(value, name) for name in names),
     )
+
+
+def _sure_sense(problem: Problem, value: Scalar) -> int:
+    """The sign of a length at the start, where that does not hang on the sizes of parameters; else that where all coordinates
+    are zero, as displacements are small; 0 where this hangs on them too."""
+    begun = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None}
+    for image in (begun, {c.name: NOTHING for c in problem.coordinates}):
+        there = substitute(value, image)
+        found = {(size > CLEAR) - (size < -CLEAR) for size in (number(there, each) for each in samples(problem, LOOKS))}
+        if len(found) == 1 and 0 not in found:
+            return found.pop()
+    return 0
+
+
+CLEAR, LOOKS = 1e-12, 8
 
 
 def _with_forces(system: System, where) -> System:

@@ -231,9 +231,15 @@ ENDINGS = {
 
 
 def _are_uniform(study: Study) -> bool:
-    found = study.dynamics.accelerations
+    found = _gains(study)
     names = [*study.system.coordinates, *study.system.speeds, "t"]
     return found is not None and not any(derivative(value, name) for value in found.values() for name in names)
+
+
+def _gains(study: Study) -> dict[str, Scalar] | None:
+    """The accelerations beside what stays at rest."""
+    found = study.dynamics.accelerations
+    return None if found is None else {name: substitute(value, study.resting) for name, value in found.items()}
 
 
 def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
@@ -243,13 +249,13 @@ def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
             f"no closed form was found for the end of the phase before “{phase.name}”: the accelerations are not constant",
             instead="state this phase as a problem of its own, or follow it in the simulation.",
         )
-    return study.dynamics.accelerations
+    return _gains(study)
 
 
 def _gain(study: Study, phase: Phase, name: str) -> Scalar:
     """The acceleration of any coordinate. Raises NotApplicable where it is no constant, as of what is tied to the time."""
     rate = of_coordinate(study, name)[1]
-    gain = substitute(time_derivative(rate, study.system.scope), _uniform(study, phase))
+    gain = substitute(substitute(time_derivative(rate, study.system.scope), _uniform(study, phase)), study.resting)
     if names_in(gain) & {*study.system.scope.rates, *study.system.speeds, CLOCK}:
         raise _no_closed_form(f"the moment at which “{name}” has its value: its acceleration is not constant")
     return gain

@@ -240,3 +240,17 @@ def net_power(system: System, forces: Iterable[Force]) -> Scalar:
         state = system.bodies[force.on]
         total = total + force.vector.dot(state.velocity) + torque_about_center(force, state) * state.omega
     return total
+
+
+def resting(system: System, dynamics: Dynamics) -> dict[str, Scalar]:
+    """The coordinates with their starts, and their speeds with zero, that nothing moves from there, whatever the others do; none
+    where nothing else moves: what is all at rest may be meant to leave it."""
+    start, gains = system.scope.start, dynamics.accelerations or {}
+    names = [n for n in system.independent if {n, f"{n}_dot"} <= start.keys() and is_zero(start[f"{n}_dot"])]
+    while names:
+        still = {n: start[n] for n in names} | {f"{n}_dot": NOTHING for n in names}
+        kept = [n for n in names if is_zero(substitute(gains.get(f"{n}_ddot", symbol(n)), still))]
+        if kept == names:
+            return still if len(names) < len(system.independent) else {}
+        names = kept
+    return {}

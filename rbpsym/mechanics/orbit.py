@@ -1,7 +1,8 @@
-"""Steady motions of what keeps a momentum from its start, as a circular orbit, and the small oscillations about them.
+"""Steady motions, of what keeps a momentum from its start, as a circular orbit, or beside what goes on with an acceleration,
+as a pendulum on a cart that is pulled; and the small oscillations about them.
 
-With the speeds that the momenta give, q̈ is a function of the one coordinate that is left: it is steady where that vanishes,
-and swings about there with ϑ² = -dq̈/dq (Goldstein, Classical Mechanics, 3.6; Kleppner & Kolenkow, 10.5).
+With the speeds that the momenta give, if it needs them, q̈ is a function of the one coordinate that is left: it is steady where
+that vanishes, and swings about there with ϑ² = -dq̈/dq (Goldstein, Classical Mechanics, 3.6; Kleppner & Kolenkow, 10.5).
 """
 
 from __future__ import annotations
@@ -47,11 +48,14 @@ def swinging(study: Study) -> Equilibrium | None:
 
 
 def gain(study: Study, name: str) -> Scalar | None:
-    """The acceleration at rest of the coordinate that kept momenta leave, as a function of its place; None if there is none."""
-    if list(study.squares) != [name] or not study.kept_speeds:
+    """The acceleration at rest of a coordinate, with the speeds that kept momenta give, where it is a function of its place
+    alone and no speed of its own acts on it in first order; None if it is not."""
+    known = (study.dynamics.accelerations or {}).get(f"{name}_ddot")
+    found = None if known is None or study.ties else substitute(known, study.kept_speeds if [*study.squares] == [name] else {})
+    still = {f"{name}_dot": NOTHING}
+    if found is None or not is_zero(substitute(derivative(found, f"{name}_dot"), still)):
         return None
-    found = substitute(study.dynamics.accelerations[f"{name}_ddot"], study.kept_speeds)
-    found = short(without_even_roots(substitute(found, {f"{name}_dot": NOTHING})))
+    found = short(without_even_roots(substitute(found, still)))
     return None if names_in(found) & {*study.system.scope.rates, *study.system.speeds} - {name} else found
 
 

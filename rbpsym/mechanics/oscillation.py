@@ -24,7 +24,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.elimination import Matrix, determinant, short
+from rbpsym.mechanics.elimination import Matrix, determinant, short, solve_rows
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.roots import numerator_factors
@@ -278,12 +278,18 @@ def _held(stiffness: Matrix, names, at) -> Matrix:
     return tuple(tuple(stiffness[i][j] for j in kept) for i in kept)
 
 
-def amplitude_ratio(item: Equilibrium, square: Scalar) -> Scalar | None:
-    """The second amplitude over the first in a mode of two coordinates, by its frequency squared."""
-    rows = zip(item.stiffness, item.inertia, strict=True)
-    matrix = [[k - square * m for k, m in zip(a, b, strict=True)] for a, b in rows]
-    row = next((r for r in matrix if not is_zero(r[1])), None)
-    return None if row is None else short(-(row[0] / row[1]))
+def amplitudes(item: Equilibrium, square: Scalar) -> tuple[Scalar, ...] | None:
+    """Those of the coordinates in a mode, by its frequency squared, over the first that does not vanish; None where several
+    modes have it."""
+    pairs = zip(item.stiffness, item.inertia, strict=True)
+    names = [f"A_{k}" for k in range(len(item.inertia))]
+    rows = [{n: k - square * m for n, k, m in zip(names, a, b, strict=True)} for a, b in pairs]
+    found = solve_rows(rows, names, keep_free=True)
+    if len(found.free) != 1:
+        return None
+    whole = [substitute(found.values.get(name, symbol(name)), {found.free[0]: UNITY}) for name in names]
+    first = next(value for value in whole if not is_zero(value))
+    return tuple(short(value / first) for value in whole)
 
 
 def _slowest_first(found: list[Scalar], system: System) -> tuple[Scalar, ...]:

@@ -23,7 +23,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.orbit import swinging
-from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio
+from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
 
 TIME = symbol("t")
@@ -81,7 +81,7 @@ class Course:
 @dataclass(frozen=True, slots=True)
 class Given:
     """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics, the coordinate;
-    what it asks for."""
+    what it asks for; a `mark` of its letters. A sum of coordinates has no name."""
 
     form: Form
     place: Scalar
@@ -89,6 +89,7 @@ class Given:
     study: Study
     name: str
     valid: tuple[Demand, ...] = ()
+    mark: str = ""
 
     @property
     def assumptions(self) -> Assumptions:
@@ -97,7 +98,7 @@ class Given:
 
     def letter(self, name: str) -> Scalar:
         """A letter that the problem does not use."""
-        return symbol(self.study.letters.free(name))
+        return symbol(self.study.letters.free(name + self.mark))
 
     def root(self, value: Scalar) -> Scalar:
         """The square root, with what is declared positive taken out."""
@@ -151,11 +152,13 @@ def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
         return None
     if drag and (stiffness or damping or depends_on(left, "t")):
         return None
-    return _driven(Form(left, stiffness, damping, drag)) if depends_on(left, "t") else Form(left, stiffness, damping, drag)
+    return driven_form(Form(left, stiffness, damping, drag))
 
 
-def _driven(form: Form) -> Form | None:
+def driven_form(form: Form) -> Form | None:
     """The form with what swings taken out of what is constant."""
+    if not depends_on(form.constant, "t"):
+        return form
     swinging = (atoms.atom(index) for index in form.constant.atoms())
     rates = {derivative(Scalar(a.arg), "t") for a in swinging if a.kind in ("cos", "sin") and depends_on(Scalar(a.arg), "t")}
     if len(rates) != 1 or depends_on(next(iter(rates)), "t"):
@@ -188,7 +191,7 @@ def courses(known: Given) -> Iterator[Course]:
 def lasting(known: Given, one: Course) -> Course:
     """The course, valid as long as kinetic friction keeps its sense on it; of other coordinates the one course that each has."""
     from rbpsym.mechanics import slipping
-    if not slips(known.study.system):
+    if not known.name or not slips(known.study.system):
         return one
     others = {name: given(known.study, name) for name in known.study.system.independent if name != known.name}
     cases = {name: tuple(_cases(other)) for name, other in others.items() if other is not None}
@@ -226,33 +229,23 @@ def course(known: Given, case: str = "") -> Course | None:
 def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
     """The solution for each coordinate for which there is one, in the case that is named, of `small` oscillations, or
     what is left of it at last (`steady`). Raises NotApplicable where there is none."""
-    found = modes_of(study) if manner == SMALL and len(study.system.independent) == 2 else {}
-    for name in () if found else study.system.independent:
-        known = given(study, name, small=SMALL in manner)
-        if known is not None and STEADY in manner and known.form.drive:
-            found[name] = driven(known)
-        elif known is not None and STEADY not in manner:
-            one = course(known, next((case for case in CASES if case in manner), ""))
-            found |= {} if one is None else {name: one}
+    from rbpsym.mechanics import coupled
+
+    case = next((case for case in CASES if case in manner), "")
+
+    def solved(known: Given) -> Course | None:
+        if STEADY not in manner:
+            return course(known, case)
+        return driven(known) if known.form.drive else None
+
+    each = {name: given(study, name, small=SMALL in manner) for name in study.system.independent}
+    found = {name: one for name, known in each.items() if known is not None and (one := solved(known)) is not None}
+    if len(found) < len(each):
+        law = coupled.small(study) if SMALL in manner else coupled.exact(study)
+        found = {**coupled.courses(study, law, solved), **found}
     if not found:
         raise NotApplicable("no closed form was found for the motion as a function of the time")
     return found
-
-
-def modes_of(study: Study) -> dict[str, Course]:
-    """Small oscillations of two coordinates from the start, each a sum of two modes; none where these are not known."""
-    item, names, start = swinging(study), study.system.independent, study.system.scope.start
-    squares = item.frequencies_squared if item and {*names} <= start.keys() & item.at.keys() else ()
-    ratios = [amplitude_ratio(item, square) for square in squares]
-    if len(ratios) != 2 or None in ratios:
-        return {}
-    rates = [symbol(study.letters.free(f"vartheta_{k}")) for k in (1, 2)]
-    moved = [(start[name] - item.at[name], start.get(f"{name}_dot", NOTHING)) for name in names]
-    shares = [[short((ratios[1 - k] * a - b) / (ratios[1 - k] - ratios[k])) for a, b in zip(*moved, strict=True)] for k in (0, 1)]
-    waves = [a * function("cos", w * TIME) + b / w * function("sin", w * TIME) for (a, b), w in zip(shares, rates, strict=True)]
-    letters = _named(*(part for pair in zip(rates, map(root, squares), strict=True) for part in pair))
-    parts = (waves, [wave * ratio for wave, ratio in zip(waves, ratios, strict=True)])
-    return {n: Course(item.at[n] + a + b, letters, valid=item.valid) for n, (a, b) in zip(names, parts, strict=True)}
 
 
 def kind_of(form: Form) -> str:

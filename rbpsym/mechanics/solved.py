@@ -148,9 +148,10 @@ def feature(known: Given, key: str) -> Scalar | None:
 
 def time_to(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
     """The first t > 0 at which a function of the time vanishes, and what has to be positive for that; None where no formula
-    gives it: one is found where the time stands in it once, as t, in e^{λt}, in a logarithm or a root, in e^{ηt} and e^{-ηt}
-    alone, or in sines and cosines of ϑt. `letters` stand for their values in it, and in the time that is found."""
-    found = (find(Scalar(gap.num), known, letters) for find in (_by_power, _by_growth, _by_logarithm, _by_root, _by_wave))
+    gives it: one is found where the time stands in it as t, as t and t², or once in e^{λt}, in a logarithm or a root, in e^{ηt}
+    and e^{-ηt} alone, or in sines and cosines of ϑt. `letters` stand for their values in it, and in the time that is found."""
+    ways = (_by_power, _by_square, _by_growth, _by_logarithm, _by_root, _by_wave)
+    found = (find(Scalar(gap.num), known, letters) for find in ways)
     return next((one for one in found if one is not None), None)
 
 
@@ -183,6 +184,18 @@ def _by_power(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tupl
     rate = derivative(atoms.atom(moving[0]).arg, "t")
     way = known.sense(substitute(rate, letters))
     return function("ln", value**way) / (rate * way), (Demand(whole), Demand((whole - 1) * way))
+
+
+def _by_square(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """a t² + b t + c = 0 where a and c have unlike signs, so that one root is positive."""
+    slope = derivative(gap, "t")
+    c, b = (substitute(part, {"t": NOTHING}) for part in (gap, slope))
+    a = derivative(slope, "t") / 2
+    way = known.sense(substitute(a, letters))
+    if not way or depends_on(a, "t") or known.sense(substitute(c, letters)) != -way:
+        return None
+    value = (root(short(b * b - a * c * 4)) * way - b) / (a * 2)
+    return value, tuple(Demand(short(substitute(part, letters))) for part in (a * way, -c * way))
 
 
 def _by_growth(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:

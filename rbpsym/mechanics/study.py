@@ -187,6 +187,11 @@ class Study:
         return motion.speed_squared(self.system, self.dynamics, self.first_integral)
 
     @cached_property
+    def resting(self) -> Mapping[str, Scalar]:
+        """Coordinates and their speeds that stay what they are at the start while others move."""
+        return {} if self.at_start or self.ties else motion.resting(self.system, self.dynamics)
+
+    @cached_property
     def kept_speeds(self) -> Mapping[str, Scalar]:
         """The speeds that conserved momenta give, where the square of the one that is left follows from the energy."""
         found = motion.kept_speeds(self.system, self.dynamics, self.first_integral) if len(self.squares) == 1 else {}

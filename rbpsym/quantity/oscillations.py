@@ -11,7 +11,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics import orbit, solutions, solved
 from rbpsym.mechanics.elimination import determinant, short
-from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, decaying, where_stable
+from rbpsym.mechanics.oscillation import Equilibrium, amplitudes, decaying, where_stable
 from rbpsym.mechanics.swing import swing_of
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
@@ -52,7 +52,7 @@ def _about(world: ProblemWorld, name: str, text: str | None) -> Equilibrium:
 
 
 def _mode(world: ProblemWorld, item: Equilibrium, ordinal: str | None, name: str) -> Scalar:
-    """The square of the frequency of a mode."""
+    """The square of the frequency of a mode, of all that are coupled to the coordinate."""
     squares, place = _taking_part(world, item, name), ORDINALS[ordinal]
     if not squares:
         raise _damped(name)
@@ -97,8 +97,11 @@ def frequency(world: ProblemWorld, ordinal: str | None, name: str, mode: str | N
 
 
 def _orbit(world: ProblemWorld, name: str, about: str | None) -> tuple[int, orbit.Orbit] | None:
-    """The steady motion about which a coordinate swings, with its number among them; None if there is none, or several."""
-    if name not in world.study.system.independent or world.study.system.has_clock or not orbit.turns(world.study, name):
+    """The steady motion about which a coordinate swings, with its number among them; None if it is a rest, or there is none, or
+    several."""
+    study = world.study
+    is_rest = any(name in item.at for item in study.equilibria) and not orbit.turns(study, name)
+    if name not in study.system.independent or study.system.has_clock or is_rest:
         return None
     place = None if about is None else scalar(read_infix(about, world.names))
     found = [(k, one) for k, one in enumerate(orbit.orbits(world.study, name)) if place is None or is_zero(one.place - place)]
@@ -115,14 +118,18 @@ def frequencies(world: ProblemWorld, name: str | None) -> Bound:
 
 
 def mode_shape(world: ProblemWorld, first: str, second: str, ordinal: str) -> Bound:
-    """The ratio of two amplitudes in a mode of two coordinates. Raises StatementError for others."""
+    """The ratio of two amplitudes in a mode of coordinates. Raises StatementError where it is not told by the first of them."""
     names, item = world.study.system.independent, _about(world, second, None)
-    if sorted((first, second)) != sorted(names):
-        raise StatementError("the shape of a mode is told of two coordinates", instead=f"of {' and '.join(names)}.")
-    ratio = amplitude_ratio(item, _mode(world, item, ordinal, second))
-    if ratio is None or (first == names[0] and is_zero(ratio)):
+    if first == second or not {first, second} <= {*names}:
+        raise StatementError("the shape of a mode is told of two coordinates", instead=f"of two of {', '.join(names)}.")
+    found = amplitudes(item, _mode(world, item, ordinal, second))
+    sizes = dict(zip(names, found or (), strict=False))
+    if not sizes or is_zero(sizes[second]):
         raise StatementError(f"“{second}” stays at rest in this mode, or nothing ties the two")
-    return number(ratio if second == names[0] else 1 / ratio, "oscillations")
+    told = next(name for name in names if not is_zero(sizes[name]))
+    if told not in (first, second):
+        raise StatementError(f"the shape of this mode is told relative to {told}", instead=f"ask for ratios to {told}.")
+    return number(short(sizes[first] / sizes[second]), "oscillations")
 
 
 def _ordered(world: ProblemWorld, values: list[Scalar]) -> list[Scalar]:
@@ -212,7 +219,8 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"({_COURSE}) of (\w+)( small)?", of_course, "amplitude of COORDINATE"),
     (r"frequencies(?: of (\w+))?", frequencies, "frequencies of COORDINATE"),
     (rf"(?:(lowest|second|third|highest) )?frequency of (\w+){_ABOUT}", frequency, "frequency of COORDINATE"),
-    (r"ratio of (\w+) to (\w+) in the (lowest|highest) mode", mode_shape, "ratio of theta_2 to theta_1 in the lowest mode"),
+    (r"ratio of (\w+) to (\w+) in the (lowest|second|third|highest) mode", mode_shape,
+     "ratio of theta_2 to theta_1 in the lowest mode"),
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (rf"(?:(longest|shortest) )?period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
     (r"(?:exact|whole|true) period of (\w+)|period of large swings of (\w+)", whole_period, "exact period of COORDINATE"),

@@ -59,7 +59,7 @@ def _limit(result: Result, name: str, key: str, slots: Mapping[str, object]) -> 
     """The limit where it is finite and not zero, and still a function of the same coordinates."""
     if not depends_on(result.value, name):
         return
-    found = leading(result.value, name, NOTHING)
+    found = leading(result.value, name, NOTHING, result.given)
     moving = {*result.study.system.scope.rates, *(c.name for c in result.study.problem.coordinates)}
     if found is None or found.order != 0 or moving & (names_in(result.value) - names_in(found.coefficient)):
         return

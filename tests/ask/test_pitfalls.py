@@ -12,6 +12,7 @@ from rbpsym.ask.limits import leading
 from rbpsym.ask.numbers import rounded
 from rbpsym.ask.special import _term
 from rbpsym.ask.telling import latex_of
+from rbpsym.equality.assumptions import NONE
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.errors import StatementError
 from rbpsym.notation.infix import read_infix
@@ -69,7 +70,7 @@ def test_the_lowest_frequency_is_that_of_a_mode():
 def test_the_leading_term_of_a_power_is_that_power(power, to):
     x, c, end = symbol("x"), symbol("c"), None if to is None else symbol(to)
     value = c * (x if end is None else x - end) ** power
-    assert is_zero(_term(leading(value, "x", end, 1), "x", end, 1) - value)
+    assert is_zero(_term(leading(value, "x", end, NONE, 1), "x", end, 1) - value)
 
 
 def test_a_vector_stands_in_brackets():

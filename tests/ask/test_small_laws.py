@@ -18,7 +18,7 @@ from rbpsym.ask.telling import latex_of
 from rbpsym.ask.wanted import Wanted
 from rbpsym.ask.yesno import _always
 from rbpsym.ask.zeros import _by_phase
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
@@ -43,7 +43,7 @@ def test_near_a_limit_a_quantity_is_its_leading_term(text):
     for to, side in LIMITS[text]:
         place = None if to is None else scalar(read_infix(to, ()))
         there = {"x": side / NEAR if to is None else float(to) + side * NEAR}
-        term = _term(leading(value, "x", place, side), "x", place, side)
+        term = _term(leading(value, "x", place, NONE, side), "x", place, side)
         assert number(term, there) == pytest.approx(number(value, there), rel=0.01), (to, side)
 
 

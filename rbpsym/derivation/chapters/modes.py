@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, root, symbol
+from rbpsym.algebra import NOTHING, Scalar, is_zero, root, symbol, total
 from rbpsym.algebra.present import present
 from rbpsym.derivation.chapters import decay
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.mechanics.elimination import determinant, short
-from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio
+from rbpsym.mechanics.oscillation import Equilibrium, amplitudes
 from rbpsym.notation import tree as t
 
 LAMBDA = "lamda"
@@ -93,10 +93,11 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
         rows.append(t.equation(t.Pow(t.Sym(letter), t.TWO), draft.show(square, factor=True)))
     draft.add(f"modes.{place}", "normal_modes", t.system(rows), "oscillations.modes", count=len(rows), is_result=True,
               premises=[f"characteristic.{place}"], data=item.facts)  # fmt: skip
-    ratios = [amplitude_ratio(item, square) for square in found] if len(item.stiffness) == 2 else [None]
-    if None not in ratios and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
-        for k, (square, ratio) in enumerate(zip(found, ratios, strict=True), 1):
-            _shape(draft, item, place, k, square, ratio)
+    shapes = [amplitudes(item, square) for square in found]
+    ratios = [ratio for shape in shapes for ratio in shape or ()]
+    if None not in shapes and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
+        for k, (square, shape) in enumerate(zip(found, shapes, strict=True), 1):
+            _shape(draft, item, place, k, square, shape)
 
 
 def _name(draft: Draft, letter: str, place: int, k: int) -> str:
@@ -105,17 +106,19 @@ def _name(draft: Draft, letter: str, place: int, k: int) -> str:
     return draft.free(f"{letter}_{place}{k}" if several else f"{letter}_{k}")
 
 
-def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, ratio: Scalar) -> None:
-    """The ratio of the amplitudes of the two coordinates in one mode, and their size if its mass Σ M_ij A_i A_j is 1."""
-    first, second = draft.study.system.independent
-    letters = [_name(draft, f"A_{name}", place, k) for name in (first, second)]
-    (a, b), (_, c) = item.inertia
-    size = short(1 / (a + b * ratio * 2 + c * ratio * ratio))
-    draft.context.scalars.update(zip(letters, (root(size), root(size) * ratio), strict=True))
-    rows = [t.equation(t.Div(t.Sym(letters[1]), t.Sym(letters[0])), draft.show(ratio, factor=True))]
-    sized = t.equation(t.Pow(t.Sym(letters[0]), t.TWO), draft.show(size, factor=True))
+def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, shape: tuple[Scalar, ...]) -> None:
+    """The ratios of the amplitudes of the coordinates in one mode, and their size if its mass Σ M_ij A_i A_j is 1."""
+    names = draft.study.system.independent
+    letters = [_name(draft, f"A_{name}", place, k) for name in names]
+    pairs = ((m, a, b) for row, a in zip(item.inertia, shape, strict=True) for m, b in zip(row, shape, strict=True))
+    size = short(1 / total(m * a * b for m, a, b in pairs))
+    draft.context.scalars.update(zip(letters, (root(size) * ratio for ratio in shape), strict=True))
+    first = next(k for k, ratio in enumerate(shape) if not is_zero(ratio))
+    others = [k for k in range(len(shape)) if k != first]
+    rows = [t.equation(t.Div(t.Sym(letters[k]), t.Sym(letters[first])), draft.show(shape[k], factor=True)) for k in others]
+    sized = t.equation(t.Pow(t.Sym(letters[first]), t.TWO), draft.show(size, factor=True))
     is_short = length(sized) <= LONGEST_SIZE
-    draft.add(f"shape.{place}.{k}", "mode_shape", t.System((*rows, sized)) if is_short else rows[0],
-              "oscillations.shape.sized" if is_short else "oscillations.shape.plain", premises=[f"modes.{place}"],
-              frequency=t.Sym(_name(draft, "vartheta", place, k)), first=t.Sym(first), second=t.Sym(second),
-              data={**item.facts, "square": square})  # fmt: skip
+    kind = f"{'sized' if is_short else 'plain'}{'_all' if len(others) > 1 else ''}"
+    draft.add(f"shape.{place}.{k}", "mode_shape", t.system([*rows, sized] if is_short else rows), f"oscillations.shape.{kind}",
+              premises=[f"modes.{place}"], frequency=t.Sym(_name(draft, "vartheta", place, k)), first=t.Sym(names[first]),
+              second=t.Sym(names[others[0]]), data={**item.facts, "square": square, "order": (first, *others)})  # fmt: skip

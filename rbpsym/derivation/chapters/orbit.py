@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import function
+from rbpsym.algebra.calculus import function, names_in
 from rbpsym.derivation.chapters import momentum
 from rbpsym.derivation.draft import Draft
 from rbpsym.mechanics.orbit import Orbit
@@ -12,10 +12,14 @@ from rbpsym.notation import tree as t
 def write(draft: Draft, name: str, known: Orbit) -> None:
     """The momenta that are kept, the speeds that they give, the place, and the square of the frequency."""
     draft.chapter = "course"
-    momentum.kept_speeds(draft, draft.study.kept_speeds)
-    speeds = draft.those(*(f"speed_at.{speed.removesuffix('_dot')}" for speed in draft.study.kept_speeds))
+    gained = draft.study.dynamics.accelerations[f"{name}_ddot"]
+    kept = draft.study.kept_speeds if names_in(gained) & draft.study.kept_speeds.keys() else {}
+    if kept:
+        momentum.kept_speeds(draft, kept)
+    speeds = draft.those(*(f"speed_at.{speed.removesuffix('_dot')}" for speed in kept))
     data = {"name": name, "speeds": speeds, "place": known.place}
-    draft.add("orbit.place", "steady_place", t.equation(t.Sym(name), draft.show(known.place)), "course.orbit.place",
+    phrase = f"course.orbit.{'place' if kept else 'beside'}"
+    draft.add("orbit.place", "steady_place", t.equation(t.Sym(name), draft.show(known.place)), phrase,
               premises=draft.those(f"motion.{name}", *speeds), name=t.Sym(name), data=data)  # fmt: skip
     letter = draft.define(draft.free("vartheta"), function("sqrt", known.square))
     square = t.equation(t.Pow(letter, t.TWO), draft.show(known.square, factor=True))

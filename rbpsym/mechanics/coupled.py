@@ -1,0 +1,133 @@
+"""The motion of several coordinates as functions of the time where their accelerations are linear: a sum of normal motions.
+
+q̈ = h(t) - K q with constant K: for each row w with w K = s w, η = w q moves by itself, η̈ = w h - s η. What keeps its momentum
+has s = 0. About a place of rest the accelerations are those to first order. Goldstein, Classical Mechanics, 6.3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, names_in, substitute, symbol, total
+from rbpsym.equality.rooted import root_of
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics import slipping, solutions
+from rbpsym.mechanics.elimination import Matrix, determinant, short, solve_linear, solve_matrix
+from rbpsym.mechanics.friction import slips
+from rbpsym.mechanics.orbit import swinging
+from rbpsym.mechanics.roots import numerator_factors
+from rbpsym.mechanics.solutions import Course, Form, Given
+from rbpsym.mechanics.study import Study
+
+
+@dataclass(frozen=True, slots=True)
+class Linear:
+    """Accelerations h - K q of coordinates `names`, h functions of the time alone; what is declared or shown of the stiffness
+    K: that no mode runs away (`is_stable`)."""
+
+    names: tuple[str, ...]
+    stiffness: Matrix
+    rest: tuple[Scalar, ...]
+    is_stable: bool = False
+
+
+def exact(study: Study) -> Linear | None:
+    """The accelerations of the coordinates that are linear and hold no other coordinate and no speed; None if there are none."""
+    gains = {} if study.at_start or study.ties else study.dynamics.accelerations or {}
+    moving = {*study.system.scope.rates, *study.system.speeds} - {"t"}
+    names = tuple(name for name in study.system.independent if f"{name}_ddot" in gains)
+    while names:
+        rows = {n: tuple(short(-derivative(gains[f"{n}_ddot"], other)) for other in names) for n in names}
+        rest = {n: short(gains[f"{n}_ddot"] + _sum(rows[n], map(symbol, names))) for n in names}
+        kept = tuple(n for n in names if not any(names_in(value) & moving for value in (*rows[n], rest[n])))
+        if kept == names:
+            return Linear(names, tuple(rows.values()), tuple(rest.values()))
+        names = kept
+    return None
+
+
+def small(study: Study) -> Linear | None:
+    """The accelerations to first order about the one stable place of rest of all coordinates."""
+    item, names = swinging(study), study.system.independent
+    if item is None or item.linear.is_damped or not {*names} <= item.at.keys():
+        return None
+    columns = [solve_matrix(item.inertia, column) for column in zip(*item.stiffness, strict=True)]
+    stiffness = tuple(zip(*columns, strict=True))
+    at = [item.at[name] for name in names]
+    return Linear(tuple(names), stiffness, tuple(short(_sum(row, at)) for row in stiffness), is_stable=True)
+
+
+def courses(study: Study, law: Linear | None, solved: Callable[[Given], Course | None]) -> dict[str, Course]:
+    """Each coordinate as the sum of the normal motions, each `solved`; none where one of them is not known."""
+    start = study.system.scope.start
+    if law is None or not {*law.names} <= start.keys():
+        return {}
+    roots = _roots(law, study)
+    rows = [(value, row) for value in roots or () for row in _rows(law.stiffness, value)]
+    if len(rows) != len(law.names):
+        return {}
+    begun = [[start.get(f"{name}{dot}", NOTHING) for name in law.names] for dot in ("", "_dot")]
+    modes, count = [], len([value for value, _ in rows if value])
+    for number, (value, row) in enumerate(rows, 1):
+        form = solutions.driven_form(Form(short(_sum(row, law.rest)), value))
+        place, speed = (short(_sum(row, part)) for part in begun)
+        known = form and Given(form, place, speed, study, "", mark=f"_{number}" if count > 1 else "")
+        mode = known and solved(known)
+        if mode is None:
+            return {}
+        modes.append(replace(mode, valid=()) if law.is_stable or roots[value] else mode)
+    parts = solve_matrix(tuple(row for _, row in rows), [symbol(f"eta_{k}") for k in range(len(rows))])
+    found = dict(zip(law.names, (_summed(part, modes) for part in parts), strict=True))
+    held = tuple(slipping.lasting(known, found)) if slips(study.system) else ()
+    return {name: replace(one, valid=(*one.valid, *held)) for name, one in found.items()}
+
+
+def _summed(value: Scalar, modes: list[Course]) -> Course:
+    """A sum of modes, with what these ask."""
+    taking = {f"eta_{k}": mode for k, mode in enumerate(modes) if derivative(value, f"eta_{k}")}
+    place = total(short(derivative(value, name)) * mode.place for name, mode in taking.items())
+    letters = {letter: known for mode in taking.values() for letter, known in mode.letters.items()}
+    return Course(place, letters, valid=tuple(dict.fromkeys(one for mode in taking.values() for one in mode.valid)))
+
+
+def _roots(law: Linear, study: Study) -> Mapping[Scalar, bool] | None:
+    """The roots s of det(K - s), and whether they are surely positive or zero; None where one has no closed form."""
+    letter, size, given = symbol(LETTER), range(len(law.names)), study.assumptions
+    whole = determinant(tuple(tuple(law.stiffness[i][j] - letter * (UNITY if i == j else NOTHING) for j in size) for i in size))
+    found: dict[Scalar, bool] = {}
+    for factor in numerator_factors(whole):
+        value = Scalar(factor)
+        c, b, a = (short(substitute(part, {LETTER: NOTHING})) for part in _slopes(value))
+        if derivative(derivative(derivative(value, LETTER), LETTER), LETTER):
+            return None
+        if a:
+            spread = root_of(short(b * b - a * c * 4), given)
+            is_sure = sign(a * c, given).kind == "positive" and sign(-a * b, given).kind == "positive"
+            found |= {short((spread * way - b) / a / 2): is_sure for way in (-1, 1)}
+        elif b:
+            found[short(-c / b)] = not c
+    return found
+
+
+LETTER = "lambda_"
+
+
+def _slopes(value: Scalar) -> tuple[Scalar, Scalar, Scalar]:
+    first = derivative(value, LETTER)
+    return value, first, derivative(first, LETTER) / 2
+
+
+def _rows(stiffness: Matrix, value: Scalar) -> list[tuple[Scalar, ...]]:
+    """All independent rows w with w K = s w."""
+    size = range(len(stiffness))
+    names = [f"w_{k}" for k in size]
+    columns = (_sum((stiffness[i][j] - (value if i == j else NOTHING) for i in size), map(symbol, names)) for j in size)
+    found = solve_linear([short(column) for column in columns], names, keep_free=True)
+    whole = [found.values.get(name, symbol(name)) for name in names]
+    chosen = ({other: UNITY if other == name else NOTHING for other in found.free} for name in found.free)
+    return [tuple(short(substitute(part, image)) for part in whole) for image in chosen]
+
+
+def _sum(row, others) -> Scalar:
+    return total(a * b for a, b in zip(row, others, strict=True))

@@ -1,0 +1,79 @@
+"""Problems of first courses with two bodies that go together, blows, pans and slanting strings, worked out by hand first.
+
+Kleppner & Kolenkow 3, 4, 6; Goldstein 6; Morin 3, 4; Beer & Johnston 13; Halliday & Resnick 7, 9; Marion 12.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.ask.numbers import read_numbers
+from rbpsym.statement.loader import load_problem
+from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
+
+ANSWERS = (
+    ("two-carts", "x_1 as a function of t", "v_0*m*t/(m+M) + M*v_0/(m+M)*sqrt(m*M/(k*(m+M)))*sin(sqrt(k*(m+M)/(m*M))*t)"),
+    ("two-carts", "speed of x_2 as a function of t", "v_0*m/(m+M)*(1 - cos(sqrt(k*(m+M)/(m*M))*t))"),
+    ("two-carts", "frequency of x_1", "sqrt(k*(m+M)/(m*M))"),
+    ("cart-with-spring", "X as a function of t", "m*a/(m+M)*(1-cos(sqrt(k*(m+M)/(m*M))*t))"),
+    ("cart-with-spring", "X as a function of u", "m*(a-u)/(m+M)"),
+    ("cart-with-spring", "speed of X where u = 0", "m/(m+M)*a*sqrt(k*(m+M)/(m*M))"),
+    ("free-wedge", "X as a function of s", "-m*s*cos(beta)/(M+m)"),
+    ("clay-on-pan", "time until caught", "sqrt(2*h/g)"),
+    ("clay-on-pan", "speed of y when caught begins", "-m*sqrt(2*g*h)/(m+M)"),
+    ("clay-on-pan", "amplitude of y in phase caught", "sqrt(m**2*g**2/k**2 + 2*m**2*g*h/(k*(m+M)))"),
+    ("clay-on-pan", "y where y comes to rest in phase caught", "-m*g/k - sqrt(m**2*g**2/k**2 + 2*m**2*g*h/(k*(m+M)))"),
+    ("pulled-cart-pendulum", "equilibrium of theta", "-atan(F/((m+M)*g))"),
+    ("pulled-cart-pendulum", "acceleration of X in equilibrium", "F/(m+M)"),
+    ("weight-over-peg", "speed of x where x = 0", "sqrt(2*M*g/m*(sqrt(x_0**2+h**2)-h))"),
+    ("two-stones", "time until y_1 = y_2", "h/v_0"),
+    ("two-stones", "y_1 where y_1 = y_2", "h - g*h**2/(2*v_0**2)"),
+    ("struck-block", "time from the blow until x comes to rest", "J/(m*mu*g)"),
+    ("struck-block", "energy lost from struck to still", "J**2/(2*m)"),
+    ("three-masses", "ratio of x_2 to x_1 in the lowest mode", "sqrt(2)"),
+    ("three-masses", "ratio of x_3 to x_1 in the second mode", "-1"),
+    ("three-masses", "x_2 as a function of t", "a*sqrt(2)/4*(cos(sqrt((2-sqrt(2))*k/m)*t) - cos(sqrt((2+sqrt(2))*k/m)*t))"),
+    ("molecule", "ratio of x_2 to x_1 in the highest mode", "-2*m/M"),
+    ("released-bob", "largest S from the start to theta = pi/6", "3*m*g*sqrt(3)/2"),
+    ("released-bob", "greatest S between release and theta = 0", "3*m*g"),
+    ("released-bob", "greatest acceleration of bob.cm", "2*g"),
+    ("struck-rod", "greatest theta", "acos(1-3*J**2/(m**2*g*L))"),
+    ("struck-rod", "largest theta after the blow", "acos(1-3*J**2/(m**2*g*L))"),
+    ("struck-rod", "greatest height of rod.cm", "-L/2 + 3*J**2/(2*m**2*g)"),
+    ("struck-rod", "greatest F_y", "m*g + m*L/2*9*J**2/(m**2*L**2)"),
+    ("wound-rod", "largest k for which theta reaches pi/2", "4/pi**2*(m*L**2*omega_0**2/3 - m*g*L)"),
+    ("double-pendulum", "lowest frequency of theta_1 for M >> m", "sqrt(g/(2*ell))"),
+    ("two-pucks", "x as a function of t",
+     "m_1*v*t/(m_1+m_2) + m_2*v/(m_1+m_2)*sqrt(m_1*m_2/(k*(m_1+m_2)))*sin(sqrt(k*(m_1+m_2)/(m_1*m_2))*t)"),
+    ("two-pucks", "largest speed of two over s between D - v*sqrt(m_1*m_2/(k*(m_1+m_2))) and D", "2*m_1*v/(m_1+m_2)"),
+    ("three-springs-free", "equilibrium of x_1", "0"),
+    ("dropped-on-spring", "greatest speed of block", "sqrt(2*g*h + m*g**2/k)"),
+)
+
+
+@pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: value[:60])
+def test_it_finds_what_is_worked_out_by_hand(name: str, question: str, worked_out: str) -> None:
+    found(name, question, worked_out)
+
+
+def test_what_fails_in_one_question_leaves_the_others_their_answers(monkeypatch, capsys) -> None:
+    from rbpsym import cli
+    from rbpsym.ask import asking
+
+    whole = asking.answered
+
+    def fails(asked, text, *more):
+        if "F_x" in text:
+            raise ZeroDivisionError("of ours")
+        return whole(asked, text, *more)
+
+    monkeypatch.setattr(asking, "answered", fails)
+    code = cli.exit_code(lambda: cli.main(["ask", "rod-pendulum", "F_x at the start", "period of theta"], standalone_mode=False))
+    told = capsys.readouterr().out
+    assert code == 70 and "an error inside rbpsym, not in this question: ZeroDivisionError: of ours" in told and "π" in told
+
+
+def test_numbers_may_be_expressions() -> None:
+    found = read_numbers("ell = sqrt(2)/2 m, theta_0 = pi/12, M = 1/2, g = 9.81 m/s^2", load_problem("rod-pendulum"))
+    assert found.digits == 3
+    assert [round(found.values[name][0], 6) for name in ("ell", "theta_0", "M")] == [0.707107, 0.261799, 0.5]
