@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.ask import optima
 from rbpsym.ask.critical import SUPERLATIVES

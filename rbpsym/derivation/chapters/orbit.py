@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import function, names_in
+from rbpsym.algebra import function, names_in
 from rbpsym.derivation.chapters import momentum
 from rbpsym.derivation.draft import Draft
 from rbpsym.mechanics.orbit import Orbit
