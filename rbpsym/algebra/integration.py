@@ -29,10 +29,9 @@ def definite(value: Scalar, name: str, lower: Scalar, upper: Scalar) -> Scalar |
 def antiderivative(value: Scalar, name: str) -> Scalar | None:
     """An antiderivative with respect to the symbol, or None."""
     num = without_even_roots(value.num)
-    value = value if num == value.num else Scalar(num) * quotient(ONE, value.den)
     rooted = [i for i in num.atoms() if atoms.atom(i).kind == "root" and depends_on(Scalar(atoms.atom(i).arg), name)]
     if rooted:
-        return _by_roots(value, rooted[0], name)
+        return _by_roots(num, quotient(ONE, value.den), rooted[0], name)
     if value.den is not ONE and depends_on(Scalar(value.den), name):
         return None
     groups: dict[Monomial, dict[Monomial, Fraction | int]] = {}
@@ -48,9 +47,9 @@ def antiderivative(value: Scalar, name: str) -> Scalar | None:
     return total * quotient(ONE, value.den) if value.den is not ONE else total
 
 
-def _by_roots(value: Scalar, index: int, name: str) -> Scalar | None:
+def _by_roots(num: Poly, below: Scalar, index: int, name: str) -> Scalar | None:
     """∫ f dx + Σ ∫ c B' B^(e/2) dx with constant c: the powers of one root √B by themselves, the rest alone."""
-    parts, below, inner = value.num.by_power(index), quotient(ONE, value.den), atoms.atom(index).arg
+    parts, inner = num.by_power(index), atoms.atom(index).arg
     slope, root_ = derivative(inner, name), Scalar(generator(index))
     total = NOTHING
     for exponent, part in parts.items():

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol
 from rbpsym.algebra.present import present
 from rbpsym.algebra.squares import with_squares
+from rbpsym.ask.along import moving_in, of_one
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest
 from rbpsym.ask.in_time import at_time, time_of_swing
@@ -18,10 +19,8 @@ from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
-from rbpsym.mechanics.arrivals import followed
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import SMALL, given
 from rbpsym.mechanics.solved import speed_along
 from rbpsym.mechanics.study import Study
@@ -307,9 +306,9 @@ def _along(asked: Asked, question: Question) -> Found:
     unsolved = next((n for value in values for n in world.motion.unsettled if depends_on(value, n)), None)
     if unsolved is not None:
         raise NoClosedForm(f"no closed form was found for {unsolved}", instead=BY_NUMBERS)
-    if question.of == "t" and _moving(world, values) - {"t"}:
+    if question.of == "t" and moving_in(world, values) - {"t"}:
         return _in_time(asked, question, place)
-    found = Found(study, named, values, "state" if _moving(world, values) else "", works=works, about=bound.about)
+    found = Found(study, named, values, "state" if moving_in(world, values) else "", works=works, about=bound.about)
     if question.of != "state" and question.of not in study.system.speeds:
         by_place = _without_speeds(world, found)
         if len(by_place.ways) > 1 and not question.of:  # each by its own place: only the time ties these
@@ -317,7 +316,7 @@ def _along(asked: Asked, question: Question) -> Found:
                 return _in_time(asked, question, place)
         else:
             found = by_place
-    return _of(world, found, question) if question.of not in ("", "state") else found
+    return of_one(world, found, question) if question.of not in ("", "state") else found
 
 
 def on_way_back(world: ProblemWorld, found: Found) -> tuple[Scalar, ...]:
@@ -366,35 +365,6 @@ def _resisted(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, Scal
     return {name: speed for name, speed in found if speed is not None}
 
 
-def _moving(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:
-    """What moves in the values."""
-    return {n for value in values for n in names_in(value)} & {*world.motion.scope.rates, *world.motion.speeds}
-
-
-def _of(world: ProblemWorld, found: Found, question: Question) -> Found:
-    """The values as functions of one quantity. Raises StatementError if they are not."""
-    name, rates = question.of, world.motion.scope.rates
-    if name not in (*rates, *world.coordinates, *world.names, "t"):
-        world.bound(name)
-    moving = _moving(world, found.values)
-    if name in world.dependent and moving:
-        found, moving = _inverted(world, found, name, moving), {name}
-    places = {other: followed(world.study, name, other) for other in moving - {name} if other in world.study.system.independent}
-    places = {other: place for other, place in places.items() if place is not None} if name in rates else {}
-    if places:
-        values = tuple(short(substitute(value, places)) for value in found.values)
-        found, moving = replace(found, values=values, places=places, of="position"), _moving(world, values)
-    speed = f"{name}_dot"
-    is_repeated = any(value in (symbol(speed), -symbol(speed)) for value in found.values)
-    stays = speed in moving and (is_repeated or name in world.motion.scope.start)
-    left = sorted(moving - {name, *(() if stays else (speed,))})
-    if left:
-        why = "it is not known how it moves" if name == "t" else f"{left[0]} is no known function of {name}"
-        what = f"“{question.quantity}” depends on {left[0]}, and {why}"
-        raise StatementError(what, instead="ask for it “as a function of the state”.")
-    return found
-
-
 def _in_time(asked: Asked, question: Question, place: int) -> Found:
     """The value as a function of the time since the start of the phase."""
     try:
@@ -402,12 +372,3 @@ def _in_time(asked: Asked, question: Question, place: int) -> Found:
     except NotApplicable:
         what = f"no closed form was found for “{question.quantity}” as a function of the time"
         raise StatementError(what, instead="ask for it “as a function of” a coordinate.") from None
-
-
-def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) -> Found:
-    """The values as functions of a coordinate that is tied to the one that moves."""
-    way, *others = moving
-    places = [] if others else zeros(world.dependent[name] - symbol(name), way)
-    if len(places) != 1:
-        raise StatementError(f"“{name}” is tied to {min(moving)}", instead=f"ask for it as a function of {min(moving)}.")
-    return replace(found, values=tuple(short(substitute(value, {way: places[0]})) for value in found.values))

@@ -21,6 +21,7 @@ from rbpsym.equality.sign_rules import QUICK, RULES, Rule
 from rbpsym.errors import LimitError, Undecided
 
 MOST_STUDIES, FEW_STUDIES = 600, 150
+DEEPEST = 40
 MOST_PRODUCTS = 20_000  # of terms, for one question
 LONG = 2000  # a polynomial of √LONG terms costs as much as two short ones
 
@@ -85,6 +86,7 @@ class Study:
     found: dict[Poly, int] = field(default_factory=dict)
     reasons: dict[Poly, str] = field(default_factory=dict)
     limits: dict[int, b.Bounds] = field(default_factory=dict)
+    depth: int = 0  # how many questions wait for this one: bounds may name each other
     left: int = field(init=False)
     samples: Samples = field(init=False)
 
@@ -101,10 +103,11 @@ class Study:
         """What sign a polynomial may have."""
         if poly in self.found:
             return self.found[poly]
-        self.found[poly], self.left = ANY, self.left - 1 - len(poly) ** 2 // LONG
+        self.found[poly], self.left, self.depth = ANY, self.left - 1 - len(poly) ** 2 // LONG, self.depth + 1
         mask = self._narrowed(poly, ANY, QUICK)
-        if mask not in DECIDED and self.left > 0 and not self.samples.has_both_signs(poly):
+        if mask not in DECIDED and self.left > 0 and self.depth < DEEPEST and not self.samples.has_both_signs(poly):
             mask = self._narrowed(poly, mask, RULES)
+        self.depth -= 1
         self.found[poly] = mask
         return mask
 
