@@ -7,8 +7,9 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol, time_derivative
 from rbpsym.algebra.present import present
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.along import moving_in, of_one
 from rbpsym.ask.certified import LETTER, certified
@@ -37,7 +38,7 @@ class Found:
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
     it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
     `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `places` that
-    follow from one of them; `since`: what
+    follow from one of them; whether it is `constant`, as at the start; `since`: what
     it was at the moment from which a change is counted, and the works of the phases between; `about`: how which mass is
     spread, about which point."""
 
@@ -53,6 +54,7 @@ class Found:
     speeds: Mapping[str, Scalar] = field(default_factory=dict)
     kept: Mapping[str, Scalar] = field(default_factory=dict)
     places: Mapping[str, Scalar] = field(default_factory=dict)
+    constant: bool = False
     since: tuple[Found, ...] = ()
     about: tuple[str, str | None] | None = None
 
@@ -309,6 +311,8 @@ def _along(asked: Asked, question: Question) -> Found:
     if question.of == "t" and moving_in(world, values) - {"t"}:
         return _in_time(asked, question, place)
     found = Found(study, named, values, "state" if moving_in(world, values) else "", works=works, about=bound.about)
+    if not question.of and (constant := _constant(world, question, found)):
+        return constant
     if question.of != "state" and question.of not in study.system.speeds:
         by_place = _without_speeds(world, found)
         if len(by_place.ways) > 1 and not question.of:  # each by its own place: only the time ties these
@@ -326,6 +330,20 @@ def on_way_back(world: ProblemWorld, found: Found) -> tuple[Scalar, ...]:
     return _without_speeds(world, replace(found, values=values), -1).values
 
 
+def _constant(world: ProblemWorld, question: Question, found: Found) -> Found | None:
+    """A momentum that is kept from the start, as what it is there; None where it changes, or is no momentum."""
+    if not found.of or not KEPT.match(question.quantity):
+        return None
+    scope, study = world.motion.scope, world.study
+    rates = (without_even_roots(study.on_motion(time_derivative(value, scope))) for value in found.values)
+    begun = tuple(short(substitute(value, scope.start)) for value in found.values)
+    is_kept = all(map(is_zero, rates)) and not moving_in(world, begun) and not any(depends_on(value, "t") for value in begun)
+    return replace(found, values=begun, of="", constant=True) if is_kept else None
+
+
+KEPT = re.compile(r"(?:total |[xy] component of )*(?:(?:angular |linear )?momentum\b|velocity of (?:the )?cent(?:re|er) of mass)")
+
+
 def _without_speeds(world: ProblemWorld, found: Found, turned: int = 1) -> Found:
     """The values with the speeds as functions of the position, as far as these and their senses are known (`turned` -1: the
     opposite ones)."""
@@ -337,7 +355,7 @@ def _without_speeds(world: ProblemWorld, found: Found, turned: int = 1) -> Found
     for name, square in motion.squares.items():
         speed = f"{name}_dot"
         if any(depends_on(value, speed) for value in values):
-            way = sense(motion, name)
+            way = 1 if is_zero(square) else sense(motion, name)
             if not way:
                 push = first_push(motion, name)
                 way = inward(motion, name) or sense_stated(world.study, push) or sense_at_sample(world.study, push)

@@ -172,6 +172,7 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> S
     speeds = (name.removesuffix("_dot") for name in (*found.speeds, *found.kept))
     data = {"of": of, "works": {n: f"done.{n}" for n in found.works}}
     data |= {"moment": found.moment, "ways": found.ways, "speeds": tuple(speeds), "places": tuple(found.places)}
+    data |= {"constant": found.constant}
     data |= _said(draft, found)
     for letter, value in of.items():
         draft.define(letter, value)

@@ -162,7 +162,9 @@ def moment_of(asked: Asked, when: When, question: Question) -> Moment:
         found, refused = None, error
     is_part = found is None or (found.state.time is None and ("time" in question.quantity or _is_open(asked, found)))
     if when.kind in ("reaches", "rests") and is_part:
-        found = _in_time(asked, when, place) or found
+        ahead = range(asked.lasting, len(asked.names))
+        places = [place] if place is not None else [found.place] if found else ahead
+        found = next((moment for each in places if (moment := _in_time(asked, when, each))), found)
     if found is None:
         raise refused
     return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.algebra import Scalar, depends_on, is_zero, substitute, symbol
@@ -31,7 +32,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import undecided
-from rbpsym.errors import StatementError
+from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 
 
@@ -53,6 +54,11 @@ def extremum(
     phrase, value = sized(world, phrase)
     given, sense = world.motion.assumptions, SUPERLATIVES[superlative]
     free = moving(world, (value,))
+    is_open = len(free) > 1 or {*free} - {*world.motion.squares, "t"}
+    if over is None and low is None and is_open and world.place + 1 == len(world.asked.names):
+        with suppress(RbpsymError):
+            phrase, value = sized(world, f"{phrase} as a function of t")
+            free = moving(world, (value,))
     name = over or (free[0] if len(free) == 1 else None)
     if name is None:
         what = f"depends on {', '.join(free)}" if free else "is constant on the motion"

@@ -75,6 +75,8 @@ OTHERWISE = (
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
     (rf"\b({_AT}) (?:the )?(?:angular )?(?:speed|velocity) of (\w+) (=|reaches|is) ", r"\1 \2_dot \3 "),
+    (r"(_dot (?:=|reaches|is)) (?:the )?(?:angular )?(?:speed|velocity) of (\w+)$", r"\1 \2_dot"),
+    (rf"\b({_AT}) (\w+) - (\w+) (?:=|reaches|is) (.+)", r"\1 \2 = \3 + (\4)"),
     (r"^(?:the )?energy (?=lost (?:until|up to|by|in|during|over|from|between) )", "energy of motion, weights and springs "),
     (r"\b(translational|rotational) (kinetic energy of (?:the system|[\w-]+))", r"\2, \1"),
     (r"^(?:the )?change (?:of|in) (.+) (?:until|up to) (.+)", r"\1 from the start to \2"),

@@ -203,6 +203,8 @@ def ways_to(
     if end is not None and is_zero(end - begin):
         raise StatementError(f"“{name}” starts there")
     found = ways(study.system, study.dynamics, name, square, given)
+    if not found:
+        raise StatementError(f"in which sense “{name}” sets out is not known", instead="ask for its acceleration at the start.")
     coming = [(way, () if end is None else settle([Demand(way.ahead(end))], where_met(given, way.asked))) for way in found]
     coming = [replace(way, asked=(*way.asked, *ahead)) for way, ahead in coming if ahead is not None]
     if not coming:

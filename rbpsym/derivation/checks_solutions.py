@@ -18,6 +18,7 @@ from rbpsym.derivation.entailment import short
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
+from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.demands import Demand, assuming
@@ -77,7 +78,8 @@ def _tied(context: Context, step: Step, stated: Scalar) -> list[Verdict]:
     speeds = {f"{name}_dot": derivative(place, "t") for name, place in moved.items()}
     at = {**moved, **speeds, **{f"{speed.removesuffix('_dot')}_ddot": derivative(v, "t") for speed, v in speeds.items()}}
     rows = (substitute(left - right, at) for left, right in rules)
-    begins = ((substitute(value, {"t": NOTHING}), context.start(symbol(name))) for name, value in {**moved, **speeds}.items())
+    begun = {} if step.data["steady"] else {**moved, **speeds}
+    begins = ((substitute(value, {"t": NOTHING}), context.start(symbol(name))) for name, value in begun.items())
     solves = [same(context, stated, moved[step.data["name"]]), *(same(context, row, NOTHING) for row in rows)]
     return [*solves, *(same(context, *pair) for pair in begins)]
 
@@ -143,6 +145,9 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
         return Verdict(PROVED, how="it changes in one sense, ever faster")
     if bends.is_nonzero and bends.sense * sign(substitute(gap, {"t": NOTHING}), given_).sense < 0:
         return Verdict(PROVED, how="it bends towards zero all the time")
+    last = sign(rooted(substitute(slope, {"t": time}), given_), given_)
+    if bends.is_nonzero and begins.is_nonzero and last.is_nonzero and begins.kind == last.kind:
+        return Verdict(PROVED, how="it changes in one sense until then")
     if bends.is_nonzero and is_zero(substitute(gap, {"t": NOTHING})):
         return Verdict(PROVED, how="it bends to one side all the time, and begins with zero")
     for value in (gap, *(short(gap / factor) for factor in dying)):

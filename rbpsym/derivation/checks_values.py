@@ -4,7 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, derivative, function, is_zero, names_in, root, substitute, symbol
+from rbpsym.algebra import (
+    NOTHING,
+    PI,
+    UNITY,
+    Scalar,
+    derivative,
+    function,
+    is_zero,
+    names_in,
+    root,
+    substitute,
+    symbol,
+    time_derivative,
+)
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_phases import seen_then
@@ -45,6 +58,11 @@ def value_along(context: Context, step: Step) -> Verdict:
     found = [_sets_out(context, name, way, said) for name, way in step.data["ways"].items()]
     for left, _, right in relations(step.statement):
         stated = substitute(context.value(right), context.study.system.dependent)
+        if step.data.get("constant"):
+            whole = context.study.on_motion(step.data["of"][left.name])
+            rate = context.on_motion(time_derivative(whole, context.study.system.scope))
+            found += [same(context, rate, NOTHING), same(context, context.start(whole), stated)]
+            continue
         gap = _on_motion(context, step, step.data["of"][left.name]) - stated
         said_so = {f"{name}_dot": _said(context, f"speed_at.{name}") for name in step.data["speeds"]}
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}

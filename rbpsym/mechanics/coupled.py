@@ -88,7 +88,8 @@ def _summed(value: Scalar, modes: list[Course]) -> Course:
     taking = {f"eta_{k}": mode for k, mode in enumerate(modes) if derivative(value, f"eta_{k}")}
     place = total(short(derivative(value, name)) * mode.place for name, mode in taking.items())
     letters = {letter: known for mode in taking.values() for letter, known in mode.letters.items()}
-    return Course(place, letters, valid=tuple(dict.fromkeys(one for mode in taking.values() for one in mode.valid)))
+    case = solutions.STEADY if all(mode.case == solutions.STEADY for mode in taking.values()) else ""
+    return Course(place, letters, case, tuple(dict.fromkeys(one for mode in taking.values() for one in mode.valid)))
 
 
 def _roots(law: Linear, study: Study) -> Mapping[Scalar, bool] | None:

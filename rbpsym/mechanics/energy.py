@@ -15,9 +15,10 @@ from rbpsym.errors import LimitError
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.interactions import LAWS
+from rbpsym.mechanics.interactions import LAWS, Setting, stretch
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.system import BodyState, System
+from rbpsym.statement.model import Element
 
 HALF = Fraction(1, 2)
 MOST_PRODUCTS = 2_000_000  # to put accelerations into the rate of an energy
@@ -40,12 +41,19 @@ def kinetic_energy(system: System) -> tuple[Scalar, Scalar]:
     return short(parts[0]), short(parts[1])
 
 
+def _setting(system: System) -> Setting:
+    bodies = system.bodies.items()
+    return setting_of(system, locator(system.problem, {n: s.inertia for n, s in bodies}, {n: s.pose for n, s in bodies}))
+
+
+def stretched(system: System, spring: Element) -> Scalar:
+    """The distance between the ends of a spring."""
+    return substitute(stretch(spring, _setting(system))[1], system.dependent)
+
+
 def potentials(system: System) -> dict[str, Scalar | None]:
     """Potential energy of each interaction; None for one that has none."""
-    where = locator(
-        system.problem, {n: s.inertia for n, s in system.bodies.items()}, {n: s.pose for n, s in system.bodies.items()}
-    )
-    setting = setting_of(system, where)
+    setting = _setting(system)
     found = {}
     for element in system.problem.interactions:
         value = LAWS[element.kind].potential(element, setting)

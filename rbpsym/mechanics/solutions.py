@@ -236,7 +236,7 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
     def solved(known: Given) -> Course | None:
         if STEADY not in manner:
             return course(known, case)
-        return driven(known) if known.form.drive else None
+        return driven(known) if known.form.drive or (known.form.stiffness and not known.name) else None
 
     each = {name: given(study, name, small=SMALL in manner) for name in study.system.independent}
     found = {name: one for name, known in each.items() if known is not None and (one := solved(known)) is not None}

@@ -187,15 +187,19 @@ def _by_power(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tupl
 
 
 def _by_square(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
-    """a t² + b t + c = 0 where a and c have unlike signs, so that one root is positive."""
+    """a t² + b t + c = 0: where a and c have unlike signs one root is positive; where b has not that of both, the less one is."""
     slope = derivative(gap, "t")
     c, b = (substitute(part, {"t": NOTHING}) for part in (gap, slope))
     a = derivative(slope, "t") / 2
     way = known.sense(substitute(a, letters))
-    if not way or depends_on(a, "t") or known.sense(substitute(c, letters)) != -way:
+    side = known.sense(substitute(c, letters)) * way
+    if not way or not side or depends_on(a, "t"):
         return None
-    value = (root(short(b * b - a * c * 4)) * way - b) / (a * 2)
-    return value, tuple(Demand(short(substitute(part, letters))) for part in (a * way, -c * way))
+    spread = short(b * b - a * c * 4)
+    asked = (a * way, c * side * way, *((-b * way, spread) if side > 0 else ()))
+    if known.sense(substitute(asked[-1], letters)) <= 0:
+        return None
+    return (root(spread) * -side * way - b) / (a * 2), tuple(Demand(short(substitute(part, letters))) for part in asked)
 
 
 def _by_growth(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:

@@ -15,7 +15,7 @@ from rbpsym.equality.rooted import root_of
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
+from rbpsym.mechanics.energy import potentials, rotational_energy, stretched, translational_energy
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantities import NUMBER
 from rbpsym.quantity.alone import NOUNS, alone
@@ -175,6 +175,15 @@ def _potential(world: ProblemWorld, name: str | None) -> Bound:
     return number(sum(values, NOTHING))
 
 
+def _elongation(world: ProblemWorld, sign: int, name: str) -> Bound:
+    """By how much a spring is longer than its natural length (or shorter: `sign` -1)."""
+    springs = {element.name: element for element in world.study.problem.interactions if element.kind == "spring"}
+    if name not in springs:
+        raise StatementError(f"there is no spring “{name}”", instead=did_you_mean(name, list(springs), "springs"))
+    length = stretched(world.study.system, springs[name])
+    return number((length - scalar(springs[name]["natural_length"])) * sign)
+
+
 def _energy(world: ProblemWorld, loose: str | None) -> Bound:
     if world.study.first_integral is None:
         raise StatementError(f"“{world.study.problem.name}” has no energy integral")
@@ -272,6 +281,8 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"work of {_F}{_ON}?{_HALF}", _work, "work of FORCE on BODY, translational"),
     (rf"kinetic energy(?: of {_B})?{_HALF}", _kinetic, "kinetic energy of BODY"),
     (rf"potential energy(?: of {_B})?", _potential, "potential energy"),
+    (r"(?:elongation|stretch|extension) of (\w+)", lambda world, name: _elongation(world, 1, name), "elongation of FORCE"),
+    (r"compression of (\w+)", lambda world, name: _elongation(world, -1, name), "compression of FORCE"),
     (r"energy(, up to a constant)?", _energy, "energy"),
     (r"Lagrangian", _lagrangian, "Lagrangian"),
     (r"mechanical energy", _mechanical, "mechanical energy"),
