@@ -28,7 +28,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.quantity.bound import Bound
-from rbpsym.quantity.path import even, first_push, inward, sense, work_done
+from rbpsym.quantity.path import even, first_push, inward, sense, work_by_energy, work_done
 from rbpsym.quantity.problem import ProblemWorld
 
 
@@ -165,7 +165,7 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[S
     found = {}
     for name, power in world.motion.ledger.items():
         if any(depends_on(value, name) for value in values):
-            done = work_done(power, world.motion)
+            done = work_done(power, world.motion) or work_by_energy(power, world.motion)
             if done is None:
                 raise NoClosedForm("no closed form was found for a work in this", instead="ask for its power, or with numbers.")
             found[name] = (power, done)

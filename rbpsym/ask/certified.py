@@ -300,7 +300,7 @@ def _valid(
         image = dict.fromkeys(found.study.system.speeds, NOTHING) | there
         asked = [Demand(substitute(one.value, image), one.op) for one in asked]
     asked = [*first, *asked]
-    if moment is not None and moment.watched:
+    if moment is not None and (moment.watched or (moment.courses and moment.how == "time")):
         at, given = {"t": moment.state.time}, found.study.assumptions
         asked = [Demand(neat(substitute(one.value, at), given), one.op) for one in asked]
     stated = (*(moment.state.valid if moment else ()), *lasts)

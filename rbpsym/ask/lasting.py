@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
@@ -21,6 +22,7 @@ from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.pushing import begins, ways_kept
 from rbpsym.mechanics.sides import grips
+from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
@@ -158,7 +160,8 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
     if is_place:
         return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places)))
     state = moment.state
-    return _decided(lambda: (*slipping(study, state), *never_lost(study, state), *_on_way(study, None, state.time)))
+    way = partial(_on_way, study, None, state.time, moment.courses)
+    return _decided(lambda: (*slipping(study, state), *never_lost(study, state), *way()))
 
 
 def _goes_on(study: Study, name: str, value: Scalar) -> bool:
@@ -188,9 +191,11 @@ def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...
         return (), (f"whether the contacts and the friction last so far is not decided: {error.what}",)
 
 
-def _on_way(study: Study, places: Mapping[str, Scalar] | None, time: Scalar | None = None) -> Iterator[Demand]:
-    """Least values on the way from the start to some places (None: on the whole motion, what surely ends up to a time).
-    Raises Undecided, StatementError."""
+def _on_way(
+    study: Study, places: Mapping[str, Scalar] | None, time: Scalar | None = None, courses: Mapping[str, Course] | None = None
+) -> Iterator[Demand]:
+    """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what `courses`
+    tell, up to a time). Raises Undecided, StatementError."""
     for demand in running(study):
         then = _until(study, demand.value, time)
         if then is not None:
@@ -205,11 +210,33 @@ def _on_way(study: Study, places: Mapping[str, Scalar] | None, time: Scalar | No
     for demand in held(study):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
         if len(names) > 1 or any(name not in study.squares and _driven(study, name, places) is None for name in names):
-            raise Undecided("their forces are not known on the way")
-        found = _least(study, demand, *names, places=places) if names else [demand]
+            if time is None:
+                raise Undecided("their forces are not known on the way")
+            found = _least_until(study, demand, time, courses or {})
+        else:
+            found = _least(study, demand, *names, places=places) if names else [demand]
         if settle(found, study.assumptions) is None:
             raise StatementError("a contact is lost, or friction reaches its limit, before: the motion that is stated ends there")
         yield from found
+
+
+def _least_until(study: Study, demand: Demand, time: Scalar, courses: Mapping[str, Course]) -> list[Demand]:
+    """What is asked for a value not to become negative up to a time, as the courses tell it. Raises Undecided."""
+    from rbpsym.ask.seen import Scene
+    from rbpsym.ask.wanted import Wanted
+    from rbpsym.ask.yesno import least_values
+
+    at = {name: one.whole for name, one in courses.items()} | {f"{name}_dot": one.speed for name, one in courses.items()}
+    told, given = short(substitute(demand.value, at)), study.assumptions
+    if names_in(told) & {*study.system.coordinates, *study.system.speeds} or not depends_on(told, "t"):
+        raise Undecided("their forces are not known on the way")
+    if time == symbol("t"):
+        return [Demand(told, demand.op)]
+    given = given.with_range("t", NOTHING, time)
+    try:
+        return [] if sign(told, given).is_nonnegative else [*least_values(Scene(study), Wanted((told,), given, "t"))]
+    except RbpsymError as error:
+        raise Undecided(error.what) from None
 
 
 def _until(study: Study, value: Scalar, time: Scalar | None) -> Demand | None:

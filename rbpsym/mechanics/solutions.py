@@ -35,7 +35,8 @@ STEADY, SMALL = "steady", "small"
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive + power/q̇, where d²(drive)/dt² = -frequency² drive; or power/q̇."""
+    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive; or power/q̇; or -q̇ times
+    a function of the time, `drawn`, as of what is drawn in or let out while it turns."""
 
     constant: Scalar
     stiffness: Scalar = NOTHING
@@ -44,6 +45,7 @@ class Form:
     drive: Scalar = NOTHING
     frequency: Scalar = NOTHING
     power: Scalar = NOTHING
+    drawn: Scalar = NOTHING
 
     @property
     def rest(self) -> Scalar:
@@ -148,6 +150,8 @@ def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
         return None
     stiffness, damping, drag = (short(-part) for part in parts)
     left = short(value + stiffness * symbol(name) + damping * symbol(speed) + drag * symbol(speed) ** 2)
+    if not (stiffness or drag or left) and names_in(damping) & moving == {"t"}:
+        return Form(NOTHING, drawn=damping)
     if any(names_in(part) & moving for part in (stiffness, damping, drag)) or names_in(left) & (moving - {"t"}):
         return None
     if drag and (stiffness or damping or depends_on(left, "t")):
@@ -250,8 +254,8 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
 
 def kind_of(form: Form) -> str:
     """Which of the solved forms it is: a key of SOLVED, or “damped”."""
-    if form.drag or form.power:
-        return "dragged" if form.drag else "powered"
+    if form.drag or form.power or form.drawn:
+        return "dragged" if form.drag else "powered" if form.power else "drawn"
     if form.stiffness:
         return "damped" if form.damping else "swinging"
     return "resisted" if form.damping else "uniform"
@@ -375,11 +379,23 @@ def _powered(known: Given) -> Course | None:
     return Course(place, letters, valid=(Demand(substitute(square, letters)),)) if way else None
 
 
+def _drawn(known: Given) -> Course | None:
+    """q̇ fⁿ stays what it is, with a linear function f of the time, where q̈ = -n (f'/f) q̇."""
+    lever = Scalar(known.form.drawn.den)
+    rate, begun = derivative(lever, "t"), substitute(lever, {"t": NOTHING})
+    power = short(known.form.drawn * lever / rate).number() if rate else None
+    if not isinstance(power, int) or power < 2 or depends_on(rate, "t"):
+        return None
+    place = known.place + known.speed * begun / rate / (power - 1) * (1 - (begun / lever) ** (power - 1))
+    return Course(short(place), valid=(Demand(short(lever * begun)),))
+
+
 SOLVED: Mapping[str, Callable[[Given], Course | None]] = {
     "uniform": _uniform,
     "swinging": _swinging,
     "resisted": _resisted,
     "dragged": _dragged,
     "powered": _powered,
+    "drawn": _drawn,
 }
 DAMPED: Mapping[str, Callable[[Given, Scalar], Course | None]] = {WEAK: _weak, CRITICAL: _critical, STRONG: _strong}

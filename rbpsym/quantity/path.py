@@ -14,7 +14,7 @@ from functools import cached_property
 from hashlib import blake2b
 from itertools import product
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, is_zero, symbol
+from rbpsym.algebra import NOTHING, ONE, Scalar, is_zero, short, symbol
 from rbpsym.algebra.calculus import depends_on, derivative, inside, names_in, root, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.roots import without_even_roots
@@ -126,6 +126,23 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
             return None
         total = total + done
     return total if len(names) == 1 or (names and is_zero(rest)) else None
+
+
+def work_by_energy(power: Scalar, motion: Motion) -> Scalar | None:
+    """∫ power dt of what resists one coordinate, as what it takes from the square of the speed and gives to what acts beside it:
+    power = a q̇ q̈ + b(q) q̇ with constant a. None where it is no such power."""
+    [name, *others] = [n for n in motion.scope.start if f"{n}_dot" in motion.speeds] or [None]
+    speed, start = f"{name}_dot", motion.scope.start
+    if name is None or others or speed not in start:
+        return None
+    force, gain = (short(motion.moved(value)) for value in (power / symbol(speed), symbol(f"{name}_ddot")))
+    slope = derivative(gain, speed)
+    share = short(derivative(force, speed) / slope) if slope else NOTHING
+    beside = short(force - share * gain)
+    if not share or names_in(share) & {name, speed, "t"} or names_in(beside) & {speed, "t"}:
+        return None
+    done = definite(beside, name, start[name], symbol(name))
+    return None if done is None else done + share * (symbol(speed) ** 2 - start[speed] ** 2) / 2
 
 
 @dataclass(frozen=True)

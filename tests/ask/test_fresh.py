@@ -7,8 +7,11 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.ask.asking import answered
 from rbpsym.ask.numbers import read_numbers
+from rbpsym.notation.machine import to_machine
 from rbpsym.statement.loader import load_problem
+from tests.ask.test_unseen import asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 
 ANSWERS = (
@@ -48,6 +51,21 @@ ANSWERS = (
     ("two-pucks", "largest speed of two over s between D - v*sqrt(m_1*m_2/(k*(m_1+m_2))) and D", "2*m_1*v/(m_1+m_2)"),
     ("three-springs-free", "equilibrium of x_1", "0"),
     ("dropped-on-spring", "greatest speed of block", "sqrt(2*g*h + m*g**2/k)"),
+    ("puck-drawn-in", "theta as a function of t", "v_0*t/(r_0-u*t)"),
+    ("puck-drawn-in", "speed of theta where t = r_0/(2*u)", "4*v_0/r_0"),
+    ("puck-drawn-in", "angular momentum of puck about O", "m*v_0*r_0"),
+    ("sled-in-drag", "work of D on sled until speed of x = v_0/2", "-3*m*v_0**2/8"),
+    ("sled-in-drag", "work of D until x = L", "-m*v_0**2/2*(1-exp(-2*k*L/m))"),
+    ("absorber", "x as a function of t in the steady state",
+     "A*(K-M*Omega**2)*cos(Omega*t)/((k+K-m*Omega**2)*(K-M*Omega**2)-K**2)"),
+    ("ball-and-spring-block", "time until X comes to rest", "d/v + pi/2*sqrt(M/k)"),
+    ("ball-and-spring-block", "greatest X", "2*m*v/(m+M)*sqrt(M/k)"),
+    ("clutch", "time until speed of alpha = speed of beta", "omega_0*I_1*I_2/(tau*(I_1+I_2))"),
+    ("clutch", "total angular momentum about O", "I_1*omega_0"),
+    ("chase", "time until y = x", "(v + sqrt(v**2+2*a*d))/a"),
+    ("chase", "largest x - y", "d + v**2/(2*a)"),
+    ("ball-in-track", "smallest v_0 for which theta reaches pi", "sqrt(27*g*R/7)"),
+    ("platform", "N where t = pi/(2*Omega)", "m*(g - A*Omega**2)"),
 )
 
 
@@ -77,3 +95,7 @@ def test_numbers_may_be_expressions() -> None:
     found = read_numbers("ell = sqrt(2)/2 m, theta_0 = pi/12, M = 1/2, g = 9.81 m/s^2", load_problem("rod-pendulum"))
     assert found.digits == 3
     assert [round(found.values[name][0], 6) for name in ("ell", "theta_0", "M")] == [0.707107, 0.261799, 0.5]
+
+
+def test_a_contact_that_the_time_may_end_is_a_condition() -> None:
+    assert [to_machine(node) for node in answered(asked("platform"), "N where t = pi/(2*Omega)").valid] == ["g - A*Omega**2 >= 0"]
