@@ -6,13 +6,14 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, derivative, names_in, substitute
+from rbpsym.algebra import NOTHING, Scalar, derivative, names_in, substitute, symbol
 from rbpsym.ask.moments import Asked, Moment
 from rbpsym.derivation.chapters import course, oscillations
 from rbpsym.derivation.draft import Draft
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import solutions
+from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, uniform_motion
@@ -30,9 +31,9 @@ def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solv
         with suppress(NotApplicable):
             moved = uniform_motion(study, time)
             with suppress(NotApplicable):
-                moved = replace(moved, valid=_valid(solutions.courses_of(study), time))
+                moved = replace(moved, valid=_valid(courses_of(study), time))
             return Moment(place, replace(moved, valid=(*moved.valid, *_within(study, moved.places))), "time")
-    found = solutions.courses_of(study, manner)
+    found = courses_of(study, manner)
     at = {"t": time}
     places = {name: without_logarithms(substitute(one.whole, at)) for name, one in found.items()}
     speeds = {name: without_logarithms(substitute(one.speed, at)) for name, one in found.items()}
@@ -56,11 +57,13 @@ def _valid(found: Mapping[str, Course], time: Scalar) -> tuple[Demand, ...]:
 
 
 def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str = "") -> Moment:
-    """The first moment at which a coordinate, or a speed x_dot, has a value. Raises NotApplicable where no formula gives it."""
+    """The first moment at which a coordinate, a speed x_dot or an unknown force has a value. Raises NotApplicable where no
+    formula gives it."""
     study = asked.study(place)
     name = subject.removesuffix("_dot")
-    moving = of_coordinate(study, name)[subject != name]
-    found = solutions.courses_of(study, manner)
+    is_force = subject in study.system.unknowns
+    moving = study.on_motion(symbol(subject)) if is_force else of_coordinate(study, name)[subject != name]
+    found = courses_of(study, manner)
     at = {n: one.place for n, one in found.items()} | {f"{n}_dot": derivative(one.place, "t") for n, one in found.items()}
     letters = {letter: value for one in found.values() for letter, value in one.letters.items()}
     gap = short(substitute(moving - substitute(value, study.system.dependent), at))
@@ -76,7 +79,7 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     if asked_for is None:
         raise StatementError(f"“{subject}” does not come to this value in this motion")
     made = at_time(asked, place, substitute(time, letters), manner, is_solved=True)
-    is_given = subject != name and not names_in(value) & {*at}
+    is_given = subject != name and not is_force and not names_in(value) & {*at}
     there = {**made.state.speeds, **({name: value} if is_given else {})}  # by its own meaning, not by a long formula
     return replace(made, state=replace(made.state, speeds=there, valid=asked_for), watched=(subject, value, time))
 

@@ -161,7 +161,7 @@ def moment_of(asked: Asked, when: When, question: Question) -> Moment:
     except StatementError as error:
         found, refused = None, error
     is_part = found is None or (found.state.time is None and ("time" in question.quantity or _is_open(asked, found)))
-    if when.kind in ("reaches", "rests") and is_part:
+    if when.kind in ("reaches", "rests", "vanishes") and is_part:
         ahead = range(asked.lasting, len(asked.names))
         places = [place] if place is not None else [found.place] if found else ahead
         found = next((moment for each in places if (moment := _in_time(asked, when, each))), found)
@@ -181,11 +181,11 @@ def _in_time(asked: Asked, when: When, place: int | None, manner: str = "") -> M
     from rbpsym.ask import in_time
 
     world = asked.world(asked.meant(place))
-    name = when.words[0] if when.words else world.study.system.independent[0]
+    name = when.words[0] if when.words else next(iter(world.study.system.independent), "")
     with suppress(NotApplicable):
         if name == "t":
             return in_time.at_time(asked, asked.meant(place), _instant(world, when.words[1]), manner)
-        value = NOTHING if when.kind == "rests" else scalar(read_infix(when.words[1], world.names))
+        value = NOTHING if when.kind in ("rests", "vanishes") else scalar(read_infix(when.words[1], world.names))
         found = in_time.reached(asked, asked.meant(place), f"{name}_dot" if when.kind == "rests" else name, value, manner)
         return replace(found, state=clear(world.study, found.state))
     return None

@@ -34,6 +34,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.roots import period
 
 
 def extremum(
@@ -54,8 +55,8 @@ def extremum(
     phrase, value = sized(world, phrase)
     given, sense = world.motion.assumptions, SUPERLATIVES[superlative]
     free = moving(world, (value,))
-    is_open = len(free) > 1 or {*free} - {*world.motion.squares, "t"}
-    if over is None and low is None and is_open and world.place + 1 == len(world.asked.names):
+    is_open = over == "t" or len(free) > 1 or {*free} - {*world.motion.squares, "t"}
+    if over in (None, "t") and low is None and is_open and "t" not in free and world.place + 1 == len(world.asked.names):
         with suppress(RbpsymError):
             phrase, value = sized(world, f"{phrase} as a function of t")
             free = moving(world, (value,))
@@ -72,7 +73,8 @@ def extremum(
     if not depends_on(value, name):
         raise StatementError(f"“{phrase}” does not depend on {name}", instead=on_what(world, value))
     given = where_met(given, [demand for demand in world.demands if not depends_on(demand.value, name)])
-    for demand in (*world.demands, *world.standing) if name not in (*world.coordinates, "t") else ():
+    turns = name == "t" and period(value, "t") is not None
+    for demand in (*world.demands, *world.standing) if name not in world.coordinates and not turns else ():
         where = region(demand.value, name, given) if depends_on(demand.value, name) else None
         if where and not (where.asked or where.crossing or where.is_empty):
             ends = zip((where.lower, where.upper), given.range_of(name), strict=True)
@@ -89,7 +91,9 @@ def extremum(
     elif name in world.motion.squares and name in world.motion.scope.start:
         ways = [(way.asked, range_) for way, range_ in whole_ways(world, name, given)]
     elif name == "t":
-        ways = [((), one_period(value, given))]
+        ways = [(_all_along(world, one_period(value, given)) if turns else (), one_period(value, given))]
+        if None in ways[0][0]:
+            return Finding(undecided("whether the motion goes on as it is stated through a whole period is not decided"))
     elif over is None and name in world.coordinates:
         what = f"how far {name} goes in this motion is not known as a function of the position"
         raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
@@ -111,6 +115,12 @@ def extremum(
     common = [demand for demand in ways[0][0] if all(demand in asked for asked, _ in ways)]
     valid = settle((*found[0].valid, *common), world.motion.assumptions) if common else None
     return replace(found[0], **together(*found), valid=found[0].valid if valid is None else valid)
+
+
+def _all_along(world: Scene, given: Assumptions) -> tuple[Demand | None, ...]:
+    """What is asked of the whole time, where it is least; None for what is not known to have a least value."""
+    lows = ((d, extreme(d.value, "t", given, -1)) for d in (*world.demands, *world.standing) if depends_on(d.value, "t"))
+    return tuple(None if low is None or low.value is None else Demand(low.value, d.op) for d, low in lows)
 
 
 def _on_way_back(world: Scene, name: str, value: Scalar, given: Assumptions) -> tuple[Scalar, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.algebra import is_zero
@@ -12,7 +13,7 @@ from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.seen import Scene, moving, place_in, seen
 from rbpsym.ask.zeros import precedes, settled_sign, where_met
 from rbpsym.equality.verdict import undecided
-from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.demands import settle
 from rbpsym.notation.machine import to_machine
 
@@ -23,7 +24,9 @@ def extremum(
     """The same as `optima.extremum`, through all phases from the first that does not end at once, if none is named."""
     last = len(world.asked.names)
     if world.is_named or low is not None or over not in (None, *world.coordinates) or world.place + 1 == last:
-        return optima.extremum(world, superlative, phrase, over, low, high, by_place=by_place)
+        found = optima.extremum(world, superlative, phrase, over, low, high, by_place=by_place)
+        is_told = over or low is not None or by_place or not _is_open(found)
+        return found if is_told else _over_time(world, superlative, phrase, found)
     parts, found = [], []
     for place in range(world.place, last):
         try:
@@ -51,6 +54,22 @@ def extremum(
     left = settle(valid, world.motion.assumptions)
     others = (one for k, one in enumerate(found) if k != best)
     return replace(told, **together(told, *others), valid=valid if left is None else left)
+
+
+def _is_open(found: Finding) -> bool:
+    return found.verdict is not None and not found.verdict.is_proved
+
+
+def _over_time(world: Scene, superlative: str, phrase: str, known: Finding) -> Finding:
+    """The same by the motion as a function of the time, if that proves it; else what is known."""
+    other = replace(world, used=[], lasting=[], doubts=[], standing=[])
+    with suppress(RbpsymError):
+        found = optima.extremum(other, superlative, phrase, "t", None, None)
+        if found.values and not _is_open(found):
+            for part, new in ((world.used, other.used), (world.lasting, other.lasting), (world.doubts, other.doubts)):
+                part[:] = new
+            return found
+    return known
 
 
 def until(world: Scene, superlative: str, phrase: str, name: str, text: str) -> Finding:

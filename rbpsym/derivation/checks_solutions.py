@@ -92,6 +92,7 @@ def reached(context: Context, step: Step) -> Verdict:
     system = context.study.system
     moving = system.dependent.get(name, symbol(name))
     moving = moving if name == subject else time_derivative(moving, system.scope)
+    moving = context.on_motion(symbol(name)) if name in system.unknowns else moving
     whole = moving - substitute(step.data["value"], system.dependent)
     used = [n for n in system.independent if names_in(whole) & {n, f"{n}_dot"}]
     said = {n: said_of(context, n) for n in used}

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, names_in, substitute, symbol, total
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
+from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import slipping, solutions
 from rbpsym.mechanics.elimination import Matrix, determinant, short, solve_linear, solve_matrix
 from rbpsym.mechanics.friction import slips
@@ -81,6 +82,26 @@ def courses(study: Study, law: Linear | None, solved: Callable[[Given], Course |
     found = dict(zip(law.names, (_summed(part, modes) for part in parts), strict=True))
     held = tuple(slipping.lasting(known, found)) if slips(study.system) else ()
     return {name: replace(one, valid=(*one.valid, *held)) for name, one in found.items()}
+
+
+def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
+    """The solution for each coordinate for which there is one, in the case that is named, of `small` oscillations, or
+    what is left of it at last (`steady`). Raises NotApplicable where there is none."""
+    case = next((case for case in solutions.CASES if case in manner), "")
+
+    def solved(known: Given) -> Course | None:
+        if solutions.STEADY not in manner:
+            return solutions.course(known, case)
+        return solutions.driven(known) if known.form.drive or (known.form.stiffness and not known.name) else None
+
+    each = {name: solutions.given(study, name, small=solutions.SMALL in manner) for name in study.system.independent}
+    found = {name: one for name, known in each.items() if known is not None and (one := solved(known)) is not None}
+    if len(found) < len(each):
+        law = small(study) if solutions.SMALL in manner else exact(study)
+        found = {**courses(study, law, solved), **found}
+    if not found and study.system.independent:
+        raise NotApplicable("no closed form was found for the motion as a function of the time")
+    return found
 
 
 def _summed(value: Scalar, modes: list[Course]) -> Course:

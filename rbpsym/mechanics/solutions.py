@@ -17,7 +17,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
-from rbpsym.errors import NoNumber, NotApplicable
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import slips
@@ -228,28 +228,6 @@ def course(known: Given, case: str = "") -> Course | None:
         return found[0]
     case = case or (WEAK if known.sense(known.form.gap) > 0 else STRONG)
     return next((one for one in found if one.case == case), None)
-
-
-def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
-    """The solution for each coordinate for which there is one, in the case that is named, of `small` oscillations, or
-    what is left of it at last (`steady`). Raises NotApplicable where there is none."""
-    from rbpsym.mechanics import coupled
-
-    case = next((case for case in CASES if case in manner), "")
-
-    def solved(known: Given) -> Course | None:
-        if STEADY not in manner:
-            return course(known, case)
-        return driven(known) if known.form.drive or (known.form.stiffness and not known.name) else None
-
-    each = {name: given(study, name, small=SMALL in manner) for name in study.system.independent}
-    found = {name: one for name, known in each.items() if known is not None and (one := solved(known)) is not None}
-    if len(found) < len(each):
-        law = coupled.small(study) if SMALL in manner else coupled.exact(study)
-        found = {**coupled.courses(study, law, solved), **found}
-    if not found:
-        raise NotApplicable("no closed form was found for the motion as a function of the time")
-    return found
 
 
 def kind_of(form: Form) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, ORIGIN, Space, function
+from rbpsym.algebra import NOTHING, ORIGIN, Space, cartesian, function, substitute, symbol
 from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
 from rbpsym.equality.rooted import root_of
 from rbpsym.errors import StatementError
@@ -87,6 +87,15 @@ def _of_point(order: int):
         return plane(value)
 
     return find
+
+
+def _displacement(world: ProblemWorld, name: str) -> Bound:
+    """How far a point, or a coordinate, is from where it was at the start."""
+    start = world.motion.scope.start
+    if name in world.coordinates:
+        return number(symbol(name) - substitute(symbol(name), start))
+    place = world.place(name)
+    return plane(place - cartesian(*(substitute(part, start) for part in (place.x, place.y))))
 
 
 def _moment(world: ProblemWorld, name: str, about: str | None) -> Bound:
@@ -261,6 +270,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"(speed|velocity) of ([\w]+)", _speed_of, "speed of COORDINATE"),
     (r"acceleration of ([\w]+)", _of_coordinate(2), "acceleration of COORDINATE"),
     (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),
+    (rf"displacement of {_P}", _displacement, "displacement of BODY.cm"),
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
     (rf"speed of {_P}", lambda world, name: _magnitude(world, f"velocity of {name}"), "speed of BODY.cm"),
     (rf"acceleration of {_P}", _of_point(2), "acceleration of BODY.cm"),
