@@ -83,7 +83,7 @@ def seen(world: Scene, phrase: str) -> Scalar:
 def parts_seen(world: Scene, phrase: str) -> tuple[Scalar, ...]:
     """The same of a vector too, its components."""
     question = read_question(phrase)
-    if world.place and question.when is None and not question.phase and not is_jump(question.quantity):
+    if (world.place or world.is_named) and question.when is None and not question.phase and not is_jump(question.quantity):
         question = replace(question, phase=world.asked.names[world.place])
     found = found_of(world.asked, question)
     world.used.append((question, found))

@@ -10,6 +10,7 @@ from rbpsym.algebra.present import present
 from rbpsym.ask import optima
 from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding, checked, together
+from rbpsym.ask.question import read_question
 from rbpsym.ask.seen import Scene, moving, place_in, seen
 from rbpsym.ask.zeros import precedes, settled_sign, where_met
 from rbpsym.equality.verdict import undecided
@@ -28,9 +29,9 @@ def extremum(
         is_told = over or low is not None or by_place or not _is_open(found)
         return found if is_told else _over_time(world, superlative, phrase, found)
     parts, found = [], []
-    for place in range(world.place, last):
+    for place in _known(world, phrase, last):
         try:
-            parts.append(Scene(world.asked.study(place), asked=world.asked, place=place))
+            parts.append(Scene(world.asked.study(place), asked=world.asked, place=place, is_named=True))
             found.append(_in_phase(parts[-1], superlative, phrase, over))
         except (NotApplicable, StatementError) as error:
             name = world.asked.names[place]
@@ -88,6 +89,17 @@ def until(world: Scene, superlative: str, phrase: str, name: str, text: str) -> 
 def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:
     """SYMBOL for which a quantity is least or greatest."""
     return extremum(world, superlative, phrase, name, None, None, by_place=True)
+
+
+def _known(world: Scene, phrase: str, last: int) -> list[int]:
+    """The phases in which the quantity means something, as a force does where it acts; all of them if it does in none."""
+    places, quantity = range(world.place, last), read_question(phrase).quantity
+    found = []
+    for place in places:
+        with suppress(RbpsymError):
+            world.asked.world(place).bound(quantity)
+            found.append(place)
+    return found or [*places]
 
 
 def _in_phase(part: Scene, superlative: str, phrase: str, over: str | None) -> Finding:

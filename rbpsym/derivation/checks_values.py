@@ -164,6 +164,8 @@ def _is_told(context: Context, value: Scalar, id: str, turned: str) -> Verdict:
     if not id:
         return undecided("no step of the derivation says this")
     context.use(id)
-    said = [told_as(context.value(row[2]), turned) for row in relations(context.steps[id].statement)]
+    rows = list(relations(context.steps[id].statement))
+    sides = [*(row[0] for row in rows if isinstance(row[0], t.Num)), *(row[2] for row in rows)]  # 0 = F says that F vanishes
+    said = [told_as(context.value(side), turned) for side in sides]
     found = [same(context, TURNED[turned](value), each) for each in said]
     return next((verdict for verdict in found if verdict.is_proved), found[-1])

@@ -99,3 +99,8 @@ def test_numbers_may_be_expressions() -> None:
 
 def test_a_contact_that_the_time_may_end_is_a_condition() -> None:
     assert [to_machine(node) for node in answered(asked("platform"), "N where t = pi/(2*Omega)").valid] == ["g - A*Omega**2 >= 0"]
+
+
+def test_a_component_of_an_impulse_may_vanish() -> None:
+    found = answered(asked("struck-rod"), "impulse of F when struck begins")
+    assert found.verdict.is_proved and found.text == "(J/2, 0)"
