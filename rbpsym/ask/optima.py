@@ -130,7 +130,13 @@ def _on_way_back(world: Scene, name: str, value: Scalar, given: Assumptions) -> 
         return ()
     [other] = on_way_back(world, found)
     other = neat(other, given)
-    return () if is_zero(other - value) or not comes_back(world, name, given) else (other,)
+    if is_zero(other - value):
+        return ()
+    try:
+        return (other,) if comes_back(world, name, given) else ()
+    except StatementError:  # it is not known how far it goes
+        world.doubts.append("whether it comes back, where this is another one, is not decided")
+        return ()
 
 
 def _best(parts: list[Finding], sense: int, given: Assumptions, *, by_place: bool) -> Finding:
