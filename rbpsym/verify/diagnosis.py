@@ -216,16 +216,16 @@ def _limits(relation: t.Chain) -> Iterator[Repair]:
             yield Repair(put(relation, path, turned), "limits of the integral exchanged")
 
 
+def _turned(relation: t.Chain) -> Iterator[Repair]:
+    for path, node in sites(relation):
+        if isinstance(node, t.Div):
+            turned = replace(node, num=node.den, den=node.num, span=None)
+            yield Repair(put(relation, path, turned), f"the fraction {to_text(node)} is upside down")
+
+
 RULES: tuple[Callable[[t.Chain], Iterator[Repair]], ...] = (
-    _products,
-    _signs,
-    _functions,
-    _factors,
-    _extra,
-    _exponents,
-    _limits,
-    _symbols,
-)
+    _products, _signs, _functions, _factors, _extra, _exponents, _limits, _turned, _symbols,
+)  # fmt: skip
 
 
 def _moments(relation: t.Chain, ground: Ground) -> Iterator[Repair]:

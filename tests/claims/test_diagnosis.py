@@ -22,6 +22,7 @@ ROWS = [
     ("eq-12", r"\alpha=-\frac{g\ell(\frac M2+m)}{\frac{M\ell^2}{3}+m\ell^2+\frac{mR^2}{2}}\sin\theta", "exchanged"),
     ("eq-22", rf"\alpha=-\frac{{g\ell(\frac m2+M)}}{{{INERTIA}}}\sin\theta", "is too much"),
     ("eq-34", r"\alpha=-\frac{3g}{2\ell}\cos\theta", "factor 1/2"),
+    ("eq-34", r"\alpha=-\frac{4\ell}{3g}\cos\theta", "upside down"),
     ("eq-31", r"\mathpzc{w}_c=\frac16M\ell^2\omega^2", "sign"),
     ("eq-30", r"\mathcal{W}_{\theta}=\int_{\theta_0}^\theta d\theta\,\ell(N_w\sin\theta+N_f\cos\theta)", "sign of N_f"),
     ("eq-19", r"\vec L_{disk}=\frac{MR^2}{2}\vec\beta", "it holds about disk.cm"),
