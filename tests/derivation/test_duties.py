@@ -1,10 +1,14 @@
 """What must not vanish is told without the factors that do not."""
 
+from types import SimpleNamespace
+
 import pytest
 
+from rbpsym.algebra.present import PLAIN
 from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.derivation.duties import _is_said
+from rbpsym.derivation.duties import _is_said, _open
 from rbpsym.derive import derive
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -42,3 +46,14 @@ def test_what_is_positive_is_not_said_to_be_not_negative_beside(name: str) -> No
 def test_one_condition_is_told_for_two(op: str, value: Scalar, said: bool) -> None:
     """x > 0 says x ≥ 0 and x ≠ 0, and nothing of y."""
     assert _is_said(Condition(t.ZERO, op, value), [X]) is said
+
+
+def test_a_condition_has_one_form() -> None:
+    """Of the other sign, times a number or a factor of known sign it is the condition that was there before."""
+    whole = SimpleNamespace(assumptions=Assumptions({"m": "positive"}), style=PLAIN)
+    view, m = SimpleNamespace(steps={}, rows={}, whole=whole), symbol("m")
+    first = _open(view, Condition(t.Sym("a"), "!=", X - Y)).relation
+    assert first == t.relation(t.Sym("a"), "!=", t.ZERO)
+    for value in (Y - X, (X - Y) * 3, (Y - X) * m):
+        assert _open(view, Condition(t.Sym("b"), "!=", value)).relation == first
+    assert _open(view, Condition(t.Sym("b"), ">", Y - X)).relation != t.relation(t.Sym("a"), ">", t.ZERO)
