@@ -20,7 +20,7 @@ from rbpsym.derivation.chapters import (
     oscillations,
 )
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped
+from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped, Step
 from rbpsym.errors import LimitError, NotApplicable
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.pushing import check_start
@@ -47,7 +47,7 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     if not problem.phases:
         return first
     try:
-        return replace(first, phases=_phases(problem))
+        return replace(first, phases=_phases(problem, first.steps))
     except NotApplicable:
         left_out = Skipped("phases", "skipped.phases")
     except LimitError:
@@ -55,12 +55,12 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     return replace(first, skipped=(*first.skipped, left_out))
 
 
-def _derived(study: Study, simulation: bool) -> Derivation:
+def _derived(study: Study, simulation: bool, before: tuple[Step, ...] = ()) -> Derivation:
     """The derivation of one phase."""
     study.solved  # noqa: B018  what grows too long is refused before anything is written
     with suppress(LimitError):  # the signs at the start: told by the methods that can't do without the forces
         check_start(study)
-    draft = Draft(study)
+    draft = Draft(study, before)
     with in_all(MOST_IN_ALL):
         found = _chapters(draft)
     return _with_oracles(draft, found, simulation)
@@ -94,14 +94,14 @@ def _written(draft: Draft, write: Callable[[Draft], None]) -> bool:
         return False
 
 
-def _phases(problem: Problem) -> tuple[DerivedPhase, ...]:
+def _phases(problem: Problem, before: tuple[Step, ...]) -> tuple[DerivedPhase, ...]:
     """The later phases. Raises NotApplicable where the end of one has no closed form, LimitError where they grow too long."""
     from rbpsym.derivation.phases import hand_overs
 
     with in_all(MOST_IN_ALL):
         found = hand_overs(problem)
     return tuple(
-        DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, simulation=False), draft.context)
+        DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, False, before), draft.context)
         for phase, stage, draft in found
     )
 

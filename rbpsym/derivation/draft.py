@@ -12,6 +12,7 @@ from rbpsym.derivation.assertions import Said, settled, told
 from rbpsym.derivation.binding import bound
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import facts_of
+from rbpsym.derivation.forms import Forms
 from rbpsym.derivation.letters import introduce
 from rbpsym.derivation.step import STANDARD, Skipped, Step
 from rbpsym.equality.decide import scalars_equal
@@ -24,13 +25,14 @@ from rbpsym.notation import tree as t
 class Draft:
     """Steps so far, with the meanings of the quantities that they define.
 
-    `chapter` is where the next steps belong.
+    `chapter` is where the next steps belong; steps of phases `before` say in which form quantities are printed.
     """
 
-    def __init__(self, study: Study) -> None:
+    def __init__(self, study: Study, before: Iterable[Step] = ()) -> None:
         self.study, self.context = study, Context(study, facts=dict(facts_of(study)))
         self.steps: list[Step] = []
         self.skipped: list[Skipped] = []
+        self.forms = Forms.of(before)
         self.chapter = "statement"
 
     def add(
@@ -55,7 +57,7 @@ class Draft:
         step = Step(
             self._unique(id, {step.id for step in self.steps}),
             rule,
-            _without_repeats(statement),
+            self.forms.kept(_without_repeats(statement), len(self.steps)),
             self.chapter,
             phrase,
             slots,
@@ -80,6 +82,7 @@ class Draft:
         for letter in [name for name, (id, _) in self.context.introduced.items() if id in gone]:
             del self.context.introduced[letter]
         self.context.rows.clear()
+        self.forms.forget(kept)
 
     def those(self, *ids: str) -> tuple[str, ...]:
         """Those of the ids of which a step was made."""

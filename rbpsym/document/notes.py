@@ -16,7 +16,7 @@ from rbpsym.document.notes_checks import checks_section, course_checks_section, 
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
-from rbpsym.document.notes_question import answer_section, question_section
+from rbpsym.document.notes_question import answer_section, in_known_forms, question_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
 from rbpsym.document.places import locator
@@ -143,7 +143,8 @@ def problem_sections(
     said = replace(said, is_brief=is_brief, level=DETAILS[detail])
     speaker = phase_words(detail, language)
     drawn = _curves(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
-    answers, later = tuple(own_answers(derivation.study)), list(phase_results(derivation, said, speaker))
+    answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))
+    later = list(phase_results(derivation, said, speaker))
     answered = answer_section(answers, ((said, derivation.steps), *later), said, level)
     return [
         *([question_section(answers, said, level)] if answers else []),

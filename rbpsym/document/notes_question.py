@@ -8,6 +8,7 @@ from dataclasses import replace
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused
 from rbpsym.derivation.assertions import Said
+from rbpsym.derivation.forms import Forms
 from rbpsym.derivation.step import Step, StepRef
 from rbpsym.document.chapters import ends
 from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section
@@ -19,6 +20,18 @@ from rbpsym.notation.infix import RELATION_SIGNS
 
 Found = Answer | Refused
 Told = tuple[Words, tuple[Step, ...]]
+
+
+def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[Found]:
+    """The answers, what these steps have printed already in that form."""
+    forms = Forms.of(steps)
+    for found in answers:
+        if isinstance(found, Answer):
+            kept = tuple(replace(step, statement=forms.kept(step.statement)) for step in found.steps)
+            nodes = tuple(forms.kept(t.equation(t.Sym(found.symbol), node)).items[-1] for node in found.nodes)
+            found = replace(found, steps=kept, nodes=nodes)
+        yield found
+
 
 def question_section(answers: Iterable[Found], said: Words, level: int) -> Section:
     """What is asked; in brief notes with the answers."""
