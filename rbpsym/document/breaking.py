@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from rbpsym.document.cutting import INDENT, flat, opened, packed, pieces, terms, width
-from rbpsym.document.model import Display, Emph, Inlines, Math, Ref, Strong, Table, Text
+from rbpsym.document.model import Block, Display, Emph, Inlines, Math, Paragraph, Ref, Strong, Table, Text
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows
@@ -141,6 +141,17 @@ INLINE_WIDTHS: Mapping[type, Callable[..., float]] = {
 def text_width(inlines: Inlines, notation: Notation) -> float:
     """The width of inlines on one line, in em."""
     return sum(INLINE_WIDTHS[type(inline)](inline, notation) for inline in inlines)
+
+
+def is_run_in(block: Block, after: Block | None, notation: Notation, column: float) -> bool:
+    """Is a paragraph so short that the formula to which it leads has room in its line?"""
+    if not isinstance(block, Paragraph) or not isinstance(after, Display) or after.reason is not None:
+        return False
+    found = display_lines(after, notation, column)
+    return len(found) == 1 and text_width(block.inlines, notation) + found[0].width + NUMBER <= column
+
+
+NUMBER = 6.0  # em: what the number at the right takes, the box, and the room between
 
 
 def reason_fits(block: Display, notation: Notation, column: float) -> bool:

@@ -11,7 +11,7 @@ from rbpsym.document import telling
 from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section
 from rbpsym.document.needless import is_still
-from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label
+from rbpsym.document.notes_figures import figure_label, free_bodies_figure, free_bodies_label, is_drawn_beside
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 
@@ -93,7 +93,7 @@ def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> It
         short = f"{key.partition('.')[0]}.brief"
         yield from (Paragraph(said.say(short, ground=Said(derivation.study))),) if said.has(short) else ()
     elif said.has(f"{key}.intro") and not (said.is_later and key != "oscillations"):
-        points = [t.Sym(label) for label in derivation.study.origins]
+        points = [t.Sym(label) for label in telling.told_origins(derivation, said)]
         count = len(derivation.study.system.bodies)
         ground = Said(derivation.study)
         yield Paragraph(said.say(f"{key}.intro", ground=ground, points=points, count=count, **slots))
@@ -148,10 +148,11 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
 
 def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The free-body diagrams and the ledger."""
-    yield from _intro(
-        "forces", derivation, said, figure=Ref(free_bodies_label(said)), table=Ref(said.prefix + "table.forces")
-    )
-    yield free_bodies_figure(derivation, said)
+    is_drawn = is_drawn_beside(derivation, said)
+    figure = Ref(figure_label(said) if is_drawn else free_bodies_label(said))
+    key = "forces" if telling.told_origins(derivation, said) else "forces.center"
+    yield from _intro(key, derivation, said, figure=figure, table=Ref(said.prefix + "table.forces"))
+    yield from () if is_drawn else (free_bodies_figure(derivation, said),)
     short = telling.in_one_table(steps, derivation, said)
     long = [step for step in steps if step not in short]
     yield telling.forces_table(short, derivation, said)

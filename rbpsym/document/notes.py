@@ -73,7 +73,7 @@ def brief_sections(derivation: Derivation, said: Words, level: int) -> Iterator[
         blocks = {name: list(chapter_blocks(name, derivation, said)) for name in chapters}
         lead = next((name for name in titles if blocks[name]), None)
         if lead is not None:
-            found = (*figure, *(block for name in chapters for block in with_remarks(blocks[name], derivation, said)))
+            found = (*figure, *(block for name in chapters for block in blocks[name]))
             yield Section(chapter_title(lead, derivation, said), found, f"{said.prefix}section.{lead}", level)
             figure = []
 
@@ -146,15 +146,18 @@ def problem_sections(
     answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))
     later = list(phase_results(derivation, said, speaker))
     answered = answer_section(answers, ((said, derivation.steps), *later), said, level)
+    derived = (
+        *(brief_sections if is_brief else chapter_sections)(derivation, said, level),
+        *phase_sections(derivation, said, level, speaker),
+    )
     return [
         *([question_section(answers, said, level)] if answers else []),
         statement_section(derivation, said, level),
-        *(brief_sections if is_brief else chapter_sections)(derivation, said, level),
-        *phase_sections(derivation, said, level, speaker),
+        *(derived if said.is_full else with_remarks(derived, derivation, (said, *(own for own, _ in later[1::2])), detail)),
         *([drawn] if drawn else []),
         *([answered] if answered else []),
-        *(() if is_brief else results_section(derivation, said, level, later, detail)),
-        checks_section(derivation, said, level, checks or (None if is_brief else "")),
+        *(results_section(derivation, said, level, later, detail) if said.is_full else ()),
+        checks_section(derivation, said, level, checks or ("" if said.is_full else None)),
     ]
 
 
@@ -173,7 +176,7 @@ def phase_words(detail: str, language: str) -> Callable[[Derivation, str], Words
 
     def speaker(derivation: Derivation, prefix: str) -> Words:
         found = words_of(derivation, new_steps(derivation, shown_steps(derivation, detail)), language, prefix)
-        return replace(found, is_later=True, is_brief=detail == "brief")
+        return replace(found, is_later=True, is_brief=detail == "brief", level=DETAILS[detail])
 
     return speaker
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from itertools import chain
 from math import floor, log10
 
 from rbpsym.derivation.assertions import Said
@@ -54,13 +55,21 @@ def _remarked(about: Iterable[Step], speech: Words) -> Iterator[Block]:
         yield Paragraph(sentences(told))
 
 
-def with_remarks(blocks: Iterable[Block], derivation: Derivation, said: Words) -> Iterator[Block]:
-    """The blocks of brief notes, which have no list of results: what is to be said of a result stands behind its box."""
-    about = {said.prefix + id: found for id, found in remarks(derivation, "brief")[0].items()}
-    for block in blocks:
-        yield block
-        if isinstance(block, Display) and block.boxed:
-            yield from _remarked((one for label in (block.label, *block.also) for one in about.get(label, ())), said)
+def with_remarks(
+    sections: Iterable[Section], derivation: Derivation, phases: Iterable[Words], detail: str
+) -> Iterator[Section]:
+    """The sections of notes that have no list of results: what is to be said of a result stands behind its box."""
+    told = zip(phases, remarks(derivation, detail), strict=True)
+    about = {said.prefix + id: (found, said) for said, results in told for id, found in results.items()}
+    for section in sections:
+        blocks = [(block, *_behind(block, about)) for block in section.blocks]
+        yield replace(section, blocks=tuple(chain.from_iterable(blocks)))
+
+
+def _behind(block: Block, about: Mapping[str, tuple[list[Step], Words]]) -> Iterator[Block]:
+    if isinstance(block, Display) and block.boxed:
+        for found, said in (about[label] for label in (block.label, *block.also) if label in about):
+            yield from _remarked(found, said)
 
 
 def _distinct(found: list[tuple[Words, Step, Iterable[Step]]]) -> Iterator[tuple[Step, Words, Iterable[Step]]]:
@@ -90,7 +99,7 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     ]
     lead = said.say("checks.roads", ground=ground)
     skipped = [left_out(found, said) for found in derivation.skipped if not is_still(derivation)]
-    if said.is_brief or is_told:
+    if not said.is_full or is_told:
         told = (Paragraph(sentences([part for part in (intro, *items, *skipped) if part])), *(() if whole else (own,)))
         return Section(said.say("section.checks"), told, said.prefix + "section.checks", level)
     blocks: tuple[Block, ...] = (

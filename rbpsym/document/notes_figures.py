@@ -169,6 +169,11 @@ def has_single_body(derivation: Derivation) -> bool:
     return len(derivation.study.system.bodies) == 1 and bool(derivation.chapter("forces"))
 
 
+def is_drawn_beside(derivation: Derivation, said: Words) -> bool:
+    """Do the forces on the only body stand beside the system? In full notes they have a figure of their own."""
+    return not said.is_full and has_single_body(derivation)
+
+
 def described(sketch: Sketch, name: str, said: Words) -> str:
     """The alt text of the free-body diagram of a body."""
     called = "".join(part.text for part in said.the(name) if isinstance(part, Text))

@@ -8,14 +8,14 @@ from itertools import pairwise
 import numpy as np
 
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section, Text
+from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section
 from rbpsym.document.moving import REASONS
 from rbpsym.document.phrases import plain
 from rbpsym.document.plots.motion import PlottedMotion, motion
 from rbpsym.document.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
 from rbpsym.document.plots.scales import Scale, told_numbers
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
-from rbpsym.document.words import Words
+from rbpsym.document.words import Words, sentences
 from rbpsym.errors import NotApplicable
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
@@ -108,8 +108,10 @@ def course(values: Sequence[float], small: float) -> str:
 # ---
 
 
-IN_A_ROW = 2
-Panels = list[Panel]
+IN_A_ROW = 3
+Panels = Sequence[Panel]
+ALL = ("energies", "speeds", "forces", "positions")
+ENOUGH = ("energies", "forces", "positions")  # where not everything is shown
 
 
 def plots_section(derivation: Derivation, said: Words, level: int) -> Section:
@@ -117,7 +119,7 @@ def plots_section(derivation: Derivation, said: Words, level: int) -> Section:
     title, label = said.say("plots.title"), said.prefix + "section.plots"
     try:
         moving = motion(derivation)
-        figures = tuple(plot_figures(moving, said))
+        figures = tuple(plot_figures(moving, said, ALL if said.is_full else ENOUGH))
     except NotApplicable as reason:
         return Section(title, (Paragraph(why_not(reason, said)),), label, level)
     return Section(title, (Paragraph(numbers(moving, said)), *figures), label, level)
@@ -129,51 +131,44 @@ def why_not(reason: NotApplicable, said: Words) -> Inlines:
     return said.say(f"plots.none.{key}")
 
 
-def plot_figures(moving: PlottedMotion, said: Words) -> Iterator[FigureBlock]:
-    """Works, energies with speeds, forces with the motion in time; two panels in a figure."""
+def plot_figures(moving: PlottedMotion, said: Words, wanted: Sequence[str] = ALL) -> Iterator[FigureBlock]:
+    """The works, force by force; then what is wanted, three panels in a figure."""
+    made = {"energies": energies, "speeds": speeds, "forces": forces}
+    made["positions"] = lambda moving: positions(moving, plain("plots.linear", said.language))
     worked = list(works(moving))
-    groups = [("works" if len(worked) > 1 else "works_one", worked)] if worked else []
-    groups += shared(("energies", list(energies(moving))), ("speeds", list(speeds(moving))))
-    placed = list(positions(moving, plain("plots.linear", said.language)))
-    groups += shared(("forces", list(forces(moving))), ("positions", placed))
-    for number, (name, panels) in enumerate(groups):
-        words = caption(moving, name, panels, said, is_first=number == 0)
-        yield panels_figure(label_of(name, groups, number), panels, words, moving, said)
+    several = len(worked) > 1
+    groups = [(("works",), worked)] if several else []
+    rest = [("works_one", panel) for panel in worked if not several]
+    rest += [(name, panel) for name in wanted for panel in made[name](moving)]
+    for start in range(0, len(rest), IN_A_ROW):
+        row = rest[start : start + IN_A_ROW]
+        groups.append((tuple(dict.fromkeys(name for name, _ in row)), [panel for _, panel in row]))
+    for number, (names, panels) in enumerate(groups):
+        words = caption(moving, names, panels, said, is_first=number == 0)
+        yield panels_figure(label_of(names, groups, number), panels, words, moving, said)
 
 
-def label_of(name: str, groups: Sequence[tuple[str, Panels]], number: int) -> str:
+def label_of(names: tuple[str, ...], groups: Sequence[tuple[tuple[str, ...], Panels]], number: int) -> str:
     """The name of a figure: that of its first panel, with a number if it is not the first of this name."""
-    kind = name.partition("_")[0]
-    before = sum(other.partition("_")[0] == kind for other, _ in groups[:number])
+    kind = names[0].partition("_")[0]
+    before = sum(other[0].partition("_")[0] == kind for other, _ in groups[:number])
     return f"{kind}-{before + 1}" if before else kind
 
 
-def shared(one: tuple[str, Panels], other: tuple[str, Panels]) -> Iterator[tuple[str, Panels]]:
-    """Two kinds of panels in one figure, where there is one of each; else in figures of their own."""
-    if len(one[1]) == len(other[1]) == 1:
-        yield f"{one[0]}_{other[0]}", one[1] + other[1]
-        return
-    for name, panels in (one, other):
-        for start in range(0, len(panels), IN_A_ROW):
-            yield name, panels[start : start + IN_A_ROW]
-
-
-def caption(moving: PlottedMotion, name: str, panels: Panels, said: Words, *, is_first: bool) -> Inlines:
+def caption(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, said: Words, *, is_first: bool) -> Inlines:
     """What the panels of a figure show, and what their dashed lines and circles mean."""
-    found = said.say(f"plots.{name}")
-    for key, slots in remarks(moving, name, panels, is_first):
-        found += (Text(" "), *said.say(f"plots.{key}", **slots))
-    return found
+    told = [said.say(f"plots.{name}") for name in names]
+    return sentences([*told, *(said.say(f"plots.{key}", **slots) for key, slots in remarks(moving, names, panels, is_first))])
 
 
-def remarks(moving: PlottedMotion, name: str, panels: Panels, is_first: bool) -> Iterator[tuple[str, dict]]:
+def remarks(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, is_first: bool) -> Iterator[tuple[str, dict]]:
     """What has to be said beside: keys of phrases and their slots."""
     all_curves = [curve for panel in panels for curve in panel.curves]
     if any(isinstance(curve.name, t.Delta) for curve in all_curves):
         yield "since_start", {}
     if omitted := sum(panel.omitted for panel in panels):
         yield "omitted", {"count": omitted}
-    if "forces" in name and moving.loss:
+    if "forces" in names and moving.loss:
         yield kind_of_loss(moving), {"force": t.Sym(moving.loss[1])}
     if any(curve.style == "curve thin" for curve in all_curves):
         yield "small", {}

@@ -9,7 +9,7 @@ from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.forms import Forms
-from rbpsym.derivation.step import Step, StepRef
+from rbpsym.derivation.step import STANDARD, Step, StepRef
 from rbpsym.document.chapters import ends
 from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section
 from rbpsym.document.questions import question, spoken
@@ -36,11 +36,13 @@ def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[
 def question_section(answers: Iterable[Found], said: Words, level: int) -> Section:
     """What is asked; in brief notes with the answers."""
     asked = [(found, question(text_of(found), said)) for found in answers]
-    blocks: list[Block] = [Paragraph(said.say("question.intro", count=len(asked)))]
-    for found, words in asked:
-        blocks += [ItemList((words,)), *(_outcome(found, said, _box(found)) if said.is_brief else ())]
+    intro = said.say("question.intro", count=len(asked))
     if not said.is_brief:
-        blocks[1:] = [ItemList(tuple(words for _, words in asked))]
+        listed = [inline for _, words in asked for inline in (Text("; "), *words)]
+        return (Paragraph((*intro, Text(" "), *listed[1:], Text("."))),)
+    blocks: list[Block] = [Paragraph(intro)]
+    for found, words in asked:
+        blocks += [ItemList((words,)), *_outcome(found, said, _box(found))]
     return Section(said.say("section.question"), tuple(blocks), said.prefix + "section.question", level)
 
 
@@ -73,6 +75,8 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     before = [replace(step, is_result=False) for step in found.steps[: len(found.steps) - len(last)]]
     known = {step.id: shown[ends(step.statement)] for step in before if ends(step.statement) in shown}
     new = [*(step for step in before if step.id not in known), *(() if said.is_brief else last)]
+    if last and new[-2:-1] == before[-1:] and _comes_to(new[-2]) == _comes_to(new[-1]):
+        new[-2:] = [replace(new[-2], is_result=True)]  # what is asked has its name already
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)
     inner = {id for step in before if step.id in seen for id in step.reasons}
@@ -81,6 +85,11 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
         yield Paragraph(said.say("question.given", steps=[StepRef(id) for id in seen if id in needed]))
     yield from Teller(said).steps(new)
     shown |= {ends(step.statement): Ref(said.prefix + step.id) for step in new if step not in last}
+
+
+def _comes_to(step: Step) -> t.Node | None:
+    """What an equation says that its letter is."""
+    return step.statement.items[-1] if isinstance(step.statement, t.Chain) and set(step.statement.ops) == {"="} else None
 
 
 def _states(found: Found) -> bool:
@@ -112,8 +121,8 @@ def _outcome(found: Found, said: Words, box: Iterable[Block], *, alone: bool = T
         told.append(said.say("question.proved.one", ground=Said(steps=found.steps)))
     elif not found.verdict.is_proved:
         told.append(said.say("question.open", reason=found.verdict.reason))
-    if any(told):
-        yield Paragraph(sentences([part for part in told if part]))
+    if told := [part for part in told if part]:
+        yield Paragraph(sentences(told))
 
 
 def _beside(found: Answer, said: Words) -> Iterator[Inlines]:

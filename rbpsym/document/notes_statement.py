@@ -8,7 +8,7 @@ from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import BodyRef, Derivation
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, Text, words
 from rbpsym.document.notes_events import phase_sentences
-from rbpsym.document.notes_figures import figure_label, figure_with_forces, has_single_body, system_figure
+from rbpsym.document.notes_figures import figure_label, figure_with_forces, is_drawn_beside, system_figure
 from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.places import growth
 from rbpsym.document.pose import DrawnPose
@@ -83,12 +83,12 @@ def statement_section(derivation: Derivation, said: Words, level: int) -> Sectio
     text = [_bodies(problem, said, ground), *element_sentences(pose, said)]
     motion = [_freedom(derivation, said), *_start(problem, said, ground), *_phases(pose, said)]
     symbols = symbols_table(derivation, said)
-    figure = figure_with_forces if said.is_brief and has_single_body(derivation) else system_figure
+    figure = figure_with_forces if is_drawn_beside(derivation, said) else system_figure
     blocks: list[Block] = [
         Paragraph(sentences(text)),
-        Paragraph(sentences([*motion, *(_letters(symbols, (*text, *motion), said) if said.is_brief else ())])),
+        Paragraph(sentences([*motion, *(() if said.is_full else _letters(symbols, (*text, *motion), said))])),
         figure(derivation, said),
-        *(() if said.is_brief else (symbols,)),
+        *((symbols,) if said.is_full else ()),
         Paragraph(sentences(list(_conventions(pose, said)))),
     ]
     return Section(said.say("section.statement"), tuple(blocks), said.prefix + "section.statement", level)

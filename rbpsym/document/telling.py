@@ -25,7 +25,7 @@ PARTIES = ("earth", "ground", "agent", "medium", "string", "link", "spring", "da
 
 def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Table:
     """Each force: the vector, on what and where it acts, by whom, its torque about cm and each origin."""
-    origins = list(derivation.study.origins)
+    origins = told_origins(derivation, said)
     header = [said.say(f"header.{key}") for key in ("force", "acts", "torque_center")]
     header += [said.say("header.torque_about", point=t.Sym(o)) for o in origins]
     pose = DrawnPose(derivation.study)
@@ -33,6 +33,13 @@ def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Tabl
     return Table(
         tuple(header), rows, said.say("caption.forces"), "lp" + "c" * (1 + len(origins)), said.prefix + "table.forces"
     )
+
+
+def told_origins(derivation: Derivation, said: Words) -> list[str]:
+    """The fixed points about which torques are told: in full notes all, else those about which a shown step takes them."""
+    shown = [step for step in derivation.steps if step.id in said.shown and step.chapter != "forces"]
+    names = {name for step in shown for name in t.names(step.statement)}
+    return [o for o in derivation.study.origins if said.is_full or any(n.startswith(f"tau_{o}") for n in names)]
 
 
 def in_one_table(steps: list[Step], derivation: Derivation, said: Words) -> list[Step]:
@@ -49,7 +56,8 @@ def in_one_table(steps: list[Step], derivation: Derivation, said: Words) -> list
 
 def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iterator[Inlines]:
     rows = t.rows(step.statement)
-    torques = rows[-1 - len(origins) :]
+    every = list(pose.study.origins)
+    torques = rows[-1 - len(every) :]
     yield (Math(rows[0]),) if len(rows) > len(torques) else (Math(step.slots["force"]),)
     kind = "couple" if len(rows) == len(torques) else "acts"
     variant = "many" if len(pose.study.system.bodies) > 1 else "one"
@@ -60,7 +68,7 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
         at=_at(step.slots["where"], step.slots["body"].name, pose, said),
         variant=variant,
     )
-    yield from ((Math(row.items[-1]),) for row in torques)
+    yield from ((Math(torques[place].items[-1]),) for place in (0, *(1 + every.index(label) for label in origins)))
 
 
 def _by(name: str, said: Words) -> Inlines:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.derivation.assertions import Said, on_page
-from rbpsym.derivation.step import STANDARD, BodyRef, PhraseRef, QuestionRef, StepRef
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef, PhraseRef, QuestionRef, StepRef
 from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
@@ -41,6 +41,11 @@ class Words:
     elsewhere: Mapping[str, Ref] = field(default_factory=dict)
     owed: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
     locate: Callable[[str, str, Words], Inlines] | None = field(default=None, compare=False)
+
+    @property
+    def is_full(self) -> bool:
+        """Is everything shown?"""
+        return self.level == FULL
 
     @property
     def notation(self) -> Notation:

@@ -26,6 +26,7 @@ class DrawingStyle:
     dash: float | None = None
 
 
+FORCE_COLORS = ("accent", "force", "green", "purple", "orange", "teal")  # of both works of a force
 STYLES: Mapping[str, DrawingStyle] = {
     "body": DrawingStyle("ink", 0.9, fill="body"),
     "rod edge": DrawingStyle("ink", 4.4),
@@ -56,6 +57,8 @@ STYLES: Mapping[str, DrawingStyle] = {
     "curve 5": DrawingStyle("orange", 1.4),
     "curve 6": DrawingStyle("teal", 1.4, dash=0.22),
     "curve sum": DrawingStyle("ink", 2.0),
+    **{f"along {k}": DrawingStyle(color, 1.4) for k, color in enumerate(FORCE_COLORS, 1)},
+    **{f"about {k}": DrawingStyle(color, 1.4, dash=0.16) for k, color in enumerate(FORCE_COLORS, 1)},
     "curve thin": DrawingStyle("soft", 1.1, dash=0.09),
 }
 

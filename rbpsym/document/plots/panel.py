@@ -16,7 +16,7 @@ from rbpsym.document.plots.scales import Scale
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 
-WIDE, HIGH = 4.3, 3.4  # cm between the axes' ends
+WIDE, HIGH = 3.4, 2.7  # cm between the axes' ends: three in a row
 TICK = 0.09
 LOOKS = ("curve 1", "curve 2", "curve 3", "curve 4", "curve 5", "curve 6")
 SAME = 4e-6  # cm: curves that are no farther apart are one
@@ -49,7 +49,7 @@ class Panel:
     """Curves over common places. Values are in units of the scales already.
 
     Where places and values are not numbers there is a gap: what is on both its sides is a jump.
-    `omitted` curves had no room.
+    `omitted` curves had no room; heights in `reach` are shown too, so that panels have one scale.
     """
 
     across: t.Node
@@ -59,6 +59,7 @@ class Panel:
     up_scale: Scale
     marks: tuple[PlotMark, ...] = ()
     omitted: int = 0
+    reach: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +108,7 @@ def scene(panel: Panel, notation: Notation) -> Scene:
 
 def axes_of(panel: Panel, decimal: str = ".") -> tuple[Axis, Axis]:
     """Both axes; the vertical one holds the height 0."""
-    heights = np.concatenate([[0.0], *(curve.values for curve in panel.curves)])
+    heights = np.concatenate([[0.0, *panel.reach], *(curve.values for curve in panel.curves)])
     across = axis(panel.places, WIDE, sign=panel.across_scale.sign, decimal=decimal, tight=True)
     return across, axis(heights, HIGH, sign=panel.up_scale.sign, decimal=decimal)
 

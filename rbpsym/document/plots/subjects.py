@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import cycle
 
 import numpy as np
 
@@ -147,15 +148,35 @@ NOWHERE = symbol("[nowhere]")  # a quantity without a number
 
 
 def works(moving: PlottedMotion) -> Iterator[Panel]:
-    """Translational works with their sum, and rotational works with theirs."""
-    scale = moving.scales.of(ENERGY)
-    for half in ("T", "theta"):
-        found = [curve for curve in halves(moving, half, scale) if largest_value(curve) > 1e-9]
-        if not found:
-            continue
-        whole = [PlotCurve(t.Sym(f"cal_W_{half}"), sum(one.values for one in found), "curve sum")] if len(found) > 1 else []
-        shown = largest(found)
-        yield replace(panel(moving, moving.real, (*shown, *whole), scale), omitted=len(found) - len(shown))
+    """A panel for each force that works in several ways, with both works and their sum; then all other works. A force has
+    one colour, and all panels have one scale."""
+    scale, several, single = moving.scales.of(ENERGY), [], []
+    for look, (force, found) in zip(cycle(range(1, MOST + 1)), by_force(moving, scale).items(), strict=False):
+        styled = tuple(replace(one, style=f"{style} {look}") for one, style in found)
+        if len(styled) > 1:
+            several.append((*styled, PlotCurve(t.Sym(f"cal_W_{force}"), sum(one.values for one in styled), "curve sum")))
+        else:
+            single += styled
+    shown = sorted(several, key=lambda group: max(map(largest_value, group)), reverse=True)[: MOST - 1]
+    groups = [*(group for group in several if group in shown), *([tuple(largest(single))] if single else ())]
+    every = np.concatenate([[0.0], *(curve.values for group in groups for curve in group)])
+    reach = (float(np.nanmin(every)), float(np.nanmax(every)))
+    left_out = sum(map(len, several)) + len(single) - sum(map(len, groups))
+    for number, group in enumerate(groups):
+        yield replace(panel(moving, moving.real, group, scale), reach=reach, omitted=left_out if number == 0 else 0)
+
+
+Styled = tuple[PlotCurve, str]
+
+
+def by_force(moving: PlottedMotion, scale: Scale) -> Mapping[str, list[Styled]]:
+    """For each force its works that are not zero, and whether each is one along the path or about the centre of mass."""
+    found: dict[str, list[Styled]] = {}
+    for half, style in (("T", "along"), ("theta", "about")):
+        for force, curve in halves(moving, half, scale):
+            if largest_value(curve) > 1e-9:
+                found.setdefault(force, []).append((curve, style))
+    return found
 
 
 def largest(found: Sequence[PlotCurve]) -> list[PlotCurve]:
@@ -169,14 +190,14 @@ def largest_value(curve: PlotCurve) -> float:
     return np.nanmax(np.abs(curve.values), initial=0.0)
 
 
-def halves(moving: PlottedMotion, half: str, scale: Scale) -> Iterator[PlotCurve]:
-    """The translational (T) or rotational (theta) work of each force on each body."""
+def halves(moving: PlottedMotion, half: str, scale: Scale) -> Iterator[tuple[str, PlotCurve]]:
+    """The translational (T) or rotational (theta) work of each force on each body, with the name of the force."""
     closed = {s.statement.items[0]: s for s in moving.derivation.steps if s.rule == "work_done"}
     for name, (force, body) in work_names(moving.derivation.steps, half).items():
         if moving.is_over_place and name in closed:
-            yield from curves(lambda _, step=closed[name]: [step], moving.real, scale)
+            yield from ((force, one) for one in curves(lambda _, step=closed[name]: [step], moving.real, scale))
         else:
-            yield PlotCurve(name, work_done(moving.real, force, body, half) / scale.size)
+            yield force, PlotCurve(name, work_done(moving.real, force, body, half) / scale.size)
 
 
 def work_names(steps: Iterable[Step], half: str) -> dict[t.Node, tuple[str, str]]:
@@ -265,10 +286,10 @@ def forces(moving: PlottedMotion) -> Iterator[Panel]:
     """The unknown forces along the motion, marked where a contact is lost; then the unknown couples."""
     couples = couples_of(moving)
     for wanted, scale in ((False, moving.scales.of(FORCE)), (True, moving.scales.of(DIMENSIONS["torque"], "torque"))):
-        found = curves(lambda leg, w=wanted: reactions(leg, couples, w), moving.way, scale)
+        found = curves(lambda leg, w=wanted: reactions(leg, couples, w), moving.real, scale)
         if every := list(found):
             shown = tuple(largest(every))
-            made = panel(moving, moving.way, shown, scale, marks=marks_of(moving))
+            made = panel(moving, moving.real, shown, scale, marks=marks_of(moving))
             yield replace(made, omitted=len(every) - len(shown))
 
 

@@ -13,7 +13,7 @@ from rbpsym.notation.speech import to_speech
 from rbpsym.notation.tree import Node
 from rbpsym.notation.typst import render, to_typst
 
-COLUMN = 38.0
+COLUMN = 43.0
 
 
 def write_typst(document: d.Document) -> str:
@@ -42,10 +42,12 @@ def section(part: d.Section, page: Page) -> str:
 
 def blocks(parts: tuple, page: Page) -> str:
     """Blocks below each other; a paragraph stays with the formula that it leads to."""
-    found = []
+    found, led = [], ""
     for block, after in zip(parts, (*parts[1:], None), strict=False):
-        shown = page.show(block)
-        found.append(f"#lead[{shown}]" if page.is_lead(block, after) else shown)
+        shown = display(block, page, led) if led else page.show(block)
+        led = shown if breaking.is_run_in(block, after, page.notation, page.column) else ""
+        if not led:
+            found.append(f"#lead[{shown}]" if page.is_lead(block, after) else shown)
     return "\n\n".join(found)
 
 
@@ -71,13 +73,14 @@ def spoken(node: Node, page: Page) -> str:
     return typst_string(to_speech(node, page.notation))
 
 
-def display(block: d.Display, page: Page) -> str:
-    """A displayed formula; the shell sets number, box and reason."""
+def display(block: d.Display, page: Page, lead: str = "") -> str:
+    """A displayed formula, behind its sentence if that stands in the same line; the shell sets number, box and reason."""
     lines = breaking.display_lines(block, page.notation, page.column)
     content = " \\\n  ".join(line.shown(render, "&" if len(lines) > 1 else "", 'wide ""') for line in lines)
     settings = [f"alt: {spoken(block.node, page)}"]
     settings += number(block, page)
     settings += ["boxed: true"] if block.boxed else []
+    settings += [f"lead: [{lead}]"] if lead else []
     settings += ["shrunk: true"] if breaking.widest(lines) > page.column else []
     settings += reason(block, page)
     return f"#display({', '.join(settings)}, $\n  {content}\n$){anchor(block.label)}"
