@@ -9,7 +9,7 @@ from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.forms import Forms
-from rbpsym.derivation.step import STANDARD, Step, StepRef
+from rbpsym.derivation.step import Step, StepRef
 from rbpsym.document.chapters import ends
 from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section
 from rbpsym.document.questions import question, spoken
@@ -36,13 +36,12 @@ def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[
 def question_section(answers: Iterable[Found], said: Words, level: int) -> Section:
     """What is asked; in brief notes with the answers."""
     asked = [(found, question(text_of(found), said)) for found in answers]
-    intro = said.say("question.intro", count=len(asked))
-    if not said.is_brief:
-        listed = [inline for _, words in asked for inline in (Text("; "), *words)]
-        return (Paragraph((*intro, Text(" "), *listed[1:], Text("."))),)
-    blocks: list[Block] = [Paragraph(intro)]
-    for found, words in asked:
-        blocks += [ItemList((words,)), *_outcome(found, said, _box(found))]
+    blocks: list[Block] = [Paragraph(said.say("question.intro", count=len(asked)))]
+    if said.is_brief:
+        for found, words in asked:
+            blocks += [ItemList((words,)), *_outcome(found, said, _box(found))]
+    else:
+        blocks.append(ItemList(tuple(words for _, words in asked)))
     return Section(said.say("section.question"), tuple(blocks), said.prefix + "section.question", level)
 
 
