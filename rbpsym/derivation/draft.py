@@ -32,7 +32,7 @@ class Draft:
         self.study, self.context = study, Context(study, facts=dict(facts_of(study)))
         self.steps: list[Step] = []
         self.skipped: list[Skipped] = []
-        self.forms = Forms.of(before)
+        self.forms = Forms(before)
         self.chapter = "statement"
 
     def add(

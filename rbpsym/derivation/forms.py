@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.algebra.evaluate import Value, value
@@ -14,19 +13,14 @@ from rbpsym.notation import tree as t
 PLAIN = (t.Sym, t.Num, t.Add, t.Neg, t.Mul, t.Div, t.Pow, t.Sqrt, t.Fn, t.Group)
 
 
-@dataclass
 class Forms:
     """The forms in which rows end, by their value in the letters that are printed, each with the number of its step."""
 
-    found: dict[Value, tuple[t.Node, int]] = field(default_factory=dict)
-
-    @classmethod
-    def of(cls, steps: Iterable[Step]) -> Forms:
+    def __init__(self, steps: Iterable[Step] = ()) -> None:
         """Those of a derivation that stands."""
-        forms = cls()
+        self.found: dict[Value, tuple[t.Node, int]] = {}
         for step in steps:
-            forms.kept(step.statement)
-        return forms
+            self.kept(step.statement)
 
     def kept(self, statement: t.Node, number: int = -1) -> Any:
         """The statement of a step of that number (-1 is never forgotten); what was printed before ends its rows in that form."""

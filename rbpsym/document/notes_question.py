@@ -24,7 +24,7 @@ Told = tuple[Words, tuple[Step, ...]]
 
 def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[Found]:
     """The answers, what these steps have printed already in that form."""
-    forms = Forms.of(steps)
+    forms = Forms(steps)
     for found in answers:
         if isinstance(found, Answer):
             kept = tuple(replace(step, statement=forms.kept(step.statement)) for step in found.steps)
@@ -74,7 +74,7 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     before = [replace(step, is_result=False) for step in found.steps[: len(found.steps) - len(last)]]
     known = {step.id: shown[ends(step.statement)] for step in before if ends(step.statement) in shown}
     new = [*(step for step in before if step.id not in known), *(() if said.is_brief else last)]
-    if last and new[-2:-1] == before[-1:] and _comes_to(new[-2]) == _comes_to(new[-1]):
+    if last and len(new) > 1 and new[-2:-1] == before[-1:] and _comes_to(new[-2]) == _comes_to(new[-1]):
         new[-2:] = [replace(new[-2], is_result=True)]  # what is asked has its name already
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)

@@ -10,6 +10,7 @@ from rbpsym.derive import derive
 from rbpsym.document.chapters import repeated
 from rbpsym.document.model import Display, FigureBlock, Math, Paragraph, Ref, Text
 from rbpsym.document.notes import DETAILS, course_notes, notes, shown_steps
+from rbpsym.document.notes_question import in_known_forms
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.phrases import languages
 from rbpsym.document.telling import known_key
@@ -70,9 +71,9 @@ def test_every_shown_step_is_in_the_document(name, detail):
 
 @by_problem
 def test_every_force_and_work_has_its_row(name):
-    shown = formulas(document(name))
+    shown = formulas(document(name, "full"))
     for step in derived(name).steps:
-        if step.id in shown_steps(derived(name), "standard") and step.chapter in ("forces", "work"):
+        if step.id in shown_steps(derived(name), "full") and step.chapter in ("forces", "work"):
             ends = {row.items[-1] for row in rows(step.statement)}
             pieces = shown | {row.items[-1] for row in shown if isinstance(row, t.Chain)}
             assert ends <= pieces, step.id
@@ -82,7 +83,8 @@ def test_every_force_and_work_has_its_row(name):
 @by_detail
 def test_no_formula_comes_by_another_road(name, detail):
     """Law 2: a displayed formula is what a step states, all of it or its two ends."""
-    asked = [step for found in answers_to(derived(name).study) for step in found.steps]
+    answers = in_known_forms(answers_to(derived(name).study), derived(name).all_steps)
+    asked = [step for found in answers for step in found.steps]
     stated = {row for step in (*derived(name).all_steps, *asked) for row in rows(step.statement)}
     stated |= {t.equation(row.items[0], row.items[-1]) for row in stated if row.ops[0] == "="}
     for block in parts(document(name, detail)):
@@ -138,8 +140,9 @@ def test_every_format_is_written(name, ending):
 
 @pytest.mark.parametrize("name", list(UNSEEN))
 def test_an_unseen_problem_has_a_pdf_with_both_figures(name):
-    figures = [part for part in parts(document(name)) if isinstance(part, FigureBlock)]
-    assert len(figures) == 2
+    for detail, count in (("standard", 1), ("full", 2)):  # the free body stands beside the system
+        figures = [part for part in parts(document(name, detail)) if isinstance(part, FigureBlock)]
+        assert len(figures) == count and sum(len(figure.scenes) for figure in figures) == 2
     assert writer("pdf")(document(name)).startswith(b"%PDF")
 
 
