@@ -140,7 +140,7 @@ def problem_sections(
     """
     is_brief = detail == "brief"
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
-    said = replace(said, is_brief=is_brief, level=DETAILS[detail])
+    said = replace(said, is_brief=is_brief, is_posed=True, level=DETAILS[detail])
     speaker = phase_words(detail, language)
     drawn = _curves(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
     answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))

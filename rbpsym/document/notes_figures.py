@@ -171,7 +171,7 @@ def has_single_body(derivation: Derivation) -> bool:
 
 def is_drawn_beside(derivation: Derivation, said: Words) -> bool:
     """Do the forces on the only body stand beside the system? In full notes they have a figure of their own."""
-    return not said.is_full and has_single_body(derivation)
+    return said.is_posed and not said.is_full and has_single_body(derivation)
 
 
 def described(sketch: Sketch, name: str, said: Words) -> str:

@@ -27,7 +27,7 @@ class Words:
     phase showed; `owed`: conditions under which the formula of a step holds;
     `level` of detail, from 1 to 3; `is_brief` where nothing is introduced;
     `is_later` of a later phase of a motion, where introductions
-    have been given already; `locate` says a point of a body as it is seen in the figure.
+    have been given already; `is_posed` where the statement stands before, with its figure; `locate` says a point of a body as it is seen in the figure.
     """
 
     language: str
@@ -37,6 +37,7 @@ class Words:
     same: Mapping[str, str] = field(default_factory=dict)
     is_later: bool = False
     is_brief: bool = False
+    is_posed: bool = False
     level: int = STANDARD
     elsewhere: Mapping[str, Ref] = field(default_factory=dict)
     owed: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)

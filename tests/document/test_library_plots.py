@@ -54,7 +54,7 @@ def test_no_label_collides(name: str) -> None:
             (one.content, other.content if isinstance(other, Label) else other) for one, other in collisions(drawing)
         ]
         assert not found
-        assert drawing.bounds[2] - drawing.bounds[0] < 11
+        assert drawing.bounds[2] - drawing.bounds[0] < 11.5
 
 
 def turns(points: Sequence[tuple[float, float]]) -> Iterator[tuple[int, float]]:

@@ -140,9 +140,10 @@ def test_every_format_is_written(name, ending):
 
 @pytest.mark.parametrize("name", list(UNSEEN))
 def test_an_unseen_problem_has_a_pdf_with_both_figures(name):
-    for detail, count in (("standard", 1), ("full", 2)):  # the free body stands beside the system
+    alone = len(derived(name).study.system.bodies) == 1  # then the free body stands beside the system
+    for detail, count in (("standard", 1 if alone else 2), ("full", 2)):
         figures = [part for part in parts(document(name, detail)) if isinstance(part, FigureBlock)]
-        assert len(figures) == count and sum(len(figure.scenes) for figure in figures) == 2
+        assert len(figures) == count and sum(len(figure.scenes) for figure in figures) >= 2
     assert writer("pdf")(document(name)).startswith(b"%PDF")
 
 

@@ -174,9 +174,11 @@ def tick_labels(x: Axis, y: Axis, notation: Notation) -> Iterator[Label]:
     width = max((label.size[0] for label in below), default=0.0) + 0.06
     skip = max(1, math.ceil(width / (x.at(x.ticks[1]) - x.at(x.ticks[0])))) if len(x.ticks) > 1 else 1
     yield from below[next((k for k, tick in enumerate(x.ticks) if tick == 0), 0) % skip :: skip]
-    for tick, text in zip(y.ticks, y.texts, strict=True):
-        label = fixed(text, (0.0, y.at(tick)), "soft", notation)
-        yield replace(label, place=(-TICK - 0.04 - label.size[0] / 2, y.at(tick)))
+    beside = [fixed(text, (0.0, y.at(tick)), "soft", notation) for tick, text in zip(y.ticks, y.texts, strict=True)]
+    high = max((label.size[1] for label in beside), default=0.0)
+    skip = max(1, math.ceil(high / (y.at(y.ticks[1]) - y.at(y.ticks[0])))) if len(y.ticks) > 1 else 1
+    for label in beside[next((k for k, tick in enumerate(y.ticks) if tick == 0), 0) % skip :: skip]:
+        yield replace(label, place=(-TICK - 0.04 - label.size[0] / 2, label.place[1]))
 
 
 def axis_labels(panel: Panel, notation: Notation) -> Iterator[Label]:
