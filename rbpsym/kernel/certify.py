@@ -94,17 +94,18 @@ def _proved(
     claims, further = known
     held = (part for item in claims.values() for part in item.given)
     conditions = [part for part in dict.fromkeys((*source.conditions(step), *held)) if part not in claim.given]
-    search = Search(source, {**claims, **further}, further)
-    try:
-        proof = search.prove(claim)
-        if search.is_sure or not conditions:
-            return claim, proof, search
-    except Undecided:
-        if not conditions:
-            raise
-    claim = replace(claim, given=(*claim.given, *conditions))
-    search = Search(source, {**claims, **further}, further)
-    return claim, search.prove(claim), search
+    made = None
+    for given in (claim.given, (*claim.given, *conditions)) if conditions else (claim.given,):
+        search = Search(source, {**claims, **further}, further)
+        try:
+            made = replace(claim, given=given), search.prove(replace(claim, given=given)), search
+        except Undecided:
+            if made is None and (given != claim.given or not conditions):
+                raise
+        if made is not None and search.is_sure:
+            break
+    assert made is not None, "what is not proved was raised"
+    return made
 
 
 def _used(search: Search, claim: Claim, proof: Proof, claims: Mapping[str, Claim]) -> set[str]:

@@ -156,7 +156,7 @@ class Writer:
             yield from (f"Hypothesis above'{name} : 0 < {identifier(name)}." for _ in [0] if sign == "positive")
         yield "Variables ta tb : R. Hypothesis Begin : ta < 0 < tb."
         names = [*self.source.rates, *system.accelerations]
-        yield f"Variables {' '.join(map(identifier, names))} : R -> R."
+        yield from (f"Variable {identifier(name)} : R -> R." for name in names)
         for name, rate in self.source.rates.items():
             of, to = identifier(name), self.terms.term(tree_of(rate))
             yield f"Hypothesis rate'{name} : {TIMES}is_derive {of} t {to}."
