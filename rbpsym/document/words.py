@@ -27,7 +27,8 @@ class Words:
     phase showed; `owed`: conditions under which the formula of a step holds;
     `level` of detail, from 1 to 3; `is_brief` where nothing is introduced;
     `is_later` of a later phase of a motion, where introductions
-    have been given already; `is_posed` where the statement stands before, with its figure; `locate` says a point of a body as it is seen in the figure.
+    have been given already; `is_posed` where the statement stands before, with its
+    figure; `locate` says a point of a body as it is seen in the figure.
     """
 
     language: str

@@ -23,7 +23,7 @@ PROSE = (t.Integral, t.BodyIntegral, t.PathIntegral, t.Word, t.Vec, t.Unit, t.De
 class Content:
     """What a task prints, what it wants to be found, what as a number, and of what it wants the sign.
 
-    A value that is printed may well be asked for as a number: that is how a lesson goes on; but not the very row that says so.
+    A formula that is printed may well be asked for as a number: that is how a lesson goes on.
     """
 
     prints: frozenset[Claim] = frozenset()
@@ -35,7 +35,6 @@ class Content:
         """Whether one of the two gives away what the other asks for, or asks for the same."""
         wanted = self.asks & (other.asks | other.prints | other.numbers)
         told = self.prints & other.signs or self.signs & other.prints
-        told = told or any(isinstance(row, tuple) for row in self.prints & other.numbers | self.numbers & other.prints)
         return bool(wanted or told or (self.prints | self.numbers) & other.asks or self.numbers & other.numbers)
 
 
