@@ -6,7 +6,7 @@ import pytest
 
 from rbpsym.algebra.present import PLAIN
 from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.derivation.duties import _is_said, _open
+from rbpsym.derivation.duties import _core, _is_said, _open
 from rbpsym.derive import derive
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition
@@ -57,3 +57,9 @@ def test_a_condition_has_one_form() -> None:
     for value in (Y - X, (X - Y) * 3, (Y - X) * m):
         assert _open(view, Condition(t.Sym("b"), "!=", value)).relation == first
     assert _open(view, Condition(t.Sym("b"), ">", Y - X)).relation != t.relation(t.Sym("a"), ">", t.ZERO)
+
+
+def test_a_factor_of_known_sign_is_no_part_of_a_condition() -> None:
+    given, m, gap = Assumptions({"m": "positive"}), symbol("m"), X - Y
+    assert _core(gap * m * 2, given) == gap and _core(gap * m * -3, given) == -gap and _core(gap / (m + 1), given) == gap
+    assert _core(gap**2 * m, given) == gap**2 * m and _core(m / gap, given) == m / gap

@@ -6,7 +6,7 @@ import random
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import PI
+from rbpsym.algebra.scalar import PI, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.masks import MINUS, PLUS, ZERO
 from rbpsym.equality.signs import sign
@@ -184,3 +184,8 @@ def test_where_a_weak_condition_holds_as_an_equality_signs_allow_for_it(text):
         for at in held:
             seen = number(value, at)
             assert mask & (ZERO if abs(seen) < 1e-12 else PLUS if seen > 0 else MINUS), (formula, at, seen)
+
+
+def test_a_factor_of_what_is_positive_is_not_asked_for_beside_it() -> None:
+    a, b, c = map(symbol, "abc")
+    assert settle([Demand(a - b, "!="), Demand((a - b) * (a - c))], Assumptions()) == (Demand((a - b) * (a - c)),)
