@@ -199,7 +199,7 @@ def test_known_integrals(value: Scalar, lower: Scalar, upper: Scalar, expected: 
 
 
 @pytest.mark.parametrize(
-    "value", [root(X) * sine(X), 1 / (1 + X), function("exp", X * X), cosine(X * X), 1 / cosine(X), sine(X) / X, function("ln", X)]
+    "value", [root(X) * sine(X), 1 / (1 + X), function("exp", X * X), cosine(X * X), 1 / cosine(X), sine(X) / X]
 )
 def test_outside_the_class(value: Scalar) -> None:
     assert antiderivative(value, "x") is None
