@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -16,6 +16,7 @@ from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, lif
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.begun import needed
 from rbpsym.ask.made import value_of
+from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import (
     PLACE,
     Scene,
@@ -46,6 +47,8 @@ from rbpsym.mechanics.impulse import is_holding
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.stability import essential
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
 from rbpsym.statement.source import did_you_mean
 
 
@@ -333,13 +336,30 @@ WORDS = {"equals": "=", "is at least": ">=", "is at most": "<=", "is less than":
          "is more than": ">"}  # fmt: skip
 
 
+def _sides(world: Scene, left: str, right: str) -> Iterator[tuple[str, str]]:
+    """The ways to read the two sides, the likeliest first: a place that follows a formula is that of the first side; one that
+    follows a quantity is that of both, unless the first has its own or it is a moment of the second alone (“at the start”)."""
+    place = PLACE.fullmatch(right)
+    if place and _is_formula(world, place[1]):
+        yield left + place[2], place[1]
+    elif place and place[2].startswith((" where", " when", " once")) and not PLACE.fullmatch(left) and not is_jump(left):
+        yield left + place[2], right
+    yield left, right
+
+
+def _is_formula(world: Scene, text: str) -> bool:
+    try:
+        return t.names(read_infix(text, world.names)) <= {*world.study.problem.dimensions, "pi"}
+    except RbpsymError:
+        return False
+
+
 def _compared(world: Scene, text: str) -> Wanted:
     """Two quantities with a relation between; a place may follow the second: “N = m*g where theta = 0”."""
     refused: list[RbpsymError] = []
     for cut in RELATION.finditer(text):
         left, op, right = text[: cut.start()], WORDS.get(cut[1], cut[1]), text[cut.end() :]
-        place = PLACE.fullmatch(right)
-        for first, second in (*(((left + place[2], place[1]),) if place else ()), (left, right)):
+        for first, second in _sides(world, left, right):
             try:
                 both = _equal(world, first, second)
             except RbpsymError as error:
