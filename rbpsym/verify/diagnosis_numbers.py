@@ -26,10 +26,14 @@ class Triple(tuple[float, ...]):
     """The three components of a vector, with the arithmetic of vectors."""
 
     def __add__(self, other: Any) -> Triple:
+        if not isinstance(other, Triple) and other == 0:  # the null vector, as the first term of a sum or a side
+            return self
         return Triple(a + b for a, b in zip(self, other, strict=True))
 
-    def __radd__(self, zero: float) -> Triple:
-        return self  # as the first term of a sum
+    __radd__ = __add__
+
+    def __rsub__(self, other: Any) -> Triple:
+        return -self + other
 
     def __sub__(self, other: Any) -> Triple:
         return self + -other

@@ -48,7 +48,7 @@ def test_an_edit_of_words_derives_nothing_anew(file: Path) -> None:
     assert after.study.problem.parameters[0].meaning == "how heavy it is"
     assert after.study.system.problem is after.study.problem
     assert after.study.dynamics is before.study.dynamics
-    assert "how heavy it is" in writer("md")(notes(after))
+    assert "how heavy it is" in writer("md")(notes(after, detail="full"))
 
 
 def test_an_edit_of_the_mechanics_derives_anew(file: Path) -> None:
@@ -66,7 +66,7 @@ def test_an_edit_of_the_notation_restyles_the_kept_steps(file: Path) -> None:
     edit(file, 'theta_dot  = "omega"', 'theta_dot  = "Omega"')
     after = kept.derivation(file)
     assert after.steps is before.steps
-    assert r"\Omega" in writer("md")(notes(after))
+    assert r"\Omega" in writer("md")(notes(after, detail="full"))
 
 
 def test_a_course_derives_only_the_problem_that_changed() -> None:
@@ -85,7 +85,7 @@ def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsy
     kept, written = KeptDerivations(False), []
 
     def write() -> list[Path]:
-        written.append(writer("html")(notes(kept.derivation(file))))
+        written.append(writer("html")(notes(kept.derivation(file), detail="full")))
         return [file.with_suffix(".html")]
 
     def until() -> bool:

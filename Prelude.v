@@ -1,0 +1,235 @@
+(* What the written files stand on: derivatives by syntax, equality by rates, integrals, positivity. *)
+Require Export Reals Lra Psatz.
+From Coquelicot Require Export Coquelicot.
+Open Scope R_scope.
+
+(* Derivatives, dispatched on syntax; the rate of a letter is a hypothesis. *)
+Lemma D_eq : forall (f : R -> R) (t d e : R), is_derive f t e -> e = d -> is_derive f t d.
+Proof. intros; subst; assumption. Qed.
+Lemma D_const : forall c t : R, is_derive (fun _ => c) t 0.
+Proof. intros; apply @is_derive_const. Qed.
+Lemma D_id : forall t : R, is_derive (fun u => u) t 1.
+Proof. intros; apply @is_derive_id. Qed.
+Lemma D_plus : forall (f g : R -> R) (t a b : R),
+  is_derive f t a -> is_derive g t b -> is_derive (fun u => f u + g u) t (a + b).
+Proof. intros; apply @is_derive_plus; assumption. Qed.
+Lemma D_minus : forall (f g : R -> R) (t a b : R),
+  is_derive f t a -> is_derive g t b -> is_derive (fun u => f u - g u) t (a - b).
+Proof. intros; apply @is_derive_minus; assumption. Qed.
+Lemma D_opp : forall (f : R -> R) (t a : R), is_derive f t a -> is_derive (fun u => - f u) t (- a).
+Proof. intros; apply @is_derive_opp; assumption. Qed.
+Lemma D_mult : forall (f g : R -> R) (t a b : R),
+  is_derive f t a -> is_derive g t b -> is_derive (fun u => f u * g u) t (a * g t + f t * b).
+Proof. intros; apply @is_derive_mult; [assumption | assumption | intros; apply Rmult_comm]. Qed.
+Lemma D_div : forall (f : R -> R) (c t a : R), is_derive f t a -> is_derive (fun u => f u / c) t (a / c).
+Proof.
+  intros. unfold Rdiv. apply D_eq with (a * / c + f t * 0); [| ring].
+  apply (D_mult f (fun _ => / c)); [assumption | apply D_const].
+Qed.
+Lemma D_pow : forall (f : R -> R) (n : nat) (t a : R),
+  is_derive f t a -> is_derive (fun u => f u ^ n) t (INR n * a * f t ^ pred n).
+Proof. intros; apply is_derive_pow; assumption. Qed.
+Lemma D_sin : forall (f : R -> R) (t a : R), is_derive f t a -> is_derive (fun u => sin (f u)) t (a * cos (f t)).
+Proof. intros. apply (is_derive_comp sin f); [apply is_derive_sin | assumption]. Qed.
+Lemma D_cos : forall (f : R -> R) (t a : R), is_derive f t a -> is_derive (fun u => cos (f u)) t (a * - sin (f t)).
+Proof. intros. apply (is_derive_comp cos f); [apply is_derive_cos | assumption]. Qed.
+Lemma D_quot : forall (f g : R -> R) (t a b : R), is_derive f t a -> is_derive g t b -> g t <> 0 ->
+  is_derive (fun u => f u / g u) t ((a * g t - f t * b) / g t ^ 2).
+Proof. intros. apply (is_derive_div f g); assumption. Qed.
+Lemma D_inv : forall (g : R -> R) (t b : R), is_derive g t b -> g t <> 0 -> is_derive (fun u => / g u) t (- b / g t ^ 2).
+Proof. intros. apply (is_derive_inv g); assumption. Qed.
+Lemma D_sqrt : forall (f : R -> R) (t a : R), is_derive f t a -> 0 < f t ->
+  is_derive (fun u => sqrt (f u)) t (a * / (2 * sqrt (f t))).
+Proof.
+  intros f t a H P. apply (is_derive_comp sqrt f); [| assumption].
+  apply is_derive_Reals, derivable_pt_lim_sqrt; assumption.
+Qed.
+
+(* Continuity. *)
+Lemma C_der : forall (f : R -> R) (t d : R), is_derive f t d -> continuous f t.
+Proof. intros. apply @ex_derive_continuous. exists d; assumption. Qed.
+Lemma C_plus : forall (f g : R -> R) t, continuous f t -> continuous g t -> continuous (fun u => f u + g u) t.
+Proof. intros; apply @continuous_plus; assumption. Qed.
+Lemma C_minus : forall (f g : R -> R) t, continuous f t -> continuous g t -> continuous (fun u => f u - g u) t.
+Proof. intros; apply @continuous_minus; assumption. Qed.
+Lemma C_opp : forall (f : R -> R) t, continuous f t -> continuous (fun u => - f u) t.
+Proof. intros; apply @continuous_opp; assumption. Qed.
+Lemma C_mult : forall (f g : R -> R) t, continuous f t -> continuous g t -> continuous (fun u => f u * g u) t.
+Proof. intros; apply @continuous_mult; assumption. Qed.
+Lemma C_div : forall (f : R -> R) c t, continuous f t -> continuous (fun u => f u / c) t.
+Proof. intros; unfold Rdiv; apply C_mult; [assumption | apply continuous_const]. Qed.
+Lemma C_pow : forall (f : R -> R) n t, continuous f t -> continuous (fun u => f u ^ n) t.
+Proof.
+  intros f n t H. induction n; [apply continuous_const | apply (C_mult f (fun u => f u ^ n)); assumption].
+Qed.
+Lemma C_sin : forall (f : R -> R) t, continuous f t -> continuous (fun u => sin (f u)) t.
+Proof. intros; apply (continuous_comp f sin); [assumption | apply (C_der sin _ (cos (f t))), is_derive_sin]. Qed.
+Lemma C_cos : forall (f : R -> R) t, continuous f t -> continuous (fun u => cos (f u)) t.
+Proof. intros; apply (continuous_comp f cos); [assumption | apply (C_der cos _ (- sin (f t))), is_derive_cos]. Qed.
+Ltac letter_continuous f t :=
+  match goal with
+  | C : forall t, _ -> continuous f t, H : _ < t < _ |- _ => exact (C t H)
+  | D : forall t, _ -> is_derive f t _, H : _ < t < _ |- _ => exact (C_der f t _ (D t H))
+  end.
+Ltac cont := repeat (
+  lazymatch goal with
+  | |- continuous (fun _ => ?c) _ => apply continuous_const
+  | |- continuous (fun u => u) _ => apply continuous_id
+  | |- continuous (fun u => @?f u + @?g u) _ => apply (C_plus f g)
+  | |- continuous (fun u => @?f u - @?g u) _ => apply (C_minus f g)
+  | |- continuous (fun u => - @?f u) _ => apply (C_opp f)
+  | |- continuous (fun u => @?f u * @?g u) _ => apply (C_mult f g)
+  | |- continuous (fun u => @?f u / ?c) _ => apply (C_div f c)
+  | |- continuous (fun u => @?f u ^ ?n) _ => apply (C_pow f n)
+  | |- continuous (fun u => sin (@?f u)) _ => apply (C_sin f)
+  | |- continuous (fun u => cos (@?f u)) _ => apply (C_cos f)
+  | |- continuous (fun u => ?f u) ?t => letter_continuous f t
+  end; cbv beta).
+
+(* Integrals: along time from the start, along a coordinate, between two numbers. *)
+Lemma rate_time : forall (a b : R) (g : R -> R) (t : R), a < 0 < b -> a < t < b ->
+  (forall u, a < u < b -> continuous g u) -> is_derive (fun t => RInt g 0 t) t (g t).
+Proof.
+  intros a b g t H0 Ht C. apply (@is_derive_RInt R_NormedModule g (fun t => RInt g 0 t) 0 t); [| auto].
+  assert (P : 0 < Rmin (t - a) (b - t)) by (apply Rmin_glb_lt; lra).
+  exists (mkposreal _ P). intros y Hy.
+  apply (RInt_correct (V:=R_CompleteNormedModule) g 0 y), (ex_RInt_continuous (V:=R_CompleteNormedModule) g).
+  intros z Hz. apply C.
+  unfold ball in Hy; simpl in Hy; unfold AbsRing_ball, abs, minus, plus, opp in Hy; simpl in Hy.
+  apply Rabs_lt_between in Hy.
+  assert (Rmin (t - a) (b - t) <= t - a) by apply Rmin_l.
+  assert (Rmin (t - a) (b - t) <= b - t) by apply Rmin_r.
+  destruct Hz as [Z1 Z2]. split.
+  - apply Rlt_le_trans with (2 := Z1). apply Rmin_glb_lt; lra.
+  - apply Rle_lt_trans with (1 := Z2). apply Rmax_lub_lt; lra.
+Qed.
+Lemma rate_path : forall (f q : R -> R) (c t v : R), is_derive q t v -> (forall x, continuous f x) ->
+  is_derive (fun t => RInt f c (q t)) t (v * f (q t)).
+Proof.
+  intros f q c t v Hq C. apply (is_derive_comp (fun x => RInt f c x) q); [| assumption].
+  apply (@is_derive_RInt R_NormedModule f (fun x => RInt f c x) c); [| auto].
+  exists (mkposreal 1 Rlt_0_1). intros y _.
+  apply (RInt_correct (V:=R_CompleteNormedModule) f c y), (ex_RInt_continuous (V:=R_CompleteNormedModule) f). auto.
+Qed.
+Lemma RInt_by : forall (F f : R -> R) (a b v : R),
+  (forall x, is_derive F x (f x)) -> (forall x, continuous f x) -> F b - F a = v -> RInt f a b = v.
+Proof.
+  intros F f a b v D C E. rewrite <- E. apply is_RInt_unique.
+  apply (@is_RInt_derive R_CompleteNormedModule F f); auto.
+Qed.
+Lemma RInt_on : forall (g f : R -> R) (a b v : R), (forall x, f x = g x) -> RInt g a b = v -> RInt f a b = v.
+Proof. intros g f a b v E G. rewrite <- G. apply RInt_ext. intros; apply E. Qed.
+Lemma RInt_none : forall (f : R -> R) (a : R), RInt f a a = 0.
+Proof. intros. rewrite RInt_point. reflexivity. Qed.
+(* What does not change, and what vanishes on an interval, has the rate 0; and the other way round. *)
+Lemma flat : forall (a b : R) (f : R -> R), a < 0 < b ->
+  (forall t, a < t < b -> is_derive f t 0) -> f 0 = 0 -> forall t, a < t < b -> f t = 0.
+Proof.
+  intros a b f H0 D E t Ht. rewrite <- E. destruct (Rtotal_order t 0) as [L | [L | L]].
+  - apply (eq_is_derive f t 0); [intros; apply D; lra | assumption].
+  - rewrite L; reflexivity.
+  - symmetry. apply (eq_is_derive f 0 t); [intros; apply D; lra | assumption].
+Qed.
+Lemma alike : forall (a b : R) (f g : R -> R) (t d : R),
+  (forall u, a < u < b -> f u = g u) -> a < t < b -> is_derive g t d -> is_derive f t d.
+Proof.
+  intros a b f g t d E Ht. apply is_derive_ext_loc.
+  assert (P : 0 < Rmin (t - a) (b - t)) by (apply Rmin_glb_lt; lra).
+  exists (mkposreal _ P). intros y Hy. symmetry. apply E.
+  unfold ball in Hy; simpl in Hy; unfold AbsRing_ball, abs, minus, plus, opp in Hy; simpl in Hy.
+  apply Rabs_lt_between in Hy.
+  assert (Rmin (t - a) (b - t) <= t - a) by apply Rmin_l.
+  assert (Rmin (t - a) (b - t) <= b - t) by apply Rmin_r.
+  lra.
+Qed.
+Lemma still : forall (a b : R) (f : R -> R) (t d : R),
+  (forall u, a < u < b -> f u = 0) -> a < t < b -> is_derive f t d -> d = 0.
+Proof.
+  intros a b f t d E Ht D. rewrite <- (is_derive_unique _ _ _ D). apply is_derive_unique.
+  apply (alike a b f (fun _ => 0) t 0 E Ht), D_const.
+Qed.
+
+Lemma alone : forall (f : R -> R) (t a b : R), is_derive f t a -> is_derive f t b -> a = b.
+Proof. intros f t a b A B. rewrite <- (is_derive_unique _ _ _ A). apply is_derive_unique, B. Qed.
+
+(* Algebra: an equation less multiples of known ones. *)
+Lemma trig : forall x, sin x ^ 2 + cos x ^ 2 = 1.
+Proof. intros x. assert (H := sin2_cos2 x). unfold Rsqr in H. simpl. lra. Qed.
+Lemma lin0 : forall l r, l - r = 0 -> l = r.
+Proof. intros; lra. Qed.
+Lemma less : forall (c a b : R), a = b -> forall g, g - c * (a - b) = 0 -> g = 0.
+Proof. intros; subst; lra. Qed.
+Lemma cancel : forall k l r, k <> 0 -> k * (l - r) = 0 -> l = r.
+Proof. intros k l r K E. apply Rmult_integral in E. destruct E; [contradiction | lra]. Qed.
+Lemma above : forall l r a s p, l - r = a * s ^ 2 + p -> 0 < a -> 0 < p -> r < l.
+Proof. intros l r a s p E A P. assert (0 <= a * s ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra. Qed.
+Lemma beyond : forall d s n, d = s + n -> 0 < s -> 0 <= n -> d <> 0.
+Proof. intros; lra. Qed.
+Lemma below : forall d s n, - d = s + n -> 0 < s -> 0 <= n -> d <> 0.
+Proof. intros; lra. Qed.
+Lemma root2 : forall x, 0 <= x -> sqrt x ^ 2 = x.
+Proof. intros x H. simpl. rewrite Rmult_1_r. apply sqrt_sqrt, H. Qed.
+Lemma root_is : forall a x, 0 <= x -> x ^ 2 = a -> sqrt a = x.
+Proof. intros a x H E. rewrite <- E. apply sqrt_pow2, H. Qed.
+Lemma over : forall a, 0 <= a -> a <> 0 -> 0 < a.
+Proof. intros. lra. Qed.
+Lemma root_nonzero : forall a, 0 <= a -> a <> 0 -> sqrt a <> 0.
+Proof. intros a P N Q. apply N, sqrt_eq_0; assumption. Qed.
+Lemma up1 : forall x, 0 <= 1 + cos x. Proof. intros x. pose proof (COS_bound x). lra. Qed.
+Lemma up2 : forall x, 0 <= 1 + - cos x. Proof. intros x. pose proof (COS_bound x). lra. Qed.
+Lemma up3 : forall x, 0 <= 1 + sin x. Proof. intros x. pose proof (SIN_bound x). lra. Qed.
+Lemma up4 : forall x, 0 <= 1 + - sin x. Proof. intros x. pose proof (SIN_bound x). lra. Qed.
+Ltac known_sign := match goal with
+  | Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- 0 < _ => exact (Q s H)
+  end.
+Ltac pos1 := first [assumption | known_sign | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
+  | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat
+  | apply sqrt_lt_R0].
+Ltac nng := repeat first [apply up1 | apply up2 | apply up3 | apply up4 | apply pow2_ge_0 | apply sqrt_pos | apply Rplus_le_le_0_compat
+  | apply Rmult_le_pos | lra | (apply Rlt_le; solve [repeat pos1])].
+Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.
+Ltac same_nonzero x N := match type of N with ?d <> 0 =>
+  first [exact N | solve [replace x with d by ring; exact N]
+    | solve [replace x with (- d) by ring; apply Ropp_neq_0_compat; exact N]] end.
+Ltac known_nonzero x := match goal with
+  | Q : forall t, ?a < t < ?b -> _ <> 0, H : ?a < ?s < ?b |- _ =>
+      let N := fresh in pose proof (Q s H) as N; cbv beta in N; first [same_nonzero x N | ang_in N; same_nonzero x N]
+  end.
+Ltac nonzero := match goal with
+  | |- PI <> 0 => exact PI_neq0
+  | |- sqrt _ <> 0 => apply root_nonzero; [nng | nonzero]
+  | |- ?x <> 0 => known_nonzero x
+  | |- ?x <> 0 => apply Rgt_not_eq; unfold Rgt; solve [repeat pos1]
+  | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero
+  | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; nonzero
+  | |- _ ^ _ <> 0 => apply pow_nonzero; nonzero
+  end.
+Ltac over0 := first [solve [repeat pos1] | apply over; [nng | nonzero]].
+Ltac pos := repeat split; try assumption; match goal with
+  | |- _ <> 0 => nonzero
+  | |- _ => repeat pos1
+  end.
+Ltac ang := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
+  ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a.
+Ltac fld := cbn [INR pred]; first [ring | solve [field; pos] | ang; ring | solve [ang; field; pos]].
+
+Ltac der := repeat (
+  lazymatch goal with
+  | |- is_derive (fun _ => ?c) _ _ => apply D_const
+  | |- is_derive (fun u => u) _ _ => apply D_id
+  | |- is_derive (fun u => @?f u + @?g u) _ _ => eapply (D_plus f g)
+  | |- is_derive (fun u => @?f u - @?g u) _ _ => eapply (D_minus f g)
+  | |- is_derive (fun u => - @?f u) _ _ => eapply (D_opp f)
+  | |- is_derive (fun u => @?f u * @?g u) _ _ => eapply (D_mult f g)
+  | |- is_derive (fun u => @?f u / ?c) _ _ => eapply (D_div f c)
+  | |- is_derive (fun u => @?f u / @?g u) _ _ => eapply (D_quot f g); [| | cbv beta; nonzero]
+  | |- is_derive (fun u => / @?g u) _ _ => eapply (D_inv g); [| cbv beta; nonzero]
+  | |- is_derive (fun u => @?f u ^ ?n) _ _ => eapply (D_pow f n)
+  | |- is_derive (fun u => sin (@?f u)) _ _ => eapply (D_sin f)
+  | |- is_derive (fun u => cos (@?f u)) _ _ => eapply (D_cos f)
+  | |- is_derive (fun u => sqrt (@?f u)) _ _ => eapply (D_sqrt f); [| cbv beta; over0]
+  | |- is_derive (fun u => RInt ?g 0 u) _ _ => eapply rate_time; [eassumption | eassumption | intros; cont]
+  | |- is_derive (fun u => RInt ?f ?c (@?q u)) _ _ => eapply (rate_path f q c); [| intros; cont]
+  | D : forall t, _ -> is_derive ?f t _, H : _ < ?t < _ |- is_derive (fun u => ?f u) ?t _ => exact (D t H)
+  | D : forall t, _ -> is_derive ?f t _, H : _ < ?t < _ |- is_derive ?f ?t _ => exact (D t H)
+  end; cbv beta).
