@@ -54,10 +54,11 @@ class Draft:
         `premises` names what a reader should look at, as far as steps of these ids were made; from these, and from the
         facts, those are found that the step needs.
         """
+        statement = _without_repeats(statement)
         step = Step(
             self._unique(id, {step.id for step in self.steps}),
             rule,
-            self.forms.kept(_without_repeats(statement), len(self.steps)),
+            statement if self.chapter == "ask" else self.forms.kept(statement, len(self.steps)),
             self.chapter,
             phrase,
             slots,

@@ -96,7 +96,7 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
 
     each = {name: solutions.given(study, name, small=solutions.SMALL in manner) for name in study.system.independent}
     found = {name: one for name, known in each.items() if known is not None and (one := solved(known)) is not None}
-    if len(found) < len(each):
+    if len(found) < len(each) and len(each) > 1:
         law = small(study) if solutions.SMALL in manner else exact(study)
         found = {**courses(study, law, solved), **found}
     if not found and study.system.independent:

@@ -249,8 +249,16 @@ def resting(system: System, dynamics: Dynamics) -> dict[str, Scalar]:
     names = [n for n in system.independent if {n, f"{n}_dot"} <= start.keys() and is_zero(start[f"{n}_dot"])]
     while names:
         still = {n: start[n] for n in names} | {f"{n}_dot": NOTHING for n in names}
-        kept = [n for n in names if is_zero(substitute(gains.get(f"{n}_ddot", symbol(n)), still))]
+        kept = [n for n in names if _vanishes(gains.get(f"{n}_ddot", symbol(n)), still)]
         if kept == names:
             return still if len(names) < len(system.independent) else {}
         names = kept
     return {}
+
+
+def _vanishes(gain: Scalar, there: dict[str, Scalar]) -> bool:
+    """Whether an acceleration is known there, and is zero."""
+    try:
+        return is_zero(substitute(gain, there))
+    except ZeroDivisionError:
+        return False

@@ -12,7 +12,7 @@ from tests.ask.test_answers import asked
 
 PROBLEMS = (
     "rod-pendulum", "sliding-ladder", "center-of-percussion", "ball-slipping-to-rolling", "disk-on-incline", "rod-with-damper",
-    "torsion-pendulum", "double-compound-pendulum",
+    "torsion-pendulum", "double-compound-pendulum", "disk-with-spring",
 )  # fmt: skip
 CLAIMED = {"a constant", "unknown", "defined here"}  # what only claims can say
 
