@@ -101,9 +101,9 @@ def _values(name: str, text: str, dimension: Dimension) -> tuple[float, ...]:
 
 
 def _exact(text: str) -> tuple[float, str] | None:
-    """A number that is written as an expression, and its unit; None for a plain one and for what is none."""
+    """A number that is written as an expression, and its unit; None for a plain one, a range and what is none."""
     found = _EXACT.fullmatch(text.strip().replace("−", "-"))
-    if not found or re.fullmatch(_NUMBER, found[1].strip()):
+    if not found or re.fullmatch(_NUMBER, found[1].strip()) or _RANGE.fullmatch(text):
         return None
     try:
         return number(value_of(read_infix(found[1].replace("^", "**"), ())), {}), found[2] or ""
