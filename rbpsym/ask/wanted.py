@@ -325,15 +325,15 @@ def _vanishes(world: Scene, phrase: str, place: str | None) -> Wanted:
 
 
 def _equal(world: Scene, left: str, right: str) -> Wanted:
-    first, second = (value_of(world, side, of_vectors=True) for side in (left, right))
-    require_same(world, first, second, (left, right))
-    return Wanted((first - second,), world.motion.assumptions, equal=True)
+    sides = [value_of(world, side, of_vectors=True) for side in (left, right)]
+    require_same(world, *sides, (left, right))
+    return Wanted((sides[0] - sides[1],), world.motion.assumptions, equal=True)
 
 
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}
 RELATION = re.compile(r" (=|>=|<=|>|<|equals|exceeds|is (?:at least|at most|less than|greater than|more than)) ")
-WORDS = {"equals": "=", "is at least": ">=", "is at most": "<=", "is less than": "<", "exceeds": ">", "is greater than": ">",
-         "is more than": ">"}  # fmt: skip
+WORDS = {"equals": "=", "is at least": ">=", "is at most": "<=", "is less than": "<"}
+WORDS |= dict.fromkeys(("exceeds", "is greater than", "is more than"), ">")
 
 
 def _sides(world: Scene, left: str, right: str) -> Iterator[tuple[str, str]]:
@@ -348,10 +348,9 @@ def _sides(world: Scene, left: str, right: str) -> Iterator[tuple[str, str]]:
 
 
 def _is_formula(world: Scene, text: str) -> bool:
-    try:
+    with suppress(RbpsymError):
         return t.names(read_infix(text, world.names)) <= {*world.study.problem.dimensions, "pi"}
-    except RbpsymError:
-        return False
+    return False
 
 
 def _compared(world: Scene, text: str) -> Wanted:

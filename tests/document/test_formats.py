@@ -19,6 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rbpsym
+from rbpsym.courses import derive_course
 from rbpsym.document import files as extras
 from rbpsym.document.model import (
     Display,
@@ -27,19 +28,24 @@ from rbpsym.document.model import (
     ItemList,
     Math,
     Paragraph,
+    Ref,
     Section,
     Table,
     words,
 )
+from rbpsym.document.notes import course_notes
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.pictures import pictures
 from rbpsym.document.writers import WRITERS, files, writer
+from rbpsym.document.writers.digest import digest
 from rbpsym.document.writers.latex import LATEX
 from rbpsym.document.writers.markdown import in_cell, in_markdown
 from rbpsym.document.writers.page import page_for
 from rbpsym.document.writers.pdf import compiled, write_pdf
 from rbpsym.document.writers.slides import COLUMN, FULL, frames, height, write_slides
 from rbpsym.errors import RbpsymError
+from rbpsym.statement.course import load_course
+from rbpsym.statement.library import course_files
 from tests.document.samples import NASTY, sample
 from tests.library.derived import unsimulated
 
@@ -410,3 +416,17 @@ def test_tables_of_markdown_have_equal_rows(name: str) -> None:
     for block in blocks:
         counts = {len(re.findall(r"(?<!\\)\|", line)) for line in block.strip().splitlines()}
         assert len(counts) == 1, block
+
+
+def test_slides_of_the_course_are_its_results_and_figures() -> None:
+    """Every boxed formula stands on a frame, few others do, and no word points to what is not there."""
+    document = course_notes(derive_course(load_course(course_files()["paper"]), simulation=False), plots=True)
+    shown = digest(document)
+    boxed = [part.node for part in parts(document) if isinstance(part, Display) and part.boxed]
+    told = [part for part in parts(shown) if isinstance(part, Display)]
+    assert [part.node for part in told if part.boxed] == boxed
+    assert len(told) < 1.6 * len(boxed)
+    assert write_slides(shown).count(r"\begin{frame}") < 40
+    labels = {part.label for part in parts(shown) if getattr(part, "label", "")} | {s.label for s in shown.sections}
+    labels |= {label for part in told for label in part.also}
+    assert {part.label for part in parts(shown) if isinstance(part, Ref)} <= labels

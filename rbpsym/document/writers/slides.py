@@ -12,6 +12,7 @@ from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.digest import digest
 from rbpsym.document.writers.latex import LATEX, anchor, blocks, source_of
 from rbpsym.document.writers.page import Page, Print, page_for, page_of
 from rbpsym.document.writers.pdf import compiled, has_pdflatex
@@ -34,8 +35,8 @@ def write_slides(document: d.Document) -> str:
 
 
 def slides_files(document: d.Document, stem: str) -> dict[str, str | bytes]:
-    """The LaTeX source, and the PDF where pdflatex is installed."""
-    source = write_slides(document)
+    """The LaTeX source of the figures and results, and the PDF where pdflatex is installed."""
+    source = write_slides(digest(document))
     found: dict[str, str | bytes] = {f"{stem}-slides.tex": source}
     return found | {f"{stem}-slides.pdf": compiled(source)} if has_pdflatex() else found
 
