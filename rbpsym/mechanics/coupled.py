@@ -78,7 +78,7 @@ def courses(study: Study, law: Linear | None, solved: Callable[[Given], Course |
         if mode is None:
             return {}
         modes.append(replace(mode, valid=()) if law.is_stable or roots[value] else mode)
-    parts = solve_matrix(tuple(row for _, row in rows), [symbol(f"eta_{k}") for k in range(len(rows))])
+    parts = solve_matrix(tuple(row for _, row in rows), [symbol(f"mode {k}") for k in range(len(rows))])
     found = dict(zip(law.names, (_summed(part, modes) for part in parts), strict=True))
     held = tuple(slipping.lasting(known, found)) if slips(study.system) else ()
     return {name: replace(one, valid=(*one.valid, *held)) for name, one in found.items()}
@@ -106,7 +106,7 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
 
 def _summed(value: Scalar, modes: list[Course]) -> Course:
     """A sum of modes, with what these ask."""
-    taking = {f"eta_{k}": mode for k, mode in enumerate(modes) if derivative(value, f"eta_{k}")}
+    taking = {f"mode {k}": mode for k, mode in enumerate(modes) if derivative(value, f"mode {k}")}
     place = total(short(derivative(value, name)) * mode.place for name, mode in taking.items())
     letters = {letter: known for mode in taking.values() for letter, known in mode.letters.items()}
     case = solutions.STEADY if all(mode.case == solutions.STEADY for mode in taking.values()) else ""
@@ -132,7 +132,7 @@ def _roots(law: Linear, study: Study) -> Mapping[Scalar, bool] | None:
     return found
 
 
-LETTER = "lambda_"
+LETTER = "root of modes"  # like “mode 1” and “row 1” it has a blank, so that it is no name of a problem
 
 
 def _slopes(value: Scalar) -> tuple[Scalar, Scalar, Scalar]:
@@ -143,7 +143,7 @@ def _slopes(value: Scalar) -> tuple[Scalar, Scalar, Scalar]:
 def _rows(stiffness: Matrix, value: Scalar) -> list[tuple[Scalar, ...]]:
     """All independent rows w with w K = s w."""
     size = range(len(stiffness))
-    names = [f"w_{k}" for k in size]
+    names = [f"row {k}" for k in size]
     columns = (_sum((stiffness[i][j] - (value if i == j else NOTHING) for i in size), map(symbol, names)) for j in size)
     found = solve_linear([short(column) for column in columns], names, keep_free=True)
     whole = [found.values.get(name, symbol(name)) for name in names]
