@@ -11,8 +11,8 @@ from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.pushing import begins
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import even
 
@@ -36,8 +36,8 @@ def sense_stated(study: Study, push: Scalar) -> int:
 
 
 def sense_at_sample(study: Study, push: Scalar) -> int:
-    """1 or -1, the sense of a push at the sample numbers; 0 where it has none there."""
+    """1 or -1, the sense of a push at the first sample numbers at which it begins as stated; 0 where it has none there."""
     try:
-        return int(math.copysign(1, found)) if (found := number(push, sample(study.problem))) else 0
+        return int(math.copysign(1, found)) if (found := number(push, begun_numbers(study))) else 0
     except NoNumber:
         return 0

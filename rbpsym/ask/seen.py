@@ -22,11 +22,11 @@ from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, StatementError
-from rbpsym.mechanics.arrivals import floating
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
 from rbpsym.mechanics.friction import slips, spare
-from rbpsym.mechanics.numbers import sample
+from rbpsym.mechanics.numbers import floating, sample
+from rbpsym.mechanics.pushing import begun_numbers
 from rbpsym.mechanics.roots import period
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.text import to_text
@@ -152,8 +152,10 @@ def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> t
     In which sense it sets out is told by the sample numbers where it depends on the parameters. Raises StatementError where
     the motion is not known or never comes there.
     """
-    found, numbers = ways_to(world, name, end, given), sample(world.study.problem)
-    return next((pair for pair in found if all(floating(one.value, numbers) >= 0 for one in pair[0].asked)), found[0])
+    found = ways_to(world, name, end, given)
+    numbers = begun_numbers(world.study) if len(found) > 1 else {}
+    fits = (pair for pair in found if all(floating(one.value, numbers) >= 0 for one in pair[0].asked))
+    return found[0] if len(found) == 1 else next(fits, found[0])
 
 
 def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:

@@ -14,11 +14,12 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.equality.slopes import sign_along
-from rbpsym.errors import NoNumber, NotApplicable
+from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead
-from rbpsym.mechanics.numbers import Numbers, number, sample, samples
+from rbpsym.mechanics.numbers import Numbers, floating, sample, samples
+from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.state import State, of_coordinate
 from rbpsym.mechanics.study import Study
@@ -93,10 +94,15 @@ def _followed(study: Study, name: str, speed: str) -> Scalar:
 
 def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Demand], int] | None:
     """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
-    the motion comes to one, where it is the first, and the sense in which it comes; None if there is none in closed form.
+    the motion begins as stated and comes to one, where it is the first, and the sense in which it comes; None if there is none
+    in closed form.
     Raises NotApplicable where one without may come before."""
     start, is_open = study.system.scope.start[name], False
+    is_pushed = is_zero(study.system.scope.start.get(f"{name}_dot", NOTHING))  # from rest it goes as the forces want
+    begun = begins(study) if is_pushed else ()
     for numbers in _tried(study, start):
+        if any(floating(demand.value, numbers) < 0 for demand in begun):
+            continue
         way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, study.squares[name])
         factors = [factor for gap in gaps for factor in factors_in(gap, name)]
         known = (place for factor in factors for place in places_ahead(factor, way, study.assumptions))
@@ -171,12 +177,3 @@ def _drive(study: Study, name: str) -> Scalar:
 def positive_root(study: Study, value: Scalar) -> Scalar:
     """The square root, with what is declared positive taken out."""
     return root_of(short(value), study.assumptions)
-
-
-def floating(value: Scalar, numbers: Numbers) -> float:
-    """The value at these numbers; not a number where it is not real."""
-    try:
-        found = number(value, numbers)
-    except NoNumber:
-        return float("nan")
-    return 0.0 if abs(found) < 1e-12 else found

@@ -16,7 +16,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.arrivals import EDGE, first_met, floating, mover, positive_root, state_at
+from rbpsym.mechanics.arrivals import EDGE, first_met, mover, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.driven import state_reached
@@ -24,7 +24,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, spare
 from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.numbers import sample, samples
+from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.roots import factors_in
 from rbpsym.mechanics.state import State, at_start, of_coordinate
 from rbpsym.mechanics.study import Study

@@ -202,3 +202,12 @@ def _middle(coordinate: Coordinate, numbers: Numbers) -> float:
 def _speed(coordinate: Coordinate, numbers: Numbers) -> float:
     found = bound(coordinate.speed, numbers)
     return found if found else 0.0
+
+
+def floating(value: Scalar, numbers: Numbers) -> float:
+    """The value at these numbers; not a number where it is not real."""
+    try:
+        found = number(value, numbers)
+    except NoNumber:
+        return float("nan")
+    return 0.0 if abs(found) < 1e-12 else found

@@ -16,6 +16,7 @@ from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import resistances, slips
+from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.ways import taken
@@ -53,6 +54,13 @@ def begins(study: Study) -> tuple[Demand, ...]:
         return start_valid(study) or ()
     except LimitError:
         return ()
+
+
+def begun_numbers(study: Study) -> dict[str, float]:
+    """The first sample numbers at which the motion begins as stated; those of the sample where none do."""
+    begun = begins(study)
+    fits = (n for n in samples(study.problem) if all(floating(demand.value, n) >= 0 for demand in begun))
+    return next(fits, None) or sample(study.problem)
 
 
 OPS = {"way": ">", "force": ">=", "size": ">=", "slip": ">", "gain": ">"}
