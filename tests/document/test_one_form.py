@@ -1,0 +1,32 @@
+"""One form for one quantity: no two displayed lines of standard notes end in equal values that are printed in two ways."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from rbpsym.algebra.evaluate import value
+from rbpsym.derivation.forms import PLAIN
+from rbpsym.document.model import Display, Document
+from rbpsym.document.notes import notes
+from rbpsym.notation import tree as t
+from rbpsym.notation.text import to_text
+from tests.library.derived import NAMES, unsimulated
+
+
+def ends(document: Document) -> Iterator[t.Node]:
+    """What the equations come to that are displayed, but for single letters and numbers."""
+    for section in document.sections:
+        for block in section.blocks:
+            for row in t.rows(block.node) if isinstance(block, Display) else ():
+                last = row.items[-1] if isinstance(row, t.Chain) and set(row.ops) == {"="} else t.ZERO
+                if not isinstance(last, (t.Sym, t.Num)) and all(isinstance(part, PLAIN) for part in t.walk(last)):
+                    yield last
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_equal_quantities_are_printed_in_one_form(name: str) -> None:
+    document = notes(unsimulated(name))
+    known: dict[object, str] = {}
+    for node in ends(document):
+        shown = to_text(node, document.notation)
+        assert known.setdefault(value(node), shown) == shown
