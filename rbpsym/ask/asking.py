@@ -89,7 +89,8 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
         with in_all(MOST_PRODUCTS):
             return _found(asked, text, letter)
     except LimitError as error:
-        raise LimitError(f"“{text}”: {error.what}", instead=error.instead or "ask of one phase or place, or “with” special values.") from None
+        instead = error.instead or "ask of one phase or place, or “with” special values."
+        raise LimitError(f"“{text}”: {error.what}", instead=instead) from None
 
 
 def _found(asked: Asked, text: str, letter: str) -> Answer:

@@ -89,5 +89,5 @@ def test_a_moment_behind_a_quantity_is_its_own(question: str, answer: list[str])
 
 def test_a_question_that_takes_too_much_work_gets_a_sentence() -> None:
     problem = load_text((HERE / "block-against-spring.toml").read_text(encoding="utf-8"))
-    with pytest.raises(LimitError, match="largest x.*grows beyond"):
+    with pytest.raises(LimitError, match=r"largest x.*grows beyond"):
         ask(problem, "largest x")
