@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
-from rbpsym.algebra.effort import in_all
 from rbpsym.ask.answer import Answer, Found, answer, found_of
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
@@ -17,13 +16,12 @@ from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import whichever
 from rbpsym.ask.special import special_problem
-from rbpsym.errors import LimitError, RbpsymError, ReadError, StatementError, Undecided
+from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
 
 # what a motion as a function of the time tells, and is no question about parameters
-MOST_PRODUCTS = 6_000_000  # of one question, some twenty seconds
 OF_TIME = re.compile(r"as (?:a )?functions? of (?:the )?(?:t|time)$")
 OF_COURSE = re.compile("|".join((*MANNERS, r"(?:greatest|largest|maximum) speed of \w+$")))
 
@@ -84,22 +82,13 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 
 
 def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
-    """The answer to one question, called by the letter. Raises as `ask`, and LimitError where the work is too long."""
-    try:
-        with in_all(MOST_PRODUCTS):
-            return _found(asked, text, letter)
-    except LimitError as error:
-        instead = error.instead or "ask of one phase or place, or “with” special values."
-        raise LimitError(f"“{text}”: {error.what}", instead=instead) from None
-
-
-def _found(asked: Asked, text: str, letter: str) -> Answer:
+    """The answer to one question, called by the letter."""
     plain = _plain(text)
     if plain != (own := " ".join(text.split()).rstrip(" ?.")):
-        found = _found(asked, plain, letter)
+        found = answered(asked, plain, letter)
         return replace(found, question=replace(found.question, text=own))
     if (said := WITH.fullmatch(plain)) and OF_TIME.search(said[1]):
-        found = _found(Asked(special_problem(scene(asked), said[2])), said[1], letter)
+        found = answered(Asked(special_problem(scene(asked), said[2])), said[1], letter)
         return replace(found, question=replace(found.question, text=plain))
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
@@ -129,6 +118,6 @@ def _answered(asked: Asked, plain: str, letter: str) -> Answer:
 def _with_these(asked: Asked, said: re.Match[str], letter: str) -> Answer | None:
     """What is proved where parameters have these values from the beginning; None if nothing is."""
     with suppress(RbpsymError):
-        found = _found(Asked(special_problem(scene(asked), said[2])), said[1], letter)
+        found = answered(Asked(special_problem(scene(asked), said[2])), said[1], letter)
         return replace(found, question=replace(found.question, text=said[0])) if found.verdict.is_proved else None
     return None
