@@ -8,17 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra import Scalar, at_most, in_all
-from rbpsym.derivation.chapters import (
-    contact,
-    course,
-    forces,
-    inertia,
-    instant,
-    kinematics,
-    moments,
-    momentum,
-    oscillations,
-)
+from rbpsym.derivation.chapters import contact, course, forces, inertia, instant, kinematics, moments, momentum, oscillations
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped, Step
 from rbpsym.errors import LimitError, NotApplicable
@@ -96,7 +86,7 @@ def _written(draft: Draft, write: Callable[[Draft], None]) -> bool:
 
 def _phases(problem: Problem, before: tuple[Step, ...]) -> tuple[DerivedPhase, ...]:
     """The later phases. Raises NotApplicable where the end of one has no closed form, LimitError where they grow too long."""
-    from rbpsym.derivation.phases import hand_overs
+    from rbpsym.derivation.chapters.impulses import hand_overs
 
     with in_all(MOST_IN_ALL):
         found = hand_overs(problem)

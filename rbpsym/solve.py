@@ -19,9 +19,9 @@ from rbpsym.mechanics.demands import Demand, existence
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
-from rbpsym.mechanics.open_rest import Balance
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
 from rbpsym.mechanics.pushing import begins, kept_sense, ways_kept
+from rbpsym.mechanics.rest import Balance
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import Course, courses, given
 from rbpsym.mechanics.study import Study

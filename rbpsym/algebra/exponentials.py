@@ -1,12 +1,14 @@
-"""Products of exponentials as one: exp(a)² exp(b) as exp(2a + b), exp(a) exp(-a) as 1."""
+"""Products of exponentials as one: exp(a)² exp(b) as exp(2a + b), exp(a) exp(-a) as 1; and known squares put in."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import function, inside
+from rbpsym.algebra.calculus import depends_on, function, inside
 from rbpsym.algebra.normal import short
-from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar, total
+from rbpsym.algebra.poly import ONE, Poly, generator
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, total
 
 
 def is_exponential(index: int) -> bool:
@@ -29,3 +31,23 @@ def _joined(poly: Poly) -> Scalar:
         rest = Scalar(Poly({tuple(item for item in m if not is_exponential(item[0])): c}))
         parts.append(rest * function("exp", short(exponent)))
     return total(parts)
+
+
+def with_squares(value: Scalar, squares: Mapping[str, Scalar]) -> Scalar:
+    """The value with squares of speeds replaced, inside roots too; an odd power keeps one factor."""
+    if not any(depends_on(value, f"{name}_dot") for name in squares):
+        return value
+    value = inside(value, lambda arg: with_squares(arg, squares))
+    for name, square in squares.items():
+        index = atoms.intern("symbol", f"{name}_dot")
+        if index in value.atoms():
+            value = _squared(value.num, index, square) / _squared(value.den, index, square)
+    return value
+
+
+def _squared(poly: Poly, index: int, square: Scalar) -> Scalar:
+    total = NOTHING
+    for power, part in poly.by_power(index).items():
+        odd = Scalar(generator(index)) if power % 2 else UNITY
+        total = total + Scalar(part) * odd * square ** (power // 2)
+    return total

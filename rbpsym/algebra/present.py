@@ -19,6 +19,7 @@ from rbpsym.algebra.bars import (
     over,
     ratio,
     sums_before_functions,
+    with_joined_angles,
     without_shared,
 )
 from rbpsym.algebra.effort import remembered
@@ -41,7 +42,6 @@ from rbpsym.algebra.grouping import (
     starts_negative,
     taken_out,
 )
-from rbpsym.algebra.joined import with_joined_angles
 from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy, times
 from rbpsym.algebra.roots import side_of, with_numbers_inside
 from rbpsym.algebra.scalar import Scalar

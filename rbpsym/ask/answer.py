@@ -8,9 +8,9 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol, time_derivative
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.along import moving_in, of_one
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra import names_in
 from rbpsym.ask.moments import Asked
-from rbpsym.derivation.phases import hand_over
+from rbpsym.derivation.chapters.impulses import hand_over
 from rbpsym.derivation.step import Step, StepRef
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol

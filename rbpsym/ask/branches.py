@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import depends_on, derivative
+from rbpsym.algebra import depends_on, derivative
 from rbpsym.algebra.present import present
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.concluded import concluded

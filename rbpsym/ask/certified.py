@@ -15,10 +15,10 @@ from rbpsym.ask.begun import before, needed, resting_on
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, Moment, value_in
 from rbpsym.ask.question import Question, is_jump
-from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, orbit, oscillations
+from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
+from rbpsym.derivation.chapters.impulses import hand_over
 from rbpsym.derivation.checks_values import TURNED, told_as
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.phases import hand_over
 from rbpsym.derivation.step import Step
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
@@ -223,7 +223,7 @@ def _told_by(asked: Asked, found: Found) -> Draft:
     draft = Draft(found.study)
     if kind == "orbit":
         name, _, number_ = place.partition(" ")
-        orbit.write(draft, name, orbits(found.study, name)[int(number_)])
+        momentum.steady_motion(draft, name, orbits(found.study, name)[int(number_)])
     elif kind == "swing":
         name, _, quarters = place.partition(" ")
         course.swing(draft, name, int(quarters))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra import depends_on
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.finding import Finding, ground

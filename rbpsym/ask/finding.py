@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.derivation.checks import guarded, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.rules import RULES

@@ -13,15 +13,15 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import solutions
+from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, uniform_motion
+from rbpsym.mechanics.orbit import quarters_to, swing_of
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.solved import time_to, without_logarithms
-from rbpsym.mechanics.state import of_coordinate
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.swing import quarters_to, swing_of
 
 
 def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solved: bool = False) -> Moment:

@@ -13,9 +13,8 @@ from rbpsym.algebra.present import present
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
-from rbpsym.mechanics.arrivals import mover, state_at
+from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.driven import sense_to, tie_to_time
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, uniform_motion, value_reached
 from rbpsym.mechanics.events import Way

@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable
 from contextlib import suppress
 
-from rbpsym.algebra.evaluate import Scope, scalar
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, Scope
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.seen import PLACE, Scene, moving, seen
 from rbpsym.equality.rooted import neat

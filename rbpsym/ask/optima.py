@@ -14,18 +14,7 @@ from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.limits import leading
 from rbpsym.ask.regions import region
-from rbpsym.ask.seen import (
-    Scene,
-    comes_back,
-    moving,
-    one_period,
-    parameter,
-    parts_seen,
-    place_in,
-    seen,
-    told,
-    whole_ways,
-)
+from rbpsym.ask.seen import Scene, comes_back, moving, one_period, parameter, parts_seen, place_in, seen, told, whole_ways
 from rbpsym.ask.special import limit_said
 from rbpsym.ask.zeros import precedes, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions

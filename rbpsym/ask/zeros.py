@@ -16,9 +16,8 @@ from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, functi
 from rbpsym.ask.limits import leading
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.rooted import neat, rooted
+from rbpsym.equality.rooted import neat, rooted, sign_along
 from rbpsym.equality.signs import sign
-from rbpsym.equality.slopes import sign_along
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.rest import turns_within

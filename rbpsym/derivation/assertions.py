@@ -10,9 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from rbpsym.algebra.effort import at_most
+from rbpsym.algebra import at_most
 from rbpsym.derivation import grounds as g
-from rbpsym.derivation import grounds_kept as j
 from rbpsym.derivation import grounds_works as w
 from rbpsym.derivation.grounds import Said
 from rbpsym.derivation.step import PhraseRef, Step
@@ -93,11 +92,11 @@ STEPS: Mapping[str, Entry] = {
     "contact.lost.place": (g.nothing_slips, "contact.lost_without_slip.place"),
     "contact.lost.first": (g.nothing_slips, "contact.lost_without_slip.first"),
     "contact.endless": (g.no_friction_is_enough, "contact.ratio"),
-    "phases.quiet": (j.forces_have_no_torque, "torque.none"),
-    "phases.cancel": (j.torques_cancel, "torque.none"),
-    "phases.free": (j.is_free_of_coefficient, "torque.none"),
-    "phases.silent.inner": (j.impulses_cancel, "torque.none"),
-    "phases.silent": (j.impulses_drop_out, "torque.none"),
+    "phases.quiet": (g.forces_have_no_torque, "torque.none"),
+    "phases.cancel": (g.torques_cancel, "torque.none"),
+    "phases.free": (g.is_free_of_coefficient, "torque.none"),
+    "phases.silent.inner": (g.impulses_cancel, "torque.none"),
+    "phases.silent": (g.impulses_drop_out, "torque.none"),
     "phases.slip": (g.touching_body_moves, "phases.slip_between"),
     "phases.slip_rate": (g.is_steady, "phases.slip_rated"),
     "phases.taken": (w.only_friction_works, "phases.fallen"),

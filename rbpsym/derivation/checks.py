@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from rbpsym.algebra import NOTHING, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol
-from rbpsym.algebra.ideal import vanishes_on
+from rbpsym.algebra.division import vanishes_on
 from rbpsym.derivation.context import Context
-from rbpsym.derivation.primitives import primitive
+from rbpsym.derivation.mass import primitive
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, depends_on, derivative, is_zero, substitute, symbol
-from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Scope, atoms, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.derivation.checks import relations, same
 from rbpsym.derivation.checks_parameters import KINDS, side_of
@@ -19,9 +19,8 @@ from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import compare, scalars_equal
-from rbpsym.equality.rooted import rooted, shorter
+from rbpsym.equality.rooted import rooted, shorter, sign_along
 from rbpsym.equality.signs import sign
-from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
 
 OTHER = "other_{}"

@@ -1,12 +1,19 @@
-"""Checks of what the constraints ask: the conditions hold in the poses that were found for them."""
+"""Checks of what constraints and laws say at a moment: of the conditions in the poses that were found, of what is kept through
+a blow or until a slip has gone, and of what holds at the start, where conditions are expanded in the time.
+
+Momenta are summed over the mass itself, forces are put in one by one with what they are.
+"""
 
 from __future__ import annotations
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, substitute, symbol, time_derivative
-from rbpsym.derivation.checks import same, weakest
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, short, symbol, time_derivative
+from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
+from rbpsym.derivation.checks import agree, same, weakest
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.facts import MOTION, law_rows
+from rbpsym.derivation.mass import angular_momentum, torque
 from rbpsym.derivation.step import Step
-from rbpsym.equality.verdict import Verdict
+from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
@@ -14,6 +21,7 @@ from rbpsym.mechanics.system import Condition, System, at_point
 from rbpsym.notation.tree import relations
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Element
+from rbpsym.statement.scope import CLOCK
 
 LOCAL = ("x_fixed_in_the_body", "y_fixed_in_the_body")
 
@@ -79,3 +87,89 @@ def tension_without_power(context: Context, step: Step) -> Verdict:
     system, name = context.study.system, step.data["tension"]
     pulls = [force for force in system.forces if name in force.unknowns]
     return same(context, power(system, pulls), NOTHING)
+
+
+def momenta_kept(context: Context, step: Step) -> Verdict:
+    """The momentum of the set grows by what all impulses on it give, unknown ones too (`data`: "jump", "blow").
+
+    That along a direction d is the difference of two angular momenta: about a point displaced across d, and about O.
+    """
+    jump, blow = step.data["jump"], step.data["blow"]
+    points = (jump.where,) if jump.is_turning else (jump.where.turned(), ORIGIN)
+
+    def seen(system: System, speeds: dict[str, Scalar], about: Vector) -> Scalar:
+        total = sum((angular_momentum(system, body, about) for body in jump.bodies), NOTHING)
+        return substitute(substitute(total, {f"{name}_dot": speed for name, speed in speeds.items()}), blow.state.places)
+
+    def pushed(about: Vector) -> Scalar:
+        found = torque([force for force in blow.forces if force.on in jump.bodies], about)
+        return substitute(substitute(found, blow.began.impulses), blow.state.places)
+
+    gains = [seen(blow.after, blow.began.speeds, p) - seen(blow.before, blow.state.speeds, p) - pushed(p) for p in points]
+    return same(context, gains[0], gains[1] if len(gains) > 1 else NOTHING)
+
+
+def kept_until(context: Context, step: Step) -> Verdict:
+    """The angular momentum, summed over the mass, does not change on the motion, and is at the end what it was at the start;
+    the points that touch, each fixed in its body, have the same velocity then (`data`: "kept", "ending")."""
+    kept, ending = step.data["kept"], step.data["ending"]
+    system, state = context.study.system, ending.state
+    total = sum((angular_momentum(system, body, kept.where) for body in kept.bodies), NOTHING)
+    speeds = {f"{name}_dot": speed for name, speed in state.speeds.items()}
+    end, slip = (
+        substitute(short(substitute(value, speeds)), state.places)  # sin² + cos² of an angle before its long place
+        for value in (total, slip_at(system, system.element(ending.phase.subject)))
+    )
+    steady = agree(context, context.rate_of(total), NOTHING, "motion")
+    return weakest([steady, same(context, end, context.start(total)), same(context, slip, NOTHING)])
+
+
+MOMENT = "time_since_the_start"
+
+
+def _gap(context: Context, step: Step) -> Scalar:
+    [(left, _, right)] = list(relations(step.statement))
+    return context.value(left) - context.value(right)
+
+
+def kept_condition(context: Context, step: Step) -> Verdict:
+    """What is stated, times a positive constant, is a condition of the constraint (`data`: "constraint", "factor")."""
+    context.use(MOTION)
+    system, stated = context.study.system, _gap(context, step) * step.data["factor"]
+    kept = (c.value for c in (*system.implicit, *system.speed_ties) if c.constraint == step.data["constraint"])
+    return next((found for value in kept if (found := same(context, value, stated)).is_proved), NOT_KNOWN)
+
+
+NOT_KNOWN = Verdict(UNDECIDED, reason="it is not among what is known at the start")
+
+
+def rate_at_start(context: Context, step: Step) -> Verdict:
+    """The derivative of that order of a condition, expanded from the start (`data`: "of", "order", "factor")."""
+    context.use(step.data["of"])
+    value = _expanded(context, _gap(context, context.steps[step.data["of"]]))
+    for _ in range(step.data["order"]):
+        value = derivative(value, MOMENT)
+    found = substitute(value, {MOMENT: NOTHING})
+    return agree(context, found, _gap(context, step) * step.data["factor"], "motion")
+
+
+def _expanded(context: Context, value: Scalar) -> Scalar:
+    """A value with q + q̇ t + q̈ t²/2 from the start for every coordinate."""
+    moment, images, held = symbol(MOMENT), {CLOCK: symbol(MOMENT)}, names_in(value)
+    for name in context.study.system.coordinates:
+        if held & {name, f"{name}_dot"}:
+            place, speed, gain = (context.start(symbol(f"{name}{tail}")) for tail in ("", "_dot", "_ddot"))
+            images |= {name: place + speed * moment + gain * moment * moment / 2, f"{name}_dot": speed + gain * moment}
+    return substitute(value, images)
+
+
+def law_at_start(context: Context, step: Step) -> Verdict:
+    """Each relation is one of the equations of a law where the motion starts, up to its sign (`data`: "law")."""
+    context.use(step.data["law"])
+    rows = [context.start(row) for row in law_rows(context.whole, context.facts[step.data["law"]])]
+    found = []
+    for left, _, right in relations(step.statement):
+        gap = context.value(left) - context.value(right)
+        verdicts = (agree(context, row, way, "motion") for row in rows for way in (gap, -gap))
+        found.append(next((verdict for verdict in verdicts if verdict.is_proved), NOT_KNOWN))
+    return weakest(found)

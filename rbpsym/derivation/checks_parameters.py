@@ -10,18 +10,17 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, symbol
+from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, is_zero, symbol
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero, normal
+from rbpsym.algebra.normal import normal
 from rbpsym.derivation.checks import relations
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import compare, scalars_equal
-from rbpsym.equality.rooted import rooted, shorter
+from rbpsym.equality.rooted import rooted, shorter, sign_along
 from rbpsym.equality.signs import sign
-from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
 from rbpsym.notation import tree as t
 

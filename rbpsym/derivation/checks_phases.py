@@ -8,23 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, substitute, symbol
-from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, substitute, symbol, time_derivative
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
-from rbpsym.derivation.checks_courses import at_time, course_of, moved_to
-from rbpsym.derivation.checks_driven import comes_there, is_driven, left_then, state_said
+from rbpsym.derivation.checks_courses import at_time, comes_there, course_of, is_driven, left_then, moved_to, state_said
 from rbpsym.derivation.checks_places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import short
-from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
-from rbpsym.derivation.primitives import primitive
+from rbpsym.derivation.mass import angular_momentum, kinetic_energy, primitive, torque
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare, refuted_only_where
 from rbpsym.equality.domain import Condition
+from rbpsym.equality.rooted import sign_along
 from rbpsym.equality.signs import sign
-from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of

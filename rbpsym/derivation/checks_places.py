@@ -15,9 +15,8 @@ from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare, refuted_only_where
 from rbpsym.equality.domain import IMPLIED, Condition, conditions
-from rbpsym.equality.rooted import neat
+from rbpsym.equality.rooted import neat, sign_along
 from rbpsym.equality.signs import SignResult, sign
-from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.events import pushes

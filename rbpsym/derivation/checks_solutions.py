@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import atoms, generator, is_zero, time_derivative, without_roots_below
+from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, atoms, generator, is_zero, symbol, time_derivative, without_roots_below
 from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_phases import said_of
 from rbpsym.derivation.context import Context

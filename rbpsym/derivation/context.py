@@ -10,9 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra import NOTHING, Scalar, Space, Vector, depends_on
-from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
-from rbpsym.algebra.squares import with_squares
+from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Value, Vector, at_start, depends_on, rate, time_derivative, value
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.derivation.facts import Fact
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions

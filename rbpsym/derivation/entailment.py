@@ -13,8 +13,8 @@ from typing import Protocol
 
 from rbpsym.algebra import NOTHING, ONE, UNITY, Monomial, Poly, Scalar, atoms, generator, is_zero, short, times
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.algebra.squares import with_squares
 from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 

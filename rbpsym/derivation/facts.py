@@ -18,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.mechanics.study import Study
 
 MOTION = "law.motion"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from rbpsym.algebra.evaluate import Value, value
+from rbpsym.algebra import Value, value
 from rbpsym.derivation.step import Step
 from rbpsym.notation import tree as t
 

@@ -10,13 +10,25 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, remembered, substitute
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, derivative, is_zero, remembered, substitute
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.normal import without_even_roots
 from rbpsym.derivation.entailment import short
-from rbpsym.derivation.primitives import primitive
+from rbpsym.errors import Undecided
 from rbpsym.mechanics.system import Force, System
 from rbpsym.statement.model import MassElement
+
+
+def primitive(value: Scalar, name: str) -> Scalar:
+    """An antiderivative with respect to a symbol. Raises Undecided where none is known, or its derivative is another."""
+    found = antiderivative(value, name)
+    if found is None:
+        raise Undecided("no closed form of the integral was found")
+    if not is_zero(derivative(found, name) - value):
+        raise Undecided("the derivative of what is proposed as the integral is another function")
+    return found
+
 
 WEIGHTS = (lambda x, y: UNITY, lambda x, y: x, lambda x, y: y, lambda x, y: x * x + y * y)
 

@@ -11,9 +11,6 @@ from dataclasses import replace
 from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_answers as answers
 from rbpsym.derivation import checks_constraints as k
-from rbpsym.derivation import checks_instant as i
-from rbpsym.derivation import checks_jumps as j
-from rbpsym.derivation import checks_orbit as orbit
 from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_parameters as parameters
 from rbpsym.derivation import checks_phases as p
@@ -43,9 +40,9 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "force": (c.identity,),
     "potential": (c.identity, c.conservative),
     "balance": (c.on_motion,),
-    "held": (i.kept_condition,),
-    "start_rate": (i.rate_at_start,),
-    "start_law": (i.law_at_start,),
+    "held": (k.kept_condition,),
+    "start_rate": (k.rate_at_start,),
+    "start_law": (k.law_at_start,),
     "identity": (c.identity,),
     "combination": (c.combination,),
     "solution": (c.on_motion,),
@@ -102,16 +99,16 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "swing": (c.identity, solved.swing),
     "kept_speed": (values.kept_speed,),
     "followed": (values.followed,),
-    "steady_place": (orbit.steady_place,),
-    "steady_frequency": (c.identity, orbit.steady_frequency),
+    "steady_place": (values.steady_place,),
+    "steady_frequency": (c.identity, values.steady_frequency),
     "feature": (c.identity, solved.feature),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),
     "event_time": (c.identity, p.reached_then, p.first_then),
     "event_place": (c.identity, p.reached_there, p.first_there),
-    "kept_until": (c.identity, j.kept_until),
+    "kept_until": (c.identity, k.kept_until),
     "end_state": (c.identity, p.state_then),
-    "jump": (c.on_motion, j.momenta_kept),
+    "jump": (c.on_motion, k.momenta_kept),
     "impulse": (c.on_motion, p.momentum_jump),
     "restitution": (c.on_motion, p.parting),
     "energy_jump": (c.on_motion, p.energy_jump),

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from rbpsym.algebra.vector import Space
+from rbpsym.algebra import Space
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.assertions import told
 from rbpsym.derivation.step import Certificate, Lesson, Step, StepRef

@@ -15,8 +15,8 @@ from typing import Any
 from weakref import proxy
 
 from rbpsym.algebra import EX, EY, Scalar, Scope, Space, Value, depends_on, names_in, substitute, symbol, value
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.algebra.modular import NoImage
-from rbpsym.algebra.squares import with_squares
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import Known, Row, cofactors, known_by, used_by_numbers
 from rbpsym.derivation.facts import MOTION, law_rows

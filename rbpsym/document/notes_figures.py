@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from rbpsym.algebra.trig import cosine, sine
+from rbpsym.algebra import cosine, sine
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.figures import sketch as sk
 from rbpsym.document.figures.free_body import free_body

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra import derivative
 from rbpsym.document.figures.sketch import AngleMark, Point
 from rbpsym.document.pose import DrawnPose, other_numbers
 from rbpsym.document.sketch_supports import lines, points

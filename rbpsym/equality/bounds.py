@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, PI, UNIT, UNITY, Monomial, Poly, Scalar, atoms, cosine, generator_of, lift, sine
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.masks import MINUS, PLUS, ZERO
+from rbpsym.equality.factoring import MINUS, PLUS, ZERO
 
 Bound = Scalar | None
 IsNonnegative = Callable[[Scalar], bool]

@@ -14,8 +14,8 @@ from contextvars import ContextVar
 from fractions import Fraction
 from typing import Protocol
 
-from rbpsym.algebra import ONE, Scalar, Space, atoms, is_zero, remembered
-from rbpsym.algebra.evaluate import BARE, Scope, value, vector
+from rbpsym.algebra import BARE, ONE, Scalar, Scope, Space, atoms, is_zero, remembered, value
+from rbpsym.algebra.evaluate import vector
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.constants import is_algebraic

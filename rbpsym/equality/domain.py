@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rbpsym.algebra import ONE, Scalar, depends_on, function, generator, inverse, is_zero, substitute
-from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra import ONE, Scalar, Scope, depends_on, function, generator, inverse, is_zero, substitute
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.points import Point

@@ -1,4 +1,6 @@
-"""Integrals through poles: a factor below the line that changes its sign between the ends vanishes there."""
+"""Integrals through poles: a factor below the line that changes its sign between the ends vanishes there; and the
+degree of what is homogeneous.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +10,13 @@ from fractions import Fraction
 from rbpsym.algebra import Scalar, depends_on, generator, substitute
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.dimensions import Dimensions, dimension_of
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.factoring import split
 from rbpsym.equality.points import Point, points
 from rbpsym.equality.verdict import Witness
-from rbpsym.errors import LimitError
+from rbpsym.errors import DimensionError, LimitError
+from rbpsym.notation import tree as t
 
 PLACES = 36  # into so many parts the interval is cut
 MOST_POINTS = 3  # of the quantities that the ends and the factor hold
@@ -60,3 +64,28 @@ def _sign(point: Point, value: Scalar) -> int:
         return enclosure.sign_of(point.value(value)) or 0
     except enclosure.Outside:
         return 0
+
+
+CHECKED = (t.Chain, t.Add, t.Fn, t.Pow)
+
+
+def faults(node: t.Node, dimensions: Dimensions) -> int:
+    """The number of sums, relations, functions and powers in which something does not fit (0: it is homogeneous).
+
+    A formula with a name of unknown dimension is judged by its other parts.
+    """
+    return sum(_is_faulty(part, dimensions) for part in t.walk(node) if isinstance(part, CHECKED))
+
+
+def _is_faulty(node: t.Node, dimensions: Dimensions) -> bool:
+    if not _is_known(node, dimensions):
+        return False
+    try:
+        dimension_of(node, dimensions)
+    except DimensionError:
+        return True
+    return False
+
+
+def _is_known(node: t.Node, dimensions: Dimensions) -> bool:
+    return all(name == "pi" or name in dimensions for name in t.names(node))

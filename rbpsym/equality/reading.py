@@ -14,8 +14,8 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from rbpsym.algebra import PI_TERM, Scalar, atoms, cosine, lift, root, sine
-from rbpsym.algebra.normal import Bases, turn, turned
+from rbpsym.algebra import PI_TERM, Bases, Scalar, atoms, cosine, lift, root, sine
+from rbpsym.algebra.normal import turn, turned
 from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import Factors, cleared, divisor, primes, reduced, split
@@ -163,7 +163,7 @@ class Reading:
 
 def _of_root(reading: Reading, arg: Scalar) -> Poly:
     """√(c Π fᵏ) = √|c| Π |f|^(k/2)."""
-    from rbpsym.equality.denesting import denested
+    from rbpsym.equality.radicals import denested
 
     coefficient, found = reading.factored(arg)
     if not coefficient:

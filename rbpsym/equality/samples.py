@@ -14,7 +14,7 @@ from zlib import crc32
 
 from rbpsym.algebra import ONE, Coefficient, Monomial, Poly, Scalar, atoms, elliptic
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.masks import MINUS, NONZERO, PLUS, times
+from rbpsym.equality.factoring import MINUS, NONZERO, PLUS, times
 
 FEW, MANY = 6, 24  # points at which something within a question is looked at, and the whole question
 CANDIDATES = 96

@@ -14,7 +14,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality import bounds as b
 from rbpsym.equality import enclosure
 from rbpsym.equality.constants import is_algebraic, is_zero_number
-from rbpsym.equality.masks import ANY, DECIDED, MINUS, NONZERO, PLUS, ZERO, flip, plus, power, times
+from rbpsym.equality.factoring import ANY, DECIDED, MINUS, NONZERO, PLUS, ZERO, flip, plus, power, times
 from rbpsym.equality.points import Point, names_of
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from typing import Any
 from rbpsym.algebra import ONE, Monomial, Poly, Scalar, apart, at_most, atoms, remembered
 from rbpsym.equality import bounds as b
 from rbpsym.equality.assumptions import NONE, Assumptions
-from rbpsym.equality.masks import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, flip, power, times
+from rbpsym.equality.factoring import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, flip, power, times
 from rbpsym.equality.samples import MANY, Samples, samples_of
 from rbpsym.equality.sign_rules import QUICK, RULES, Rule
 from rbpsym.errors import LimitError, Undecided

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterator, Mapping
 from rbpsym.algebra import Scalar, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.step import Derivation, Step
+from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.state import of_coordinate
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Phase

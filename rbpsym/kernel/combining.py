@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import Coefficient, Monomial, Poly, atoms, bases_of, in_bases, is_zero, names_in, substitute
+from rbpsym.algebra import NOTHING, UNITY, Coefficient, Monomial, Poly, Scalar, atoms, bases_of, in_bases, is_zero, symbol
+from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.kernel.certificates import Have, Known, Multiples, circles
 from rbpsym.kernel.claim import Claim, tree_of
 from rbpsym.kernel.positive import Sum, positive_sum

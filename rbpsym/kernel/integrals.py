@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.errors import Undecided

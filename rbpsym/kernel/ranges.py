@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from rbpsym.algebra import NOTHING, PI, Scalar, generator
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.poly import generator
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Known, Multiples, partner, wound
 from rbpsym.kernel.claim import Claim

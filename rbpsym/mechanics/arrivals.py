@@ -6,23 +6,66 @@ there without a halt, and meets no other root before.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
-from rbpsym.algebra import NOTHING, PI, Scalar, is_zero, names_in, substitute, symbol
+from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.algebra.integration import definite
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import root_of
+from rbpsym.equality.rooted import root_of, sign_along
 from rbpsym.equality.signs import sign
-from rbpsym.equality.slopes import sign_along
-from rbpsym.errors import NotApplicable
+from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead
 from rbpsym.mechanics.numbers import Numbers, floating, sample, samples
 from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
-from rbpsym.mechanics.state import State, of_coordinate
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import System
+from rbpsym.statement.model import Phase
+from rbpsym.statement.scope import CLOCK
+
+
+@dataclass(frozen=True)
+class State:
+    """Time since the start of the phase (None: no closed form), coordinates and speeds of all that the problem has; the
+    conditions under which the motion comes there."""
+
+    time: Scalar | None
+    places: Mapping[str, Scalar]
+    speeds: Mapping[str, Scalar]
+    valid: tuple[Demand, ...] = ()
+
+
+def at_start(study: Study, phase: Phase | None = None) -> State:
+    """Coordinates and speeds of the declared start, dependent ones too."""
+    if study.instant is not None:
+        return State(NOTHING, study.instant.places, study.instant.speeds)
+    start, places, speeds = study.system.scope.start, {}, {}
+    for coordinate in study.problem.coordinates:
+        name = coordinate.name
+        value, rate = of_coordinate(study, name)
+        places[name], speeds[name] = (short(substitute(part, start)) for part in (value, rate))
+        _require_start(study, name, places[name], speeds[name])
+    return State(NOTHING, places, speeds)
+
+
+def of_coordinate(study: Study, name: str) -> tuple[Scalar, Scalar]:
+    """A coordinate and its speed in the independent ones."""
+    value, rate = study.system.dependent.get(name, symbol(name)), study.system.scope.rates.get(name)
+    return value, time_derivative(value, study.system.scope) if rate is None else rate
+
+
+def _require_start(study: Study, name: str, *values: Scalar) -> None:
+    names = {n for c in study.problem.coordinates for n in (c.name, f"{c.name}_dot")}
+    if any(derivative(value, other) for value in values for other in names):
+        raise StatementError(
+            f"the phases need to know where “{name}” starts and how fast",
+            instead=f'give [coordinates.{name}] a start = "..." and a speed = "...".',
+            place=next(c.place for c in study.problem.coordinates if c.name == name),
+        )
+
 
 EDGE = 1e-9
 NEAR_ENDS = (0.02, 0.98)
@@ -177,3 +220,53 @@ def _drive(study: Study, name: str) -> Scalar:
 def positive_root(study: Study, value: Scalar) -> Scalar:
     """The square root, with what is declared positive taken out."""
     return root_of(short(value), study.assumptions)
+
+
+def tie_to_time(system: System, name: str) -> Scalar | None:
+    """What vanishes of a coordinate and the time, in which it stands once and linearly; None if nothing ties it so."""
+    rates = system.scope.rates.keys()
+    ties = [tie.value for tie in system.implicit if names_in(tie.value) & rates - {CLOCK} == {name}]
+    is_linear = len(ties) == 1 and not system.independent and depends_on(ties[0], CLOCK)
+    return ties[0] if is_linear and not depends_on(derivative(ties[0], CLOCK), CLOCK) else None
+
+
+def state_reached(study: Study, name: str, value: Scalar) -> State | None:
+    """The state when the coordinate has a value for the first time, if it changes in one sense on the way there from its
+    start; None where it is not tied so."""
+    if time := time_driven(study, name, value):
+        return _at(study, time, {CLOCK: time})
+    tie, start = tie_to_time(study.system, name), study.system.scope.start.get(name)
+    if tie is None or start is None:
+        return None
+    there = substitute(tie, {name: value})
+    way = sense_to(study, name, (start, value))
+    if not way:
+        return None
+    time = short(-(substitute(there, {CLOCK: NOTHING}) / derivative(there, CLOCK)))
+    return _at(study, time, {name: value, CLOCK: time}, Demand((value - start) * way))
+
+
+def time_driven(study: Study, name: str, value: Scalar) -> Scalar | None:
+    """When a coordinate that is itself driven at a steady rate, as an angle Ω t, has a value; None for another one."""
+    driven = study.system.dependent.get(name)
+    if driven is None or names_in(driven) & {*study.system.scope.rates} - {CLOCK}:
+        return None
+    rate = derivative(driven, CLOCK)
+    is_steady = bool(rate) and not depends_on(rate, CLOCK)
+    return short((value - substitute(driven, {CLOCK: NOTHING})) / rate) if is_steady else None
+
+
+def _at(study: Study, time: Scalar, image: Mapping[str, Scalar], ahead: Demand | None = None) -> State | None:
+    """The state then; None where that lies before the start."""
+    pairs = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
+    places, speeds = ({n: short(substitute(pair[k], image)) for n, pair in pairs.items()} for k in (0, 1))
+    valid = settle([ahead or Demand(time)], study.assumptions)
+    return None if valid is None else State(time, places, speeds, valid)
+
+
+def sense_to(study: Study, name: str, ends: tuple[Scalar, Scalar]) -> int:
+    """1 or -1 where the time that the tie gives grows, or falls, with the coordinate all the way between two places; else 0."""
+    tie = tie_to_time(study.system, name)
+    slope = -(derivative(tie, name) / derivative(tie, CLOCK))
+    signs = {sign(slope, study.assumptions.with_range(name, *pair)).sense for pair in (ends, ends[::-1])}
+    return signs.pop() if len(signs) == 1 else 0

@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, Vector, atoms, cartesian, derivative, root, substitute, symbol
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, Vector, atoms, cartesian, derivative, is_zero, root, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero, tidy
+from rbpsym.algebra.normal import tidy
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, rotated

@@ -10,23 +10,31 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
-from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.arrivals import EDGE, first_met, mover, positive_root, state_at
+from rbpsym.mechanics.arrivals import (
+    EDGE,
+    State,
+    at_start,
+    first_met,
+    mover,
+    of_coordinate,
+    positive_root,
+    state_at,
+    state_reached,
+)
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
-from rbpsym.mechanics.driven import state_reached
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, spare
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.roots import factors_in
-from rbpsym.mechanics.state import State, at_start, of_coordinate
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Element, Phase
 from rbpsym.statement.scope import CLOCK

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol
-from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol, time_derivative
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces, slip_speed

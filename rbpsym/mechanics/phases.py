@@ -24,13 +24,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike
-from rbpsym.mechanics.phase_checks import (
-    check_bounce,
-    check_collision,
-    check_in_place,
-    check_still_slipping,
-    with_senses,
-)
+from rbpsym.mechanics.phase_checks import check_bounce, check_collision, check_in_place, check_still_slipping, with_senses
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.notation.tree import Node, Sym, add

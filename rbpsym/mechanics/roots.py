@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import gcd
 
-from rbpsym.algebra import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, simplified_root
+from rbpsym.algebra import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
-from rbpsym.algebra.normal import is_zero, normal, shorten
+from rbpsym.algebra.normal import normal
 from rbpsym.mechanics.elimination import short
 
 HALF = Fraction(1, 2)

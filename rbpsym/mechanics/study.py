@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from rbpsym.algebra import COEFFICIENT, OTHER, Style, Vector, apart, at_most, names_in, substitute
+from rbpsym.algebra import COEFFICIENT, NOTHING, OTHER, PI, Scalar, Style, Vector, apart, at_most, names_in, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
-from rbpsym.mechanics import energy, events, friction, motion, open_rest, oscillation, rest, sides
+from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.instant import Instant, has_start
@@ -231,9 +230,9 @@ class Study:
         return rest.rest(self.system, self.dynamics, self.assumptions)
 
     @cached_property
-    def open_balance(self) -> open_rest.Balance | None:
+    def open_balance(self) -> rest.Balance | None:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
-        return open_rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
+        return rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
 
     @property
     def losses(self) -> tuple[events.Loss, ...]:

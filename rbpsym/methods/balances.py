@@ -11,14 +11,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
-from rbpsym.algebra import EX, EY, NOTHING, ONE, Scalar, Vector, depends_on, derivative, present_ratio, substitute
-from rbpsym.algebra.normal import is_zero, short, without_even_roots
+from rbpsym.algebra import EX, EY, NOTHING, ONE, Scalar, Vector, depends_on, derivative, is_zero, present_ratio, short, substitute
+from rbpsym.algebra.normal import without_even_roots
 from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import normal
-from rbpsym.mechanics.sets import connected_sets
+from rbpsym.mechanics.jumps import connected_sets
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.notation import tree as t

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.derivation.draft import Draft
 from rbpsym.methods import conservation, newton_euler, torque, work_energy
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import Space, at_most, is_zero, names_in, positive_first, same, short, substitute
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Space, at_most, is_zero, positive_first, same, short, symbol
+from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.derivation.draft import Draft, acceleration_symbol, length
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.errors import LimitError

@@ -16,7 +16,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.system import BodyState, Force
-from rbpsym.methods import axis_work, net_work, spring_works, work_by_bodies, works_together
+from rbpsym.methods import known_works, net_work, spring_works, work_by_bodies, works_together
 from rbpsym.methods.balances import isolated_again, solved_for
 from rbpsym.methods.known_works import over_coordinates
 from rbpsym.methods.net_work import HALVES
@@ -47,7 +47,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     _whole(draft, works, STANDARD if together is None and (parts is None or parts.level == FULL) else FULL)
     if together is not None:
         works_together.write(draft, together)
-    axis_work.write(draft)
+    known_works.about_axes(draft)
     if parts is not None:
         work_by_bodies.write(draft, parts)
     return _acceleration(draft)

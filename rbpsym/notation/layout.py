@@ -10,19 +10,7 @@ from rbpsym.notation import algebra_layout
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.setting import (
-    ATOM,
-    CROSS,
-    PRODUCT,
-    SUM,
-    Style,
-    attach_sup,
-    draw,
-    draws,
-    fenced,
-    glyph_box,
-    wrapped,
-)
+from rbpsym.notation.setting import ATOM, CROSS, PRODUCT, SUM, Style, attach_sup, draw, draws, fenced, glyph_box, wrapped
 from rbpsym.notation.tree import Node, System
 
 # --- boxes of derivatives, integrals, brackets, changes and limits

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from rbpsym.algebra import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.squares import with_squares
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short

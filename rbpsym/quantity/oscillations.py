@@ -11,8 +11,8 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics import orbit, solutions, solved
 from rbpsym.mechanics.elimination import determinant, short
+from rbpsym.mechanics.orbit import swing_of
 from rbpsym.mechanics.oscillation import Equilibrium, amplitudes, decaying, where_stable
-from rbpsym.mechanics.swing import swing_of
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, ORIGIN, Space, cartesian, function, substitute, symbol
-from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
+from rbpsym.algebra import NOTHING, ORIGIN, Space, cartesian, function, space_derivative, substitute, symbol, time_derivative
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.rooted import root_of
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
@@ -18,9 +18,9 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.energy import potentials, rotational_energy, stretched, translational_energy
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantities import NUMBER
-from rbpsym.quantity.alone import NOUNS, alone
 from rbpsym.quantity.bound import Bound, Phrase, axial, number, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS
+from rbpsym.quantity.vectors import NOUNS, alone
 from rbpsym.quantity.vectors import PHRASES as VECTORS
 from rbpsym.statement.source import did_you_mean
 

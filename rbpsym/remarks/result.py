@@ -4,14 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from rbpsym.algebra import Scalar, is_zero, names_in
-from rbpsym.derivation.step import Derivation, Step
+from rbpsym.derivation.assertions import told
+from rbpsym.derivation.step import Certificate, Derivation, Step
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.notation.tree import ZERO
 from rbpsym.quantities import Quantity
+
+
+@dataclass(frozen=True)
+class Made:
+    """key and slots of its phrase; `about`: what it says, so that it is said once in a text."""
+
+    key: str
+    slots: Mapping[str, Any]
+    verdict: Verdict
+    about: tuple[str, ...]
+
+    def said(self) -> Step:
+        """As a step with a sentence that is true: none if it is not proved."""
+        certificate = Certificate(("remark",), self.verdict)
+        return told(Step("remark", "remark", ZERO, "remarks", self.key, self.slots, certificate=certificate))
+
 
 BALANCES = ("conservation", "work", "asked")  # rules of results that relate quantities, and give none
 CAUSED = ("solution", "first_integral")  # those of how the system moves

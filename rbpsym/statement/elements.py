@@ -8,15 +8,7 @@ from dataclasses import dataclass
 from rbpsym.statement.kinds import ElementKind, Field, known_names
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
-from rbpsym.statement.references import (
-    GROUND,
-    check_name,
-    check_name_item,
-    read_body,
-    read_curve,
-    read_line,
-    read_point,
-)
+from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_curve, read_line, read_point
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from itertools import combinations
 
 from rbpsym.algebra import NOTHING, Scalar, atoms, substitute, symbol
-from rbpsym.algebra.squares import with_squares
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.derivation.draft import length
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref
 from rbpsym.errors import RbpsymError

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, Space, atoms, depends_on, derivative, quotient, substitute
-from rbpsym.algebra.normal import bases_of, normal
+from rbpsym.algebra import NOTHING, Scalar, Space, atoms, bases_of, depends_on, derivative, quotient, substitute
+from rbpsym.algebra.normal import normal
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.signs import sign

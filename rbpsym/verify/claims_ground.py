@@ -9,7 +9,7 @@ from functools import cached_property, lru_cache
 from types import MappingProxyType
 
 from rbpsym.algebra import ONE, Scalar, Scope, Space, atoms, depends_on, is_zero, substitute, symbol, time_derivative
-from rbpsym.algebra.squares import with_squares
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.decide import PLAIN, cross_difference, scalars_equal

@@ -18,8 +18,7 @@ from rbpsym.algebra import Poly, Scalar, Space, Vector, atoms, depends_on, is_ze
 from rbpsym.algebra.evaluate import Scope, scalar, space_derivative, time_derivative, value, vector
 from rbpsym.algebra.integration import definite
 from rbpsym.equality.domain import conditions, obligations
-from rbpsym.equality.homogeneity import faults
-from rbpsym.equality.poles import pole
+from rbpsym.equality.poles import faults, pole
 from rbpsym.equality.verdict import Witness
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.mechanics.motion import along_motion

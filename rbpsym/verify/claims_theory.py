@@ -13,8 +13,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym import quantities as dimensions
-from rbpsym.algebra import NOTHING, Scalar, Scope, Space, atoms, cartesian, space_derivative, symbol
-from rbpsym.algebra.calculus import atom_depends, depends_on, substitute
+from rbpsym.algebra import NOTHING, Scalar, Scope, Space, atoms, cartesian, depends_on, space_derivative, substitute, symbol
+from rbpsym.algebra.calculus import atom_depends
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.derivation import theory_ground as theory
 from rbpsym.equality.assumptions import Assumptions

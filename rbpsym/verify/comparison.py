@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, Scope, Value, depends_on, is_zero, root, substitute, value
-from rbpsym.algebra.present import present, present_ratio
+from rbpsym.algebra import NOTHING, ONE, Scalar, Scope, Value, depends_on, is_zero, present_ratio, root, substitute, value
+from rbpsym.algebra.present import present
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.assertions import told
 from rbpsym.derivation.step import BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef

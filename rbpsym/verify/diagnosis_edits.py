@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
+from rbpsym.algebra import Space
 from rbpsym.algebra.present import present
-from rbpsym.algebra.vector import Space
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_grammar import DEGREE

@@ -13,10 +13,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, at_most, symbol, total
-from rbpsym.algebra.calculus import derivative, names_in, root, substitute
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, at_most, derivative, names_in, root, substitute, symbol, total
+from rbpsym.algebra.division import vanishes_on
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
-from rbpsym.algebra.ideal import vanishes_on
 from rbpsym.algebra.modular import PRIME, NoImage
 from rbpsym.algebra.normal import tidy
 from rbpsym.equality.assumptions import Assumptions

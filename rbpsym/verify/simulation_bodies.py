@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rbpsym.algebra import Scalar
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.numbers import Values
 from rbpsym.notation.tree import Node, Sym, walk

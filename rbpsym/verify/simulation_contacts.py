@@ -22,19 +22,7 @@ from rbpsym.notation.tree import neg
 from rbpsym.statement.model import Element, PointRef, Turn
 from rbpsym.statement.paths import runs, tensions
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State
-from rbpsym.verify.simulation_joints import (
-    Drag,
-    Entries,
-    Kept,
-    Row,
-    driven,
-    driven_angle,
-    pin,
-    pivot,
-    turn,
-    turning,
-    weld,
-)
+from rbpsym.verify.simulation_joints import Drag, Entries, Kept, Row, driven, driven_angle, pin, pivot, turn, turning, weld
 
 STEP = 1e-30
 H = 1e-3  # of differences of fourth order

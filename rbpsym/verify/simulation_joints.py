@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra import derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Element

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.phases import Stage, known_stages

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra import names_in
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.mechanics.numbers import Values
 from rbpsym.statement.checks import unknowns_of

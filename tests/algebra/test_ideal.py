@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 
 from rbpsym.algebra.calculus import root
-from rbpsym.algebra.ideal import vanishes_on
+from rbpsym.algebra.division import vanishes_on
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import Scalar, lift, symbol
 from rbpsym.algebra.trig import cosine, sine

@@ -5,10 +5,10 @@ from fractions import Fraction
 import pytest
 from hypothesis import assume, given
 
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.algebra.modular import NoImage, value_of
 from rbpsym.algebra.normal import is_rooted, same
 from rbpsym.algebra.scalar import Scalar, lift
-from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.trig import cosine, sine
 from tests.algebra.strategies import A, B, X, Y, close, number, polynomials, steady, symbol
 

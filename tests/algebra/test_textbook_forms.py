@@ -4,10 +4,10 @@ from fractions import Fraction
 
 import pytest
 
+from rbpsym.algebra.bars import with_joined_angles
 from rbpsym.algebra.calculus import function, root
 from rbpsym.algebra.evaluate import Scope, scalar, value
 from rbpsym.algebra.grouping import perfect_power
-from rbpsym.algebra.joined import with_joined_angles
 from rbpsym.algebra.normal import same
 from rbpsym.algebra.present import present, present_ratio
 from rbpsym.algebra.roots import tidied

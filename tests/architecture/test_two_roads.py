@@ -7,11 +7,11 @@ import pytest
 from tests.architecture.source import MODULES
 
 CHECKERS = ("rbpsym.derivation.checks", "rbpsym.derivation.mass", "rbpsym.derivation.view", "rbpsym.derivation.entailment",
-            "rbpsym.derivation.duties", "rbpsym.derivation.primitives")  # fmt: skip
+            "rbpsym.derivation.duties")  # fmt: skip
 MAKERS = ("rbpsym.mechanics", "rbpsym.methods", "rbpsym.derivation.chapters", "rbpsym.algebra.integration")
 DATA = {"rbpsym.mechanics.system", "rbpsym.mechanics.study"}  # what is stated, and the values that are checked
 SHARED = {  # what a checker takes from the mechanics beside these, with the reason
-    ("rbpsym.derivation.primitives", "rbpsym.algebra.integration"): "proposes antiderivatives, which are differentiated",
+    ("rbpsym.derivation.mass", "rbpsym.algebra.integration"): "proposes antiderivatives, which are differentiated",
     ("rbpsym.derivation.entailment", "rbpsym.mechanics.numbers"): "floating-point values, by which a pivot is passed over",
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.conditions"): "what a constraint asks is the statement",
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.contacts"): "where bodies touch; their speeds are its own",

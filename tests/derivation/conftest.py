@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from rbpsym.derivation.chapters.impulses import hand_overs
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.phases import hand_overs
 from rbpsym.statement.library import problem_files
 from tests.library.derived import Drafted, drafted_from, stated
 

@@ -14,18 +14,7 @@ from zipfile import ZipFile
 import pytest
 
 from rbpsym.document import breaking
-from rbpsym.document.model import (
-    Display,
-    Document,
-    DocumentError,
-    FigureBlock,
-    Math,
-    Paragraph,
-    Ref,
-    Section,
-    Table,
-    words,
-)
+from rbpsym.document.model import Display, Document, DocumentError, FigureBlock, Math, Paragraph, Ref, Section, Table, words
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.writers import WRITERS, writer
 from rbpsym.document.writers.html import folding_pieces

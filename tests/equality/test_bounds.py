@@ -9,8 +9,7 @@ from rbpsym.algebra.poly import generator
 from rbpsym.algebra.scalar import PI, lift
 from rbpsym.algebra.trig import cosine
 from rbpsym.equality.bounds import FULL_WAVE, Bounds, of_cosine, of_inverse
-from rbpsym.equality.factoring import split
-from rbpsym.equality.masks import MINUS, PLUS
+from rbpsym.equality.factoring import MINUS, PLUS, split
 from rbpsym.mechanics.numbers import number
 
 TWELFTH = PI * Fraction(1, 12)

@@ -8,7 +8,7 @@ from rbpsym.algebra.calculus import root
 from rbpsym.algebra.scalar import PI, lift
 from rbpsym.algebra.trig import cosine
 from rbpsym.equality.constants import is_zero_number
-from rbpsym.equality.denesting import _number_root
+from rbpsym.equality.radicals import _number_root
 
 
 @pytest.mark.parametrize("large", [3, 10, 10**6, 10**20])

@@ -10,7 +10,7 @@ import pytest
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import symbol
-from rbpsym.equality import masks
+from rbpsym.equality import factoring
 from rbpsym.equality.assumptions import positive
 from rbpsym.equality.signs import sign
 from rbpsym.notation.infix import read_infix
@@ -137,11 +137,11 @@ def test_masks() -> None:
     """The arithmetic of sets of signs holds for all pairs of signs."""
     for a in range(8):
         for b in range(8):
-            for x in masks.members(a):
-                for y in masks.members(b):
-                    assert masks.times(a, b) & masks.BITS[x * y]
+            for x in factoring.members(a):
+                for y in factoring.members(b):
+                    assert factoring.times(a, b) & factoring.BITS[x * y]
                     for total in {-1, 0, 1} if x * y < 0 else {max(x, y, key=abs)}:
-                        assert masks.plus(a, b) & masks.BITS[total]
+                        assert factoring.plus(a, b) & factoring.BITS[total]
 
 
 @pytest.mark.parametrize("power", [1, 2, 3, 4])

@@ -8,7 +8,7 @@ import pytest
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import NONE
-from rbpsym.equality.slopes import sign_along
+from rbpsym.equality.rooted import sign_along
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation.infix import read_infix
 

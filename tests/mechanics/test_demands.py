@@ -8,7 +8,7 @@ import pytest
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import PI, symbol
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.masks import MINUS, PLUS, ZERO
+from rbpsym.equality.factoring import MINUS, PLUS, ZERO
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.numbers import number

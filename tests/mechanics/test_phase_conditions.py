@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from rbpsym.commands.derive import lines
-from rbpsym.derivation.phases import hand_overs
+from rbpsym.derivation.chapters.impulses import hand_overs
 from rbpsym.derivation.rules import certify
 from rbpsym.derive import derive
 from rbpsym.solve import solve, text

@@ -26,7 +26,7 @@ from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import Form
 from rbpsym.mechanics.solved import _terminal
 from rbpsym.mechanics.study import Study
-from rbpsym.methods import axis_work
+from rbpsym.methods import known_works
 from rbpsym.notation import tree as t
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import PointRef
@@ -193,11 +193,11 @@ def test_an_equation_of_motion_and_nothing_else_follows_from_those_that_are_not_
 
 @pytest.mark.parametrize("begun", [True, False])
 def test_where_no_start_is_said_a_change_is(begun, monkeypatch):
-    monkeypatch.setattr(axis_work, "started", lambda draft: begun)
-    monkeypatch.setattr(axis_work, "moment_about", lambda draft, label: t.Sym("I_O"))
-    monkeypatch.setattr(axis_work, "at_start", lambda value, scope: NOTHING)
+    monkeypatch.setattr(known_works, "started", lambda draft: begun)
+    monkeypatch.setattr(known_works, "moment_about", lambda draft, label: t.Sym("I_O"))
+    monkeypatch.setattr(known_works, "at_start", lambda value, scope: NOTHING)
     system = Told(bodies={"rod": Told(omega=symbol("omega"))}, scope=None)
-    grown = axis_work._growth(Told(study=Told(system=system), show=lambda value: t.Sym("shown")), "O")
+    grown = known_works._growth(Told(study=Told(system=system), show=lambda value: t.Sym("shown")), "O")
     assert isinstance(grown, t.Delta) is not begun
 
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rbpsym.equality.homogeneity import faults
+from rbpsym.equality.poles import faults
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.infix import read_infix, read_relation
 from rbpsym.notation.latex_reader import read_latex

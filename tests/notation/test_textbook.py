@@ -7,7 +7,7 @@ import pytest
 from rbpsym.algebra.evaluate import Scope, scalar
 from rbpsym.algebra.scalar import symbol
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.equality.homogeneity import faults
+from rbpsym.equality.poles import faults
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex_reader import read_latex

@@ -16,8 +16,7 @@ from rbpsym.equality.samples import chosen, samples_of
 from rbpsym.equality.verdict import proved, undecided
 from rbpsym.notation.text import to_text
 from rbpsym.remarks.choosing import KINDS, guarded, remarks
-from rbpsym.remarks.made import Made
-from rbpsym.remarks.result import results
+from rbpsym.remarks.result import Made, results
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 

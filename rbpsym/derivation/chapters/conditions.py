@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra import NOTHING, Scalar, Vector, is_zero
-from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra import NOTHING, Scalar, Vector, is_zero, time_derivative
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.places import (
     Given,
     as_given,

@@ -8,10 +8,10 @@ from rbpsym.algebra import Scalar, is_zero, substitute, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Step
 from rbpsym.mechanics import solutions, solved
+from rbpsym.mechanics.arrivals import State
 from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.orbit import swing_of
 from rbpsym.mechanics.solutions import STEADY, Course, Given
-from rbpsym.mechanics.state import State
-from rbpsym.mechanics.swing import swing_of
 from rbpsym.notation import tree as t
 
 TOLD = ("amplitude", "terminal speed", "total way")

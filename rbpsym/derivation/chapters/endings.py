@@ -7,17 +7,18 @@ from the first integral.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, Scalar, is_zero, substitute, symbol, time_derivative
 from rbpsym.algebra.present import present
-from rbpsym.derivation.chapters import kept
-from rbpsym.derivation.chapters.ending import Ending, place_name, speed_name
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
+from rbpsym.mechanics.arrivals import State, at_start
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import at_start
 from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.jumps import Kept, until_no_slip
+from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Phase
@@ -28,7 +29,7 @@ def write(draft: Draft, ending: Ending) -> None:
     if ending.phase.event == "at once":
         return
     state, slip = ending.state, _slip(draft, ending)
-    sources = [] if slip is None else kept.write(draft, ending, slip)
+    sources = [] if slip is None else kept_until(draft, ending, slip)
     if sources:
         _state(draft, ending, "speed", state.speeds, sources)
     if state.time is not None:
@@ -211,3 +212,68 @@ def speed_symbol(draft: Draft, coordinate: str, number: int, value: Scalar) -> S
     """The speed at the end of a phase as it is written in an equation: its value if that is plain, else its letter."""
     name = speed_name(draft, coordinate, number)
     return value if is_plain(value) or name not in draft.context.scalars else symbol(name)
+
+
+@dataclass(frozen=True)
+class Ending:
+    """The end of the phase number `number` (counted from 1) that begins `phase`."""
+
+    phase: Phase
+    number: int
+    state: State
+
+
+def place_name(draft: Draft, coordinate: str, number: int) -> str:
+    """x_1: the coordinate at the end of phase 1."""
+    return draft.free(f"{coordinate}_{number}")
+
+
+def speed_name(draft: Draft, coordinate: str, number: int) -> str:
+    """x_1_dot, or v_1 where the speed is called v."""
+    alias = draft.study.problem.notation.get(f"{coordinate}_dot")
+    return draft.free(f"{alias}_{number}" if alias else f"{coordinate}_{number}_dot")
+
+
+def kept_until(draft: Draft, ending: Ending, slip: Scalar) -> list[Step]:
+    """The steps; none where what is kept does not give the speeds at the end."""
+    found = until_no_slip(draft.study, slip, ending.state)
+    for name in draft.study.system.independent if found else ():
+        draft.context.scalars[speed_name(draft, name, ending.number)] = ending.state.speeds[name]
+    return [_kept_step(draft, ending, kept, slip) for kept in found]
+
+
+def _kept_step(draft: Draft, ending: Ending, kept: Kept, slip: Scalar) -> Step:
+    letters = draft.study.letters
+    point = t.Sym(kept.label or letters.free("C", taken=letters.things))
+    bodies = [BodyRef(name) for name in kept.bodies]
+    return draft.add(
+        f"kept.{kept.label or 'there'}.{'.'.join(kept.bodies)}",
+        "kept_until",
+        t.system([_unchanged(draft, ending, kept.value), t.equation(draft.show(_then(draft, ending, slip)), t.ZERO)]),
+        f"phases.until.{'named' if kept.label else 'there'}",
+        bodies=PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)}),
+        point=point,
+        place=draft.show_vector(kept.where),
+        silent=_those("phases.quiet", kept.silent, point),
+        cancel=_those("phases.cancel", kept.cancel, point),
+        data={"kept": kept, "ending": ending},
+    )
+
+
+def _those(key: str, forces: tuple[Force, ...], point: t.Node) -> PhraseRef:
+    names = [t.Vec(name) for name in dict.fromkeys(force.name for force in forces)]
+    return PhraseRef(key if names else "torque.none", {"forces": names, "count": len(names), "point": point})
+
+
+def _unchanged(draft: Draft, ending: Ending, value: Scalar) -> t.Node:
+    """L at the end = L at the start, positive where both are negative."""
+    value = -value if isinstance(draft.show(value), t.Neg) else value
+    begun = {f"{name}_dot": speed for name, speed in at_start(draft.study).speeds.items()}
+    return t.equation(draft.show(_then(draft, ending, value)), draft.show(substitute(value, begun)))
+
+
+def _then(draft: Draft, ending: Ending, value: Scalar) -> Scalar:
+    """A value at the end, its speeds as letters."""
+    names = draft.study.system.independent
+    images = {f"{name}_dot": symbol(speed_name(draft, name, ending.number)) for name in names}
+    return substitute(substitute(value, images), ending.state.places)

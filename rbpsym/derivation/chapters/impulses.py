@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, substitute
-from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
-from rbpsym.derivation.chapters import jumps
-from rbpsym.derivation.chapters.blow import Blow, after_name, impulse_name, minus, new_value, old_value
-from rbpsym.derivation.chapters.endings import kinetic
+from rbpsym.algebra import NOTHING, Scalar, Scope, depends_on, is_zero, names_in, substitute, time_derivative
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.derivation.chapters import endings, jumps
+from rbpsym.derivation.chapters.endings import Ending, kinetic
+from rbpsym.derivation.chapters.jumps import Blow, after_name, impulse_name, minus, new_value, old_value
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.facts import Fact
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
@@ -24,8 +24,9 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.energy import kinetic_energy
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.impulse import approach, is_holding, restitutions
+from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Element
+from rbpsym.statement.model import Element, Phase, Problem
 
 
 def write(draft: Draft, blow: Blow) -> None:
@@ -253,3 +254,23 @@ def _lost(draft: Draft, blow: Blow) -> None:
         is_result=True,
         data={"states": states[::-1] if gained else states},
     )
+
+
+def hand_overs(problem: Problem) -> list[tuple[Phase, Stage, Draft]]:
+    """Each later phase, its mechanics, and the draft of the steps from the end of the one before to its start.
+
+    Raises NotApplicable where the end of a phase has no closed form.
+    """
+    all_stages = stages(problem)
+    rows = zip(problem.phases, all_stages, all_stages[1:], strict=False)
+    return [(phase, stage, hand_over(k, phase, before, stage)) for k, (phase, before, stage) in enumerate(rows, 1)]
+
+
+def hand_over(number: int, phase: Phase, before: Stage, stage: Stage) -> Draft:
+    """The draft of the steps from the end of the phase of that number (from 1) to the start of the next one."""
+    draft = Draft(before.study)
+    draft.chapter = "phase"
+    endings.write(draft, Ending(phase, number, stage.began.before))
+    if stage.began.is_blow:
+        write(draft, Blow(before.study.system, stage.study.system, stage.began.phase, stage.began, number))
+    return draft

@@ -1,14 +1,17 @@
-"""Angular momentum of each body about the fixed origins: L = R × P + I_cm ω, orbital and spin part."""
+"""Angular momentum of each body about the fixed origins: L = R × P + I_cm ω, orbital and spin part; what is kept of it, and
+the steady motion that it allows.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rbpsym.algebra import NOTHING, Scalar, Space
+from rbpsym.algebra import NOTHING, Scalar, Space, function, names_in
 from rbpsym.derivation.chapters.inertia import moment_of, turning_together, turns_about
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.orbit import Orbit
 from rbpsym.notation import tree as t
 
 
@@ -147,3 +150,22 @@ def kept_speeds(draft: Draft, wanted: Iterable[str]) -> None:
             is_result=True,
             data={"speed": speed, "speeds": draft.study.kept_speeds, "momenta": tuple(momenta)},
         )
+
+
+def steady_motion(draft: Draft, name: str, known: Orbit) -> None:
+    """The momenta that are kept, the speeds that they give, the place, and the square of the frequency."""
+    draft.chapter = "course"
+    gained = draft.study.dynamics.accelerations[f"{name}_ddot"]
+    kept = draft.study.kept_speeds if names_in(gained) & draft.study.kept_speeds.keys() else {}
+    if kept:
+        kept_speeds(draft, kept)
+    speeds = draft.those(*(f"speed_at.{speed.removesuffix('_dot')}" for speed in kept))
+    data = {"name": name, "speeds": speeds, "place": known.place}
+    phrase = f"course.orbit.{'place' if kept else 'beside'}"
+    draft.add("orbit.place", "steady_place", t.equation(t.Sym(name), draft.show(known.place)), phrase,
+              premises=draft.those(f"motion.{name}", *speeds), name=t.Sym(name), data=data)  # fmt: skip
+    letter = draft.define(draft.free("vartheta"), function("sqrt", known.square))
+    square = t.equation(t.Pow(letter, t.TWO), draft.show(known.square, factor=True))
+    draft.add("orbit.frequency", "steady_frequency", square, "course.orbit.frequency", data=data, is_result=True,
+              premises=draft.those(f"motion.{name}", *speeds, "orbit.place"), letter=letter, name=t.Sym(name),
+              obligations=draft.asked(known.valid))  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rbpsym.algebra import Scalar, root, substitute, symbol
 from rbpsym.derivation.draft import Draft
-from rbpsym.mechanics.open_rest import Balance
+from rbpsym.mechanics.rest import Balance
 from rbpsym.notation import tree as t
 
 

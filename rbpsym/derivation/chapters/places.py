@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra import Scalar, Vector, depends_on
-from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
+from rbpsym.algebra import Scalar, Scope, Vector, depends_on, time_derivative
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef

@@ -12,8 +12,8 @@ from typing import Any
 
 from markupsafe import Markup
 
+from rbpsym.algebra import Scalar
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.explorer.events import force_labels, label, strikes
 from rbpsym.document.explorer.sliders import DEGREE, Slider, sliders, unit_of
 from rbpsym.document.explorer.stage import LAST, Began, PhaseEnding, StagePhase, phase
@@ -24,11 +24,11 @@ from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
+from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.phases import Stage, stages
-from rbpsym.mechanics.state import of_coordinate
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation

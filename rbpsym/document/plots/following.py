@@ -13,7 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.moving import REASONS, Moving, at, reactions, require_motion
 from rbpsym.errors import NotApplicable

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.moving import require_motion
 from rbpsym.document.plots.following import Leg, leg

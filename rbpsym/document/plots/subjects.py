@@ -11,8 +11,8 @@ from itertools import cycle
 
 import numpy as np
 
+from rbpsym.algebra import NOTHING, Scalar, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.step import Step
 from rbpsym.document.moving import at
 from rbpsym.document.plots.following import Leg

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
+from rbpsym.algebra import Scalar
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
-from rbpsym.algebra import NOTHING, Scalar, atoms, is_zero, symbol
-from rbpsym.algebra.evaluate import BARE, Scope, scalar
+from rbpsym.algebra import BARE, NOTHING, Scalar, Scope, atoms, is_zero, symbol
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.decide import cross_difference, scalars_equal
 from rbpsym.equality.factoring import primes

@@ -8,7 +8,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 from rbpsym.algebra import BARE, Scalar, Scope
-from rbpsym.algebra.squares import with_squares
+from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.glyphs import Notation, glyph, renamed

@@ -13,16 +13,7 @@ from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, sentence
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, gist, has_value, lines_to, piece, precedence, shares
-from rbpsym.teaching.model import (
-    Anticipated,
-    AskedQuantity,
-    Blank,
-    BlanksKey,
-    Criterion,
-    ExplanationKey,
-    Item,
-    OrderKey,
-)
+from rbpsym.teaching.model import Anticipated, AskedQuantity, Blank, BlanksKey, Criterion, ExplanationKey, Item, OrderKey
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, claims, printed

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from rbpsym.algebra.scalar import NOTHING
+from rbpsym.algebra import NOTHING
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.model import Block, FigureBlock, Math, Paragraph, Table
 from rbpsym.document.sketches import sketch_of
