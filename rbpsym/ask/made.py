@@ -74,12 +74,14 @@ def form_of(world: Scene, text: str, *, of_vectors: bool = False) -> t.Node:
     """How a quantity is made of others, each of which stands in it under the text of its question; one alone as itself, or
     as its magnitude where it is that `of_vectors`. Raises StatementError or ReadError for what means nothing."""
     used, refused = len(world.used), None
-    for phrase in (text, f"magnitude of {text}")[: 1 + of_vectors]:
+    phrases = (text, f"magnitude of {text}")[: 1 + of_vectors]
+    for phrase in phrases:
         try:
             return _leaf(world, phrase)
         except RbpsymError as error:
             refused = refused or error
-    found = next(((make, words) for pattern, make in MADE if (words := re.fullmatch(pattern, text))), None)
+    ways = ((make, re.fullmatch(pattern, phrase)) for phrase in phrases for pattern, make in MADE)
+    found = next((way for way in ways if way[1]), None)
     if found is not None:
         return found[0](world, *found[1].groups())
     for signs in SIGNS:

@@ -141,12 +141,19 @@ class Asked:
         name = re.sub(r"^(?:the )?(?:phase |blow |collision |impulse )?", "", name)
         blows = {e.name: k for k, phase in enumerate(self.problem.phases, 1) for e in phase.impulses}
         known = {name: k for k, name in reversed(list(enumerate(self.names)))} | blows | {"first": 0}
-        struck = set(blows.values())
+        before = (self.problem, *(phase.problem for phase in self.problem.phases))
+        struck = {k for k, phase in enumerate(self.problem.phases, 1) if _is_struck(phase, before[k - 1])}
         known |= dict.fromkeys(("blow", "collision", "impact", "impulse"), *struck) if len(struck) == 1 else {}
         if name not in known:
             hint = did_you_mean(name, list(known), "phases") if self.problem.phases else "the problem has no [[phases]]."
             raise StatementError(f"there is no phase or blow “{name}”", instead=hint)
         return known[name]
+
+
+def _is_struck(phase: Phase, before: Problem) -> bool:
+    """Whether impulses act when it begins: stated ones, or those with which a new constraint is met."""
+    new = {element.name for element in phase.problem.constraints} - {element.name for element in before.constraints}
+    return bool(phase.impulses) or (phase.event in ("at once", "begins") and bool(new))
 
 
 def moment_of(asked: Asked, when: When, question: Question) -> Moment:

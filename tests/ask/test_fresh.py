@@ -15,6 +15,11 @@ from tests.ask.test_unseen import asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 
 ANSWERS = (
+    ("bullet-into-rod", "d for which impulse of F vanishes", "2*ell/3"),
+    ("bullet-into-rod", "largest theta after the blow", "acos(1 - 3*m**2*d**2*v_0**2/(g*(M*ell+2*m*d)*(M*ell**2+3*m*d**2)))"),
+    ("bullet-into-rod", "energy lost when stuck begins", "M*m*ell**2*v_0**2/(2*(M*ell**2+3*m*d**2))"),
+    ("car-door", "H where theta = 0", "5*M*a/2"),
+    ("pulled-plank", "F for which acceleration of x = g/4", "g*(3*M+m)/4"),
     ("two-carts", "x_1 as a function of t", "v_0*m*t/(m+M) + M*v_0/(m+M)*sqrt(m*M/(k*(m+M)))*sin(sqrt(k*(m+M)/(m*M))*t)"),
     ("two-carts", "speed of x_2 as a function of t", "v_0*m/(m+M)*(1 - cos(sqrt(k*(m+M)/(m*M))*t))"),
     ("two-carts", "frequency of x_1", "sqrt(k*(m+M)/(m*M))"),
