@@ -83,7 +83,7 @@ def start(world: ProblemWorld, phrase: str) -> Bound:
 def elsewhere(world: ProblemWorld, phrase: str, problem: str) -> Bound:
     """The same in another problem, whose parameters of the same names are the same quantities."""
     if world.others is None:
-        instead = f"in a claim or a comparison it would be that of the problem “{problem}”; of a body say “of {problem}”, “on {problem}”."
+        instead = f"in a claim or a comparison that is the problem “{problem}”; of a body say “of {problem}”, “on {problem}”."
         raise StatementError(f"“in {problem}” means nothing here", instead=instead)
     other = world.others(problem)
     found = other.bound(phrase)
