@@ -70,7 +70,7 @@ def followed(context: Context, step: Step) -> Verdict:
     [(_, _, right)] = relations(step.statement)
     name, value = step.data["name"], context.value(right)
     begins = [same(context, context.start(value), context.start(symbol(name)))]
-    [other] = names_in(value) & {*context.study.system.independent}
+    [other] = names_in(value) & {*context.study.system.independent} or {name}  # one that stays where it is: of itself
     slope, rates = derivative(value, other), [symbol(f"{other}_dot"), symbol(f"{name}_dot")]
     if f"speed_at.{name}" in context.steps:
         return weakest([*begins, same(context, _said(context, f"speed_at.{name}"), slope * rates[0])])

@@ -18,6 +18,8 @@ ANSWERS = (
     ("bullet-into-rod", "d for which impulse of F vanishes", "2*ell/3"),
     ("bullet-into-rod", "largest theta after the blow", "acos(1 - 3*m**2*d**2*v_0**2/(g*(M*ell+2*m*d)*(M*ell**2+3*m*d**2)))"),
     ("bullet-into-rod", "energy lost when stuck begins", "M*m*ell**2*v_0**2/(2*(M*ell**2+3*m*d**2))"),
+    ("falling-rod", "x as a function of theta", "0"),
+    ("falling-rod", "N where theta = pi/2", "M*g/4"),
     ("car-door", "H where theta = 0", "5*M*a/2"),
     ("pulled-plank", "F for which acceleration of x = g/4", "g*(3*M+m)/4"),
     ("two-carts", "x_1 as a function of t", "v_0*m*t/(m+M) + M*v_0/(m+M)*sqrt(m*M/(k*(m+M)))*sin(sqrt(k*(m+M)/(m*M))*t)"),
