@@ -280,7 +280,7 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
         "damping": [
             {"decay_rate": text(decay, study), "frequency_squared": text(square - decay * decay, study)}
             for decay, square in map(decaying, factors)
-            if decay
+            if decay and POSITIVE.get(sign(square, study.assumptions).kind) is not False
         ],
         "characteristic_polynomial": {"zeros": item.linear.zeros, "factors": [_row(p, study) for p in factors]},
         "eigenvalues": None if None in roots else [text(v, study) for found in roots for v in found],

@@ -197,7 +197,7 @@ def _equilibria(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
         told += "".join(
             f"; one mode dies out at the rate {drawn.formula(mode['decay_rate'])}, and swings where this is positive, "
             f"with the square of the frequency {drawn.formula(mode['frequency_squared'])}"
-            for mode in item["damping"] or ()
+            for mode in (item["stable"] is not False and item["damping"]) or ()
         )
         yield f"  {_places(item['at'], drawn)}{_valid(item, drawn)}: {_stability(item, drawn)}{told}"
     if not answer["at_start"]:

@@ -318,10 +318,12 @@ def rate_of_mode(context: Context, step: Step) -> Verdict:
 
 
 def _routh(powers: Sequence[Scalar]) -> list[Scalar]:
-    """Hurwitz's determinants Δ₁, Δ₂, …: products of the first column of Routh's table."""
+    """Hurwitz's determinants Δ₁, Δ₂, …: products of the first column of Routh's table; zeros from the first that vanishes."""
     above, row, found = list(powers[::2]), list(powers[1::2]), []
     while row:
         found.append(row[0] * (found[-1] if found else UNITY))
+        if not row[0]:
+            return [short(value) for value in found] + [NOTHING] * (len(powers) - 1 - len(found))
         paired = list(zip_longest(above[1:], row[1:], fillvalue=NOTHING))
         above, row = row, [(row[0] * a - above[0] * b) / row[0] for a, b in paired]
     return [short(value) for value in found]

@@ -13,6 +13,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import certify
 from rbpsym.derive import derive
 from rbpsym.notation import tree as t
+from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_text
 from tests.derivation.conftest import drafted
 from tests.library.derived import unsimulated
@@ -360,3 +361,18 @@ def test_whether_a_damped_motion_swings_is_checked(bound, said, other):
     [step] = [step for step in found.steps if step.id.startswith("damped.")]
     assert step.data["swings"] == said and step.certificate.verdict.is_proved
     assert not certify(found.letters, replace(step, data={**step.data, "swings": other})).verdict.is_proved
+
+
+def test_what_grows_does_not_die_out():
+    """Two rods upright, joined by a rotary damper: Routh's table has a row that begins with zero, and their motion against
+    each other grows whatever the damping."""
+    from rbpsym.commands.solve import lines
+    from rbpsym.solve import answer_of
+
+    text = load_text(problem_files()["rods-with-rotary-damper"].read_text().replace("range", "# range"))
+    found = derive(text, simulation=False)
+    answer = answer_of(found)
+    upright = next(place for place in answer["equilibria"] if set(place["at"].values()) == {"pi"})
+    assert all(step.certificate.verdict.is_proved for step in found.steps)
+    assert upright["stable"] is False and not upright["damping"]
+    assert not [line for line in lines(answer, text) if "unstable" in line and "dies out" in line]
