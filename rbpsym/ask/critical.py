@@ -204,7 +204,7 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
     if told_.relation == "between" and not told_.says and found.asked:
         ends = (("<", found.upper, 1), (">", found.lower, -1))
         bare = next(((op, end) for op, end, way in ends if not alone(found, [*regions, *beside], way)), None)
-        told_ = replace(told_, says=f"else “{text}” holds for {name} {bare[0]} {told(bare[1])}") if bare else told_
+        told_ = _else(told_, name, found, parts, given, along, (text, *bare)) if bare else told_
     if found.otherwise and told_.says:
         turned = Demand(-found.asked[0].value, ">=" if found.asked[0].op == ">" else ">")
         else_ = kept_said(parts[0], along, found.worst, where_met(given, [turned]), holds=found.otherwise > 0)
@@ -217,6 +217,17 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
             vanishes = checked("no_change", value=there, names=(), best=NOTHING, given=given)
             return replace(told_, says=condition.there, **together(told_, Finding(**vanishes)))
     return told_
+
+
+def _else(told_: Finding, name: str, found: Region, parts: Parts, given: Assumptions, along: str | None, bare) -> Finding:
+    """With what holds where a condition is not met, if that is proved: the bound that is left alone then."""
+    text, op, end = bare
+    turned = (Demand(-demand.value, ">=" if demand.op == ">" else ">") for demand in found.asked)
+    ends = {"lower": None, "upper": None, "lower" if op == ">" else "upper": end}
+    said = [Finding(**_said(parts, name, replace(found, asked=(one,), **ends), given, along)) for one in turned]
+    if not all(one.verdict.is_proved for one in said):
+        return told_
+    return replace(told_, says=f"else “{text}” holds for {name} {op} {told(end)}", **together(told_, *said))
 
 
 def _first(regions: list[Region | None], beside: list[Region | None], given: Assumptions, sense: int) -> Region | None:
@@ -286,7 +297,8 @@ def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, sa
         return Finding(symbol=name, **said, relation=relation, equation=found.crossing.equation)
     ends = (found.lower, found.upper)
     bound = ends[0] if ends[1] is None or (sense < 0 and ends[0] is not None) else ends[1]
-    closed, says = _closed(condition, found, name, bound)
+    closed, says, why = _closed(condition, found, name, bound)
+    said = together(Finding(**said), why) if says and (sense or None in ends) else said
     says = says if says and (sense or None in ends) else OTHERWISE[found.otherwise].format(text=text, name=name)
     if sense:
         if (found.lower if sense < 0 else found.upper) is None:
@@ -300,20 +312,26 @@ def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, sa
     return Finding(symbol=name, **said, values=(bound,), relation=relation, valid=found.asked, says=says)
 
 
-def _closed(condition: Wanted, found: Region, name: str, bound: Scalar | None) -> tuple[bool, str]:
-    """Whether it still holds at the bound; the sentence where it does not."""
-    if not condition.closed:
-        return False, f"at this {name} itself it does not hold"
-    edge = (rooted(substitute(one.value, {name: bound}), condition.given) for one in condition.asked if one.op == ">")
-    if bound is not None and any(map(is_zero, edge)):
-        return False, f"at this {name} itself it does not hold"
-    if condition.end is None or None in (condition.along, *found.worst) or not found.worst:
-        return True, ""
-    [place, *_], along = found.worst, condition.along
-    square = substitute(condition.values[-1], {name: bound, along: place})
-    if arrives(condition, place, {name: bound}) or not is_zero(rooted(square, condition.given)):
-        return True, ""
-    return False, f"with this {name} itself, {along} = {told(place)} is approached and never reached"
+def _closed(condition: Wanted, found: Region, name: str, bound: Scalar) -> tuple[bool, str, Finding]:
+    """Whether it still holds at the bound; the sentence where it is proved that it does not, with what proves it."""
+    along, given, [*places] = condition.along, condition.given, found.worst or (None,)
+    edge = [one.value for one in condition.asked if one.op == ">"]
+    ends = [rooted(substitute(value, {name: bound}), given) for value in edge]
+    if not condition.closed or any(map(is_zero, ends)):
+        there = (substitute(value, {name: bound} | ({along: place} if along and place is not None else {}))
+                 for value in condition.values for place in places)  # fmt: skip
+        ends = [*ends, *(() if condition.closed else (rooted(value, given) for value in there))]
+        zero = next(filter(is_zero, ends), None)
+        why = Finding(**checked("no_change", value=zero or NOTHING, names=(), best=NOTHING, given=given))
+        return False, "" if zero is None else f"at this {name} itself it does not hold", why
+    [place, *_] = places
+    if condition.end is None or along is None or place is None or None in places:
+        return True, "", Finding()
+    square = substitute(condition.values[-1], {name: bound})
+    if arrives(condition, place, {name: bound}) or not is_zero(rooted(substitute(square, {along: place}), given)):
+        return True, "", Finding()
+    why = Finding(**checked("approached", value=square, name=along, place=place, given=given))
+    return False, f"with this {name} itself, {along} = {told(place)} is approached and never reached", why
 
 
 OTHERWISE = {0: "", 1: "else “{text}” holds for every {name}", -1: "else there is no such {name}"}

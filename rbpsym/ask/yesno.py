@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra import UNITY, Scalar, depends_on, is_zero
+from rbpsym.ask.critical import kept_said
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.seen import Scene, moving, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, of_chapter, on_way, premises, rest_at, wanted
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.derivation.chapters import contact, oscillations
+from rbpsym.derivation.step import Step
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.events import Loss
 
 
 def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
@@ -63,30 +67,39 @@ def does_not(world: Scene, text: str) -> Finding:
 def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> Finding:
     """Whether a one-sided force vanishes on the motion, by what is known of the ends of contacts; before a place: by its
     least value on the way."""
-    ended = world.study.ended
-    loss = next((loss for loss in ended.found if loss.force == force and loss.at), None)
-    if loss is not None:
-        [(name, place)] = loss.at.items()
-        way, _ = way_to(world, name, place, world.motion.assumptions)
-        asked, surely, rest = [*loss.valid, *way.asked], (), ", else no"
-        if until is not None:
-            name_, end = free_place(world, until, text)
-            if name_ != name:
-                raise StatementError(f"“{force}” is a function of {name}", instead=f"say until when: “… until {name} = VALUE”.")
-            on_way, _ = way_to(world, name, end, world.motion.assumptions)
-            surely = settle(on_way.asked, world.motion.assumptions) or ()
-            asked.append(Demand((end - place) * way.sense, ">="))
-        left, rest = settle(asked, where_met(world.motion.assumptions, surely)), "" if surely else rest
-        says = "no" if left is None else f"yes where this is met{rest}" if left else "yes"
-        holds = None if left else left is not None
-        valid = (*surely, *(left or ()))
-        steps = of_chapter(world, contact.write, f"loss.{force}")
-        return Finding(valid=valid, place=(name, place), says=says, holds=holds, steps=steps)
+    losses = [loss for loss in world.study.ended.found if loss.force == force and loss.at]
+    if losses and (found := _by_loss(world, losses, until, text)) is not None:
+        return found
     side = next((side for side in world.study.sides if side.force == force), None)
     if side is not None and side.state == "kept" and not side.until:
         return Finding(says="no", holds=False, steps=of_chapter(world, contact.write, f"holds.{force}"))
     rest = f" until {until} = {text}" if until else ""
     return does(world, f"{force} stays positive{rest}", opposite=True)
+
+
+def _by_loss(world: Scene, losses: Sequence[Loss], until: str | None, text: str | None) -> Finding | None:
+    """Whether a force vanishes before a place, by where it is known to vanish; None if that does not say it."""
+    [loss, *more], given, surely = losses, world.motion.assumptions, ()
+    [(name, place)] = loss.at.items()
+    way, _ = way_to(world, name, place, given)
+    asked, is_all = [*loss.valid, *way.asked], bool(world.study.ended.complete and not more)
+    if until is not None:
+        name_, end = free_place(world, until, text)
+        if name_ != name:
+            raise StatementError(f"“{loss.force}” is a function of {name}", instead=f"say until when: “… until {name} = VALUE”.")
+        surely = settle(way_to(world, name, end, given)[0].asked, given) or ()
+        before = Demand((end - place) * way.sense, ">=")
+        plain = [one.value for one in settle([before], given) or ()]
+        later = kept_said(plain, None, (), where_met(given, asked), holds=False)
+        if is_all and plain and later["verdict"].is_proved:
+            return Finding(**later, valid=surely, says="no", holds=False)
+        asked.append(before)
+    left = settle(asked, where_met(given, surely))
+    if left is None:
+        return None
+    says = f"yes where this is met{', else no' if is_all and not surely else ''}" if left else "yes"
+    steps = _told(of_chapter(world, contact.write, f"loss.{loss.force}"), open=bool(left))
+    return Finding(valid=(*surely, *left), place=(name, place), says=says, holds=None if left else True, steps=steps)
 
 
 def rests_stably(world: Scene, name: str, text: str, opposite: str | None) -> Finding:
@@ -95,7 +108,13 @@ def rests_stably(world: Scene, name: str, text: str, opposite: str | None) -> Fi
     if item.stable is None:
         return does(world, f"{name} = {text} is {opposite or ''}stable")
     steps, holds = of_chapter(world, oscillations.write, f"equilibrium.{place}"), item.stable != bool(opposite)
+    steps = _told(steps, opposite=bool(opposite))
     return Finding(valid=item.valid, says="yes" if holds else "no", holds=holds, steps=steps)
+
+
+def _told(steps: tuple[Step, ...], **more: bool) -> tuple[Step, ...]:
+    """The steps, the last of which knows how it was asked for."""
+    return (*steps[:-1], replace(steps[-1], data={**steps[-1].data, **more}))
 
 
 Part = tuple[Scalar, Extreme | None, Demand]  # a value, one of its least ones, and what has to hold there

@@ -262,6 +262,14 @@ def _there(value: Scalar, along: str | None, worst: Sequence[Scalar | None]) -> 
                 yield shorter(substitute(value, {along: place}))
 
 
+def approached(context: Context, step: Step) -> Verdict:
+    """The square of a speed vanishes at a place together with its slope, so that the place is never reached (`data`: "value",
+    "name", "place", "given")."""
+    value, name, place, given = (step.data[key] for key in ("value", "name", "place", "given"))
+    both = (value, derivative(value, name))
+    return all_of(scalars_equal(rooted(substitute(one, {name: place}), given), NOTHING, given) for one in both)
+
+
 def extreme_there(context: Context, step: Step) -> Verdict:
     """The value is the greatest (least) one at the stated place, or towards the end of the range ("at_end")."""
     value, name, given, sense = (step.data[key] for key in ("value", "name", "given", "sense"))

@@ -85,6 +85,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "vanishes_for": (parameters.place_told, parameters.vanishes_there),
     "holds_for": (parameters.bound_told, parameters.bounds_hold),
     "extreme": (parameters.extreme_told, parameters.extreme_there),
+    "approached": (parameters.approached,),
     "limit": (parameters.limit_told, parameters.tends_to),
     "put_in": (answers.put_in,),
     "no_change": (answers.no_change,),

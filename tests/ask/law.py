@@ -87,6 +87,7 @@ def _greatest(data) -> Iterator[dict[str, Any]]:
 SPOILERS = {
     "vanishes_for": _places,
     "holds_for": _bounds,
+    "approached": lambda data: ({"value": data["value"] + UNITY},),
     "extreme": _extreme,
     "limit": lambda data: ({"coefficient": _other(data["coefficient"])},),
     "no_change": lambda data: ({"best": _other(data["best"])},),

@@ -9,16 +9,25 @@ import pytest
 
 from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.concluded import concluded
-from rbpsym.ask.finding import Finding
+from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding
 from rbpsym.ask.words import SAID, doubts
+from rbpsym.derivation.rules import RULES
 from rbpsym.statement.loader import load_problem
 
 # a question of each kind, and what would be false of it
 FALSE = {
     ("rod-pendulum", "does the period of theta depend on M"): ("yes: “the period” depends on M", "no: “it” depends on M"),
-    ("rod-pendulum", "does the period of theta depend on g"): ("no: “the period” does not depend on g",),
+    ("rod-pendulum", "does the period of theta depend on g"): (
+        "no: “the period” does not depend on g", "yes: “the period” depends on M",
+    ),
+    ("rod-pendulum", "is theta = 0 stable"): ("no",),
+    ("rod-pendulum", "is theta = pi unstable"): ("no", "yes where this is met"),
+    ("sliding-ladder", "does N_f vanish"): ("yes", "yes where this is met"),
+    ("sliding-ladder", "does N_w vanish"): ("no", "yes where this is met"),
+    ("ball-in-a-loop", "does N vanish"): ("no", "yes"),
+    ("ball-in-a-loop", "does N vanish until theta = pi/2"): ("yes", "yes where this is met"),
     ("rod-pendulum", "is the energy conserved"): ("no: “energy” changes",),
     ("ball-in-a-loop", "smallest v_0 for which theta reaches pi"): ("every smaller v_0 does: it holds for v_0 < 1", "yes"),
 }
@@ -55,13 +64,70 @@ DECIDED = [  # words, the rule, data with which it decides them, data with which
     ("every smaller m does: it holds for m < M", "holds_for", {"ends": {1: None, -1: ONE}}, {"ends": {1: ONE, -1: None}}),
     ("every larger m does: it holds for m > M", "holds_for", {"ends": {1: ONE, -1: None}}, {"ends": {1: None, -1: ONE}}),
     ("every such m does", "holds_for", {"opposite": True}, {}),
-    ("there a contact is lost", "no_change", {"best": ONE - ONE}, {"best": ONE}),
+    ("there a contact is lost", "no_change", {"best": ONE - ONE, "names": ()}, {"best": ONE, "names": ()}),
+    ("at this m itself it does not hold", "no_change", {"best": ONE - ONE, "names": ()}, {"best": ONE - ONE, "names": ("m",)}),
+    ("“v” is the same for every m", "no_change", {"best": ONE, "names": ("m",)}, {"best": ONE, "names": ("M",)}),
+    ("m is the only zero of this in its range", "one_zero", {"name": "m"}, {"name": "M"}),
+    ("else “it slips” holds for m < b", "holds_for", {"ends": {1: None, -1: ONE}}, {"ends": {1: ONE, -1: ONE}}),
+    ("else “it slips” holds for m > b", "holds_for", {"ends": {1: ONE, -1: None}}, {"ends": {1: None, -1: ONE}}),
+    ("yes", "equilibrium", {"proved": "unstable", "opposite": True}, {"proved": "open", "opposite": True}),
+    ("no", "stays", {"until": ""}, {"until": "N"}),
+    ("yes where this is met", "vanishing", {"open": True}, {"open": False}),
     ("“v” grows beyond all bounds, as this", "limit", {"order": -1}, {"order": 1}),
     ("the limit is 0; “v” vanishes as this", "limit", {"order": 1}, {"order": 0}),
     ("no least value is reached: 0 is approached as m goes to 0", "extreme", {"at_end": True}, {"at_end": False}),
     ("only b = a has the same", "vanishes_for", {"places": (ONE,)}, {"places": (ONE, ONE)}),
     ("“v” is negative: its magnitude is meant", "least_on_way", {"holds": True}, {"holds": False}),
 ]
+
+
+SWUNG = """
+[parameters]
+m = "mass"
+L = "length"
+g = "acceleration"
+[coordinates.q]
+start = "0"
+speed = "omega_0"
+range = ["-2*pi", "2*pi"]
+[bodies.bob]
+shape = "particle"
+mass = "m"
+center = ["L*sin(q)", "-L*cos(q)"]
+[interactions.W]
+type = "gravity"
+[constraints.T]
+type = "KIND"
+KEYS
+"""
+ROD, STRING = ('"link"', "points = [\"O\", \"bob.center\"]"), ('"string"', "path = [\"O\", \"bob.center\"]")
+
+
+def swung(by: tuple[str, str]) -> str:
+    return SWUNG.replace('"KIND"', by[0]).replace("KEYS", by[1])
+
+
+APPROACHED = "with this omega_0 itself, q = π is approached and never reached"
+
+
+def test_a_bound_that_is_approached() -> None:
+    """The square of the speed and its slope vanish at the place; where one of them does not, the sentence falls."""
+    text = "smallest omega_0 for which q reaches pi"
+    forward = swung(ROD).replace("[parameters]", '[parameters]\nomega_0 = "angular speed"')
+    world, found = finding(Asked(load_problem(forward)), text)
+    answer = concluded(world, text, found)
+    assert answer.verdict.is_proved and answer.says == APPROACHED
+    [first, (rule, data)] = found.grounds
+    for spoilt in ({"value": data["value"] + symbol("g")}, {"place": data["place"] / 2}):
+        wrong = replace(found, grounds=(first, (rule, {**data, **spoilt})))
+        assert not all(check(None, ground(wrong.grounds[1])).is_proved for check in RULES[rule])
+    assert not concluded(world, text, replace(found, grounds=(first,))).verdict.is_proved
+
+
+def test_where_it_may_go_two_ways_there_is_no_else() -> None:
+    """Sent to the right the string goes slack under one condition, to the left under another: "else no" is said of none."""
+    world, found = finding(Asked(load_problem(swung(STRING))), "does T vanish")
+    assert found.says == "yes where this is met" and len(world.study.ended.found) == 2
 
 
 @pytest.mark.parametrize(("says", "rule", "so", "not_so"), DECIDED)
