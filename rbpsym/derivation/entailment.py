@@ -252,8 +252,8 @@ def cofactors(known: Known, goal: Scalar) -> list[Scalar] | None:
 def _without_poles(value: Scalar) -> Scalar:
     """(1 - cos² q)/sin q as sin q: poles that sin² + cos² = 1 takes away."""
     for index in {i for m in value.num.terms for i, e in m if e < 0 and atoms.atom(i).kind in ("cos", "sin")}:
-        lowest = min(e for m in value.num.terms for i, e in m if i == index)
-        by = Scalar(generator(index)) ** -lowest
+        lowest = min((e for m in value.num.terms for i, e in m if i == index), default=0)  # one may go with another
+        by = Scalar(generator(index)) ** -min(lowest, 0)
         value = short(value * by) * by.inverse()
     return value
 
