@@ -59,6 +59,10 @@ class LimitError(RbpsymError):
     """An input beyond the declared bounds of size, depth, digits or exponent."""
 
 
+class WorkSpent(LimitError):
+    """A question whose answer takes more work than is granted to one."""
+
+
 class NotApplicable(RbpsymError):
     """A method that does not apply to a problem; `what` says why."""
 

@@ -2,7 +2,7 @@
 
 from rbpsym.algebra.atoms import symbol_name
 from rbpsym.algebra.calculus import depends_on, derivative, function, inside, names_in, rate_along, root, substitute
-from rbpsym.algebra.effort import apart, ask_for_more, at_most, in_all, remembered, spend
+from rbpsym.algebra.effort import apart, ask_for_more, at_most, granted, in_all, kept, remembered, spend
 from rbpsym.algebra.evaluate import BARE, Scope, Value, at_start, rate, space_derivative, time_derivative, value
 from rbpsym.algebra.exponentials import is_exponential, with_exponentials_joined
 from rbpsym.algebra.grouping import perfect_power

@@ -4,6 +4,10 @@ What is multiplied out within `at_most(n)` may make n products of terms; beyond,
 raised. So a method that does not lead to an end is given up, on every machine at the same place.
 What is spent `apart` counts for the bound of the whole work only, `in_all(n)`. The bounds belong to the call: another
 thread has its own.
+
+Who has another way where the first one grows too long catches LimitError, and what comes of it may be kept for all who
+ask later. So the bound of one question, `granted(n)`, ends the work with what nobody catches on the way, and what is
+`kept` spends apart from the bounds of who happens to ask first.
 """
 
 from __future__ import annotations
@@ -11,11 +15,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import wraps
+from functools import cached_property, wraps
 from math import inf
-from typing import ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
-from rbpsym.errors import LimitError
+from rbpsym.errors import LimitError, WorkSpent
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -25,28 +29,34 @@ _left: ContextVar[list[float] | None] = ContextVar("products that are left", def
 _whole: ContextVar[list[float] | None] = ContextVar("products that are left of the whole work", default=None)
 
 
+class _Spent(Exception):
+    """Nothing is left of what was granted to a question."""
+
+
 def spend(products: float) -> None:
     """Counts. Raises LimitError where more is spent than is allowed."""
     left = _left.get()
     if left is not None:
         left[0] -= products
         if left[0] < 0:
+            if left[1]:
+                raise _Spent
             raise LimitError("the expression grows beyond what can be expanded exactly")
 
 
 @contextmanager
 def at_most(products: int) -> Iterator[list[float]]:
-    """Within it, no more products than these (nor than an outer bound leaves); how many are left is the one item given."""
+    """Within it, no more products than these (nor than an outer bound leaves); how many are left is the first item given."""
     outer = _left.get()
-    granted = min(inf if outer is None else outer[0], products)
-    own = [granted]
+    most = min(inf if outer is None else outer[0], products)
+    own = [most, outer is not None and outer[1] and outer[0] <= products]  # whether it is what was granted that ends it
     token = _left.set(own)
     try:
         yield own
     finally:
         _left.reset(token)
         if outer is not None:
-            outer[0] -= granted - own[0]
+            outer[0] -= most - own[0]
 
 
 @contextmanager
@@ -58,6 +68,20 @@ def in_all(products: int) -> Iterator[list[float]]:
             yield left
         finally:
             _whole.reset(token)
+
+
+@contextmanager
+def granted(products: int) -> Iterator[None]:
+    """As `in_all`, for one question: what ends by it is given up as a whole. Raises WorkSpent."""
+    is_outer = False
+    try:
+        with in_all(products) as left:
+            is_outer, left[1] = bool(left[1]), True
+            yield
+    except _Spent:
+        if is_outer:
+            raise
+        raise WorkSpent("the work is more than is granted to one question") from None
 
 
 @contextmanager
@@ -74,6 +98,14 @@ def ask_for_more() -> None:
     """Raises LimitError where nothing is left of the whole work."""
     with apart():
         spend(0)
+
+
+class kept(cached_property[T]):
+    """A property that is worked out once, whatever bounds hold for who asks first (but that of the whole work)."""
+
+    def __get__(self, instance: Any, owner: type[Any] | None = None) -> Any:
+        with apart():
+            return super().__get__(instance, owner)
 
 
 def remembered(function: Callable[P, T]) -> Callable[P, T]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from rbpsym.algebra import granted
 from rbpsym.ask.answer import Answer, Found, answer, found_of
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
@@ -16,11 +17,13 @@ from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import whichever
 from rbpsym.ask.special import special_problem
-from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
+from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
 
+MOST_PRODUCTS = 3_000_000  # for one question, some ten seconds: three times what the longest of the library takes
+LESS = "ask of one phase or place, or “with” special values."
 # what a motion as a function of the time tells, and is no question about parameters
 OF_TIME = re.compile(r"as (?:a )?functions? of (?:the )?(?:t|time)$")
 OF_COURSE = re.compile("|".join((*MANNERS, r"(?:greatest|largest|maximum) speed of \w+$")))
@@ -82,13 +85,21 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 
 
 def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
-    """The answer to one question, called by the letter."""
+    """The answer to one question, called by the letter. Raises as `ask`, and WorkSpent where it takes too much work."""
+    try:
+        with granted(MOST_PRODUCTS):
+            return _whole(asked, text, letter)
+    except WorkSpent as error:
+        raise WorkSpent(f"“{text}”: {error.what}", instead=LESS) from None
+
+
+def _whole(asked: Asked, text: str, letter: str) -> Answer:
     plain = _plain(text)
     if plain != (own := " ".join(text.split()).rstrip(" ?.")):
-        found = answered(asked, plain, letter)
+        found = _whole(asked, plain, letter)
         return replace(found, question=replace(found.question, text=own))
     if (said := WITH.fullmatch(plain)) and OF_TIME.search(said[1]):
-        found = answered(Asked(special_problem(scene(asked), said[2])), said[1], letter)
+        found = _whole(Asked(special_problem(scene(asked), said[2])), said[1], letter)
         return replace(found, question=replace(found.question, text=plain))
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
@@ -118,6 +129,6 @@ def _answered(asked: Asked, plain: str, letter: str) -> Answer:
 def _with_these(asked: Asked, said: re.Match[str], letter: str) -> Answer | None:
     """What is proved where parameters have these values from the beginning; None if nothing is."""
     with suppress(RbpsymError):
-        found = answered(Asked(special_problem(scene(asked), said[2])), said[1], letter)
+        found = _whole(Asked(special_problem(scene(asked), said[2])), said[1], letter)
         return replace(found, question=replace(found.question, text=said[0])) if found.verdict.is_proved else None
     return None

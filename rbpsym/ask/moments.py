@@ -10,9 +10,8 @@ import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in, substitute
+from rbpsym.algebra import NOTHING, Scalar, is_zero, kept, names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
@@ -66,11 +65,11 @@ class Asked:
     problem: Problem
     known: Study | None = None
 
-    @cached_property
+    @kept
     def _known(self) -> tuple[tuple[Stage, ...], NotApplicable | None]:
         return known_stages(self.problem)
 
-    @cached_property
+    @kept
     def first(self) -> Study:
         """The mechanics of the first phase. Raises StatementError where it surely does not begin as stated."""
         if self.known is not None and not self.problem.phases:
@@ -80,7 +79,7 @@ class Asked:
             check_start(study, moves=not self.lasting)
         return study
 
-    @cached_property
+    @kept
     def begun(self) -> Asked | None:
         """The same of which only the start is told, where its conditions may be solved there."""
         start = StartStudy(replace(self.problem, phases=()))
@@ -111,12 +110,12 @@ class Asked:
         problems = (self.problem, *(phase.problem for phase in self.problem.phases))
         return list(dict.fromkeys(element.name for each in problems for element in each.constraints))
 
-    @cached_property
+    @kept
     def whole(self) -> ProblemWorld:
         """The quantities of the whole motion: what happens when its phases begin."""
         return ProblemWorld(study_of(self.problem))
 
-    @cached_property
+    @kept
     def _worlds(self) -> dict[int, ProblemWorld]:
         return {}
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 
-from rbpsym.algebra import Scalar, apart, at_most, substitute
+from rbpsym.algebra import Scalar, apart, at_most, kept, substitute
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import events, friction, motion, oscillation, rest
@@ -53,7 +52,7 @@ class StartStudy(Study):
         """Only the start is told."""
         return True
 
-    @cached_property
+    @kept
     def system(self) -> System:
         """Kinematics and forces, with the speeds at the start as the conditions make them."""
         if not has_start(self.problem):
@@ -76,11 +75,11 @@ class StartStudy(Study):
     def _dynamics(self) -> LimitError:
         return too_long(self.system)
 
-    @cached_property
+    @kept
     def _free(self) -> System:
         return assemble(self.problem, free=True)
 
-    @cached_property
+    @kept
     def instant(self) -> Instant:
         """What holds at the start. Raises StatementError where the start contradicts the conditions."""
         with apart(), at_most(MOST_PRODUCTS):
@@ -139,7 +138,7 @@ class StartStudy(Study):
         """What becomes of the forces is not known."""
         return ()
 
-    @cached_property
+    @kept
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:
         """How much static friction the contacts need at the start."""
         return friction.friction_needs(self.system, self.instant.reactions, self.assumptions)

@@ -4,9 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
-from rbpsym.algebra import COEFFICIENT, NOTHING, OTHER, PI, Scalar, Style, Vector, apart, at_most, names_in, substitute, symbol
+from rbpsym.algebra import (
+    COEFFICIENT,
+    NOTHING,
+    OTHER,
+    PI,
+    Scalar,
+    Style,
+    Vector,
+    apart,
+    at_most,
+    kept,
+    names_in,
+    substitute,
+    symbol,
+)
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
@@ -30,12 +43,12 @@ class Study:
 
     problem: Problem
 
-    @cached_property
+    @kept
     def system(self) -> System:
         """Kinematics and forces."""
         return assemble(self.problem)
 
-    @cached_property
+    @kept
     def letters(self) -> Letters:
         """The letters that are free."""
         return letters_of(self.problem)
@@ -67,7 +80,7 @@ class Study:
             raise self._dynamics
         return self._dynamics
 
-    @cached_property
+    @kept
     def _dynamics(self) -> Dynamics | LimitError:
         """That it grows too long is found out only once, whoever asks first."""
         try:
@@ -76,17 +89,17 @@ class Study:
         except LimitError:
             return too_long(self.system)
 
-    @cached_property
+    @kept
     def newton_euler_rows(self) -> list[Scalar]:
         """M A - F (x and y) and I α - τ_cm of every body, which vanish."""
         return [value for _, _, value in self.labelled_rows]
 
-    @cached_property
+    @kept
     def labelled_rows(self) -> list[tuple[str, str, Scalar]]:
         """The same with the body and "x", "y" or "rotation"."""
         return newton_euler_rows(self.system)
 
-    @cached_property
+    @kept
     def motion_rows(self) -> tuple[Scalar, ...]:
         """M q̈ - f, row by row, which vanish on the motion."""
         system, found = self.system, []
@@ -95,7 +108,7 @@ class Study:
             found.append(sum(pushed, NOTHING) - force)
         return tuple(found)
 
-    @cached_property
+    @kept
     def power_balance(self) -> Scalar:
         """Σ q̇ (M q̈ - f), which vanishes on the motion."""
         pairs = zip(self.system.speeds, self.motion_rows, strict=True)
@@ -106,7 +119,7 @@ class Study:
         """Whether something depends on the time explicitly."""
         return self.system.has_clock
 
-    @cached_property
+    @kept
     def assumptions(self) -> Assumptions:
         """Declared signs of the parameters and ranges of the coordinates."""
         signs = {q.name: q.sign for q in self.problem.parameters}
@@ -141,7 +154,7 @@ class Study:
         signs = {q.name: q.sign for q in self.problem.parameters if q.name in slopes}
         return {name: (NOTHING if sign == "positive" else -PI / 2, PI / 2) for name, sign in signs.items()}
 
-    @cached_property
+    @kept
     def style(self) -> Style:
         """How factors are ordered: coefficients, masses, stiffnesses, g, lengths, other parameters."""
         rank = {q.name: (self._rank(q), place) for place, q in enumerate(self.problem.parameters)}
@@ -165,45 +178,45 @@ class Study:
             upper += [(other, name) for other in _single(high)]
         return frozenset((*lower, *upper))
 
-    @cached_property
+    @kept
     def kinetic(self) -> tuple[Scalar, Scalar]:
         """(translational, rotational) kinetic energy."""
         return energy.kinetic_energy(self.system)
 
-    @cached_property
+    @kept
     def potential(self) -> Scalar | None:
         """Potential energy, None if an interaction has none."""
         return energy.potential_energy(self.system)
 
-    @cached_property
+    @kept
     def first_integral(self) -> Scalar | None:
         """The energy integral, None if there is none."""
         return energy.first_integral(self.system, self.dynamics)
 
-    @cached_property
+    @kept
     def squares(self) -> Mapping[str, Scalar]:
         """Squares of speeds as functions of position, from the start."""
         return motion.speed_squared(self.system, self.dynamics, self.first_integral)
 
-    @cached_property
+    @kept
     def resting(self) -> Mapping[str, Scalar]:
         """Coordinates and their speeds that stay what they are at the start while others move."""
         return {} if self.at_start or self.ties else motion.resting(self.system, self.dynamics)
 
-    @cached_property
+    @kept
     def kept_speeds(self) -> Mapping[str, Scalar]:
         """The speeds that conserved momenta give, where the square of the one that is left follows from the energy."""
         found = motion.kept_speeds(self.system, self.dynamics, self.first_integral) if len(self.squares) == 1 else {}
         return found if len(found) == len(self.system.independent) - 1 else {}
 
-    @cached_property
+    @kept
     def kept_momenta(self) -> Mapping[str, Scalar]:
         """The momenta that give them, by coordinate."""
         names = {speed.removesuffix("_dot") for speed in self.kept_speeds}
         momenta = motion.conserved_momenta(self.system, self.dynamics, self.first_integral) if names else {}
         return {name: momentum for name, momentum in momenta.items() if name in names}
 
-    @cached_property
+    @kept
     def reactions_along_motion(self) -> Mapping[str, Scalar] | None:
         """Unknown forces as functions of position alone; None if they aren't."""
         found = {}
@@ -214,22 +227,22 @@ class Study:
             found[name] = along
         return found
 
-    @cached_property
+    @kept
     def works(self) -> tuple[motion.ForceWork, ...]:
         """Works of every force on every body."""
         return motion.works(self.system, self.dynamics.reactions, self.squares)
 
-    @cached_property
+    @kept
     def equilibria(self) -> tuple[oscillation.Equilibrium, ...]:
         """Positions of rest with their stability and frequencies."""
         return oscillation.equilibria(self.system, self.dynamics, self.assumptions, self.rest)
 
-    @cached_property
+    @kept
     def rest(self) -> rest.Rest:
         """Where the system can rest, and whether that is all."""
         return rest.rest(self.system, self.dynamics, self.assumptions)
 
-    @cached_property
+    @kept
     def open_balance(self) -> rest.Balance | None:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
         return rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
@@ -239,25 +252,25 @@ class Study:
         """Contacts that end."""
         return self.ended.found
 
-    @cached_property
+    @kept
     def ended(self) -> events.Losses:
         """Contacts that end, and whether there are no others."""
         along = self.reactions_along_motion
         return events.losses(self.system, self.dynamics, along, self.squares, self.assumptions)
 
-    @cached_property
+    @kept
     def sides(self) -> tuple[sides.Side, ...]:
         """What becomes of each one-sided force."""
         known = self.reactions_along_motion or self.dynamics.reactions
         return sides.sides(self.problem.constraints, known, self.ended, self.assumptions)
 
-    @cached_property
+    @kept
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:
         """How much static friction the contacts that do not slip need."""
         known = self.reactions_along_motion or self.dynamics.reactions
         return friction.friction_needs(self.system, known, self.assumptions)
 
-    @cached_property
+    @kept
     def origins(self) -> dict[str, Vector]:
         """Fixed points about which momenta are taken: O, pivots, and those that the author names."""
         from rbpsym.mechanics.placing import origins

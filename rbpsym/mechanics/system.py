@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Scope, Vector, time_derivative
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Scope, Vector, kept, time_derivative
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.paths import tensions
@@ -107,22 +106,22 @@ class System:
         first = self.named(force.name)[0]
         return first is not force and first.on == force.by and first.by == force.on
 
-    @cached_property
+    @kept
     def speeds(self) -> tuple[str, ...]:
         """Names of the independent speeds."""
         return tuple(f"{name}_dot" for name in self.independent)
 
-    @cached_property
+    @kept
     def accelerations(self) -> tuple[str, ...]:
         """Names of the independent accelerations."""
         return tuple(f"{name}_ddot" for name in self.independent)
 
-    @cached_property
+    @kept
     def unsettled(self) -> frozenset[str]:
         """The names of which nobody knows how they change: accelerations and unknown forces."""
         return frozenset((*self.accelerations, *self.unknowns))
 
-    @cached_property
+    @kept
     def unknowns(self) -> tuple[str, ...]:
         """Names of all unknown force components, in the order of the statement."""
         return tuple(dict.fromkeys(n for force in self.forces for n in force.unknowns))

@@ -10,11 +10,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from hashlib import blake2b
 from itertools import product
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, is_zero, short, symbol
+from rbpsym.algebra import NOTHING, ONE, Scalar, is_zero, kept, short, symbol
 from rbpsym.algebra.calculus import depends_on, derivative, inside, names_in, root, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.roots import without_even_roots
@@ -156,7 +155,7 @@ class Path:
     names: tuple[str, ...]
     at: Mapping[str, Scalar] = field(default_factory=dict)
 
-    @cached_property
+    @kept
     def pushes(self) -> dict[str, Scalar]:
         """What sets each coordinate going."""
         return {name: first_push(self.motion, name) for name in self.names}

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Space, Vector, substitute
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Space, Vector, kept, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import RbpsymError, StatementError
@@ -41,14 +40,14 @@ class ProblemWorld:
     others: Callable[[str], ProblemWorld] | None = None
     answers: Callable[[Study, str], Bound | None] | None = None
 
-    @cached_property
+    @kept
     def stages(self) -> tuple[Stage, ...]:
         """The phases of the motion, the first included. Raises NotApplicable."""
         from rbpsym.mechanics.phases import stages
 
         return stages(self.study.problem)
 
-    @cached_property
+    @kept
     def _phases(self) -> dict[int, ProblemWorld]:
         return {}
 
@@ -63,7 +62,7 @@ class ProblemWorld:
         """Names of all coordinates."""
         return [coordinate.name for coordinate in self.study.problem.coordinates]
 
-    @cached_property
+    @kept
     def motion(self) -> Motion:
         """What is true of its motion."""
         study = self.study
@@ -94,7 +93,7 @@ class ProblemWorld:
             if upper is not None:
                 yield Condition(Sym(name), ">", upper - value)
 
-    @cached_property
+    @kept
     def dependent(self) -> dict[str, Scalar]:
         """Coordinates that the constraints tie to others, with their speeds and accelerations."""
         return self.study.system.tied()
@@ -139,7 +138,7 @@ class ProblemWorld:
                 instead=hint if hint.startswith("did you mean") else known,
             ) from None
 
-    @cached_property
+    @kept
     def offered(self) -> list[str]:
         """The phrases that are offered to who writes something else, with the names of this problem."""
         return self.filled(reversed(EXAMPLES))
@@ -157,7 +156,7 @@ class ProblemWorld:
             found = [text.replace(slot, name) for text in found for name in (names if slot in text else [""])]
         return found
 
-    @cached_property
+    @kept
     def names(self) -> list[str]:
         """What an expression may hold."""
         problem, system = self.study.problem, self.study.system
@@ -171,14 +170,14 @@ class ProblemWorld:
             *(["t"] if system.has_clock else []),
         ]
 
-    @cached_property
+    @kept
     def symbols(self) -> dict[str, str]:
         """The names as the problem's notation prints them, and as they are printed without it."""
         known = self.names
         drawn = {to_latex(Sym(name), notation_for(known, self.study.problem.notation)): name for name in known}
         return {to_latex(Sym(name), notation_for(known)): name for name in known} | drawn
 
-    @cached_property
+    @kept
     def dimensions(self) -> dict[str, Dimension]:
         """The dimensions of all names that values hold."""
         return {"t": TIME, **dimensions_with_unknowns(self.study.problem)}

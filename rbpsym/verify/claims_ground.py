@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from types import MappingProxyType
 
-from rbpsym.algebra import ONE, Scalar, Scope, Space, atoms, depends_on, is_zero, substitute, symbol, time_derivative
+from rbpsym.algebra import ONE, Scalar, Scope, Space, atoms, depends_on, is_zero, kept, substitute, symbol, time_derivative
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.constants import is_algebraic
@@ -127,7 +127,7 @@ class Ground:
     premises: Mapping[str, Scalar] = field(default_factory=dict)
     assumed: Assumptions | None = None
 
-    @cached_property
+    @kept
     def motion(self) -> Motion:
         """What is true of the motion, what is given and assumed included."""
         motion = self.world.motion

@@ -16,12 +16,12 @@ from hashlib import blake2b
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import in_all
-from rbpsym.errors import RbpsymError, ReadError, StatementError
+from rbpsym.algebra import granted
+from rbpsym.errors import RbpsymError, ReadError, StatementError, WorkSpent
 from rbpsym.notation.tree import Chain
 from rbpsym.quantity.bound import World
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_ground import Ground
 from rbpsym.verify.claims_model import Claim, ClaimsFile, Link, Outcome, Printed, Result, Setting, told_of
 
@@ -240,8 +240,11 @@ class Remembering(Checker):
         known = self.cache.get(key) if key else None
         if known is not None:
             return replace(known, **told_of(claim))
-        with in_all(MOST_WORK):
-            found = super().check(claim, printed)
+        try:
+            with granted(MOST_WORK):
+                found = super().check(claim, printed)
+        except WorkSpent as error:
+            return replace(unread(claim, error.what), outcome=Outcome.UNDECIDED)
         self.cache.put(key, found)
         return found
 

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 from rbpsym import quantities as dimensions
-from rbpsym.algebra import NOTHING, Scalar, Scope, Space, atoms, cartesian, depends_on, space_derivative, substitute, symbol
+from rbpsym.algebra import NOTHING, Scalar, Scope, Space, atoms, cartesian, depends_on, kept, space_derivative, substitute, symbol
 from rbpsym.algebra.calculus import atom_depends
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.derivation import theory_ground as theory
@@ -63,12 +62,12 @@ class TheoryWorld:
     symbols: Mapping[str, str] = field(default_factory=dict)
     dimensions: Mapping[str, dimensions.Dimension] = field(default_factory=lambda: DIMENSIONS)
 
-    @cached_property
+    @kept
     def rates(self) -> Mapping[str, Scalar]:
         """Time derivatives of all that varies."""
         return {**self._kinematics, "theta": OMEGA, "E_p": -self._power(0, "both")}
 
-    @cached_property
+    @kept
     def motion(self) -> Motion:
         """What is true of its motion."""
         start = {name: symbol(f"{name}_start") for name in self.rates}
@@ -101,7 +100,7 @@ class TheoryWorld:
         value = substitute(value, self._laws)
         return substitute(value, self._images) if self.particles else value
 
-    @cached_property
+    @kept
     def _laws(self) -> Mapping[str, Scalar]:
         turn = sum((self.levers[k].cross(self.forces[k]).z for k in range(COUNT)), NOTHING)
         if self.fixed_axis:
@@ -111,14 +110,14 @@ class TheoryWorld:
         x, y, _ = push.components()
         return {"X_ddot": x / MASS, "Y_ddot": y / MASS, "alpha": turn / MOMENT}
 
-    @cached_property
+    @kept
     def _images(self) -> Mapping[str, Scalar]:
         mass = sum((m for m, _, _ in theory.PARTICLES), NOTHING)
         return {"M": mass, "I_cm": sum((m * (x * x + y * y) for m, x, y in theory.PARTICLES), NOTHING)}
 
     # --- the quantities
 
-    @cached_property
+    @kept
     def place(self) -> Space:
         """Position of the centre of mass."""
         return Space(cartesian(symbol("X"), symbol("Y")))
@@ -126,7 +125,7 @@ class TheoryWorld:
     def _derived(self, value: Space) -> Space:
         return space_derivative(value, Scope(rates=self._kinematics))
 
-    @cached_property
+    @kept
     def _kinematics(self) -> Mapping[str, Scalar]:
         place = (
             {"X": -(OMEGA * symbol("Y")), "Y": OMEGA * symbol("X")}
@@ -136,28 +135,28 @@ class TheoryWorld:
         turning = {name: rate for k in range(1, COUNT + 1) for name, rate in _turning(f"s{k}").items()}
         return {**place, **turning, "omega": ALPHA, "xi": -(OMEGA * symbol("eta")), "eta": OMEGA * symbol("xi")}
 
-    @cached_property
+    @kept
     def velocity(self) -> Space:
         """Velocity of the centre of mass."""
         return self._derived(self.place)
 
-    @cached_property
+    @kept
     def acceleration(self) -> Space:
         """Acceleration of the centre of mass."""
         return self._derived(self.velocity)
 
-    @cached_property
+    @kept
     def levers(self) -> tuple[Space, ...]:
         """Where the forces act, from the centre of mass."""
         free = [_pair(f"s{k}") for k in range(1, COUNT + 1)]
         return (*free[:-1], -self.place) if self.fixed_axis else tuple(free)
 
-    @cached_property
+    @kept
     def arms(self) -> tuple[Space, ...]:
         """Where the forces act, from the origin."""
         return tuple(self.place + lever for lever in self.levers)
 
-    @cached_property
+    @kept
     def forces(self) -> tuple[Space, ...]:
         """The external forces; about a fixed axis the last is what the axis exerts."""
         free = [_pair(f"F{k}") for k in range(1, COUNT + 1)]
@@ -185,7 +184,7 @@ class TheoryWorld:
             self.shared[text] = make(self)
         return self.shared[text]
 
-    @cached_property
+    @kept
     def second_road(self) -> TheoryWorld:
         """The same theory of a body of three particles."""
         return replace(self, particles=True, shared={})
