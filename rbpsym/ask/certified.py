@@ -74,7 +74,8 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     last, values = _last(draft, found, letter, lasts), found.values
     if question.is_direction:
         last, values = _direction(draft, question, found)
-    steps = tuple(resting_on(begun, step) for step in needed(draft.steps, last.id))
+    asking = [step.id for step in draft.steps if step.obligations] if found.told.startswith("phase ") else ()
+    steps = tuple(resting_on(begun, step) for step in needed(draft.steps, last.id, *asking))
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
     comes += map(undecided, open_)

@@ -14,7 +14,7 @@ CONCLUSIONS: Mapping[str, Collection[str]] = {
     "forces": ("torque", "force"),
     "motion": ("solution",),
     "reactions": ("solution",),
-    "contact": ("substitution", "stays", "inequality", "vanishing", "value_there", "asked"),
+    "contact": ("substitution", "stays", "inequality", "vanishing", "value_there", "asked", "identity"),
     "oscillations": ("normal_modes", "mode_shape", "hurwitz", "motion_of_mode", "open_balance"),
 }
 # of the works, where a force works on the translation of a body and on its rotation: else the two halves show nothing that

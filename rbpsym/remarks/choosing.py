@@ -13,7 +13,9 @@ from rbpsym.algebra.present import present
 from rbpsym.ask.finding import checked
 from rbpsym.ask.limits import SMALL, leading
 from rbpsym.derivation.step import Derivation, Step
+from rbpsym.equality.domain import divisors
 from rbpsym.equality.rooted import neat
+from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH, MASS
@@ -34,12 +36,14 @@ STRENGTHS: Mapping[str, str] = {
 
 def without(result: Result) -> Iterator[Made]:
     """What it would be without an interaction or without sliding friction, whose strength goes to zero."""
-    for element in (*result.study.problem.interactions, *result.study.problem.constraints):
-        strength = element.values.get(STRENGTHS.get(element.kind, ""))
+    elements = (*result.study.problem.interactions, *result.study.problem.constraints)
+    strengths = [element.values.get(STRENGTHS.get(element.kind, "")) for element in elements]
+    for element, strength in zip(elements, strengths, strict=True):
         name = strength.name if isinstance(strength, t.Sym) else ""
         force = element.values.get("friction") or element.name
         if name in result.declared and _disappears(force, name, result):
-            yield from _limit(result, name, "remark.without", {"force": t.Sym(force)})
+            alone = strengths.count(strength) == 1  # else others disappear with it
+            yield from _limit(result, name, *(("remark.without", {"force": t.Sym(force)}) if alone else ("remark.small", {})))
 
 
 def _disappears(force: str, name: str, result: Result) -> bool:
@@ -69,6 +73,8 @@ def _limit(result: Result, name: str, key: str, slots: Mapping[str, object]) -> 
     moving = {*result.study.system.scope.rates, *(c.name for c in result.study.problem.coordinates)}
     if found is None or found.order != 0 or moving & (names_in(result.value) - names_in(found.coefficient)):
         return
+    if any(not sign(one, result.given).is_nonzero for one in {*divisors(found.coefficient)} - {*divisors(result.value)}):
+        return  # where this vanishes the limit is another one
     given = result.given.with_signs({SMALL: "positive"})
     data = {"value": found.image, "name": SMALL, "order": 0, "coefficient": found.coefficient, "given": given}
     verdict = checked("limit", **data)["verdict"]

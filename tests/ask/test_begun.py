@@ -8,7 +8,8 @@ from rbpsym.errors import StatementError
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Sym, walk
-from rbpsym.statement.loader import load_text
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_problem, load_text
 
 STRIKING = """
 [parameters]
@@ -370,3 +371,11 @@ def test_what_grips_together_is_told_and_no_phase_that_ends_at_once_answers_for_
 def test_an_answer_that_a_later_phase_gives_says_so() -> None:
     [found] = ask(load_text(UPHILL), "friction coefficient needed at N")
     assert found.says == "in the phase “rolling”, the first in which it is known"
+
+
+def test_what_a_blow_asks_for_goes_with_all_that_is_told_of_it() -> None:
+    """Friction must be able to hold the end of the rod: for its impulse and the energy that is lost as for the speeds."""
+    problem = load_problem(find_problem("rod-dropped-on-rough-floor"))
+    texts = ("speed of theta when hit begins", "impulse of J", "energy lost when hit begins")
+    asked = [answer.valid for answer in ask(problem, *texts)]
+    assert asked[0] and asked == asked[:1] * 3

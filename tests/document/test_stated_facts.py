@@ -20,6 +20,8 @@ from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.phases import EVENTS, IMPULSES, KINDS
+from tests.derivation.test_assertions import said_in
+from tests.library.derived import derived
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"
 FILES = {**problem_files(), **{path.stem: path for path in EXAMPLES.glob("*.toml")}}
@@ -111,3 +113,9 @@ def test_what_is_stated_else_is_said_else(name: str) -> None:
         assert old in changed
         changed = changed.replace(old, new, 1)
     assert any(sentence in text(each) for each in told(study_of(load_text(changed)), "en"))
+
+
+def test_short_notes_say_under_which_condition_it_sets_out() -> None:
+    """A roller with rolling resistance leaves its place of rest on a slope that is steep enough only."""
+    found = derived("cylinder-with-rolling-resistance")
+    assert "It moves that way only as long as this is positive" in said_in(found, "standard")

@@ -128,3 +128,15 @@ SEEN = {
     **dict.fromkeys(("remark.grows", "remark.falls", "remark.both"), _goes_so),
     **dict.fromkeys(("remark.small", "remark.much", "remark.without"), _tends_so),
 }
+
+
+def test_what_goes_with_others_is_not_left_out_alone() -> None:
+    """Both frictions have the coefficient μ: "without f_A" says that f_B is still there."""
+    told = " ".join(sentence for row in said("block-sliding-or-tipping", "full").values() for sentence in row)
+    assert "μ tends to zero" in told and "Without" not in told
+
+
+def test_no_limit_where_it_is_another_one() -> None:
+    """Of (g (2 M + m) + …) sin θ/(2 M + m sin² θ) nothing is told for M → 0: at sin θ = 0 it is 0 and not 1/sin θ."""
+    told = [sentence for row in said("bead-in-rolling-hoop", "full").values() for sentence in row]
+    assert told and not [sentence for sentence in told if "approaches" in sentence and "sin θ" in sentence.split("/")[-1]]
