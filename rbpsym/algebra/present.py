@@ -328,7 +328,11 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
             return t.Sqrt(_radicand(found.arg, style))
         inner = present(side, style, factor=True)
         return t.Abs(inner.arg if isinstance(inner, t.Neg) else inner)
-    return t.Fn(found.kind, present(found.arg, style, factor=True))
+    inner = present(found.arg, style, factor=True)
+    return t.neg(t.Fn(found.kind, inner.arg)) if found.kind in ODD and isinstance(inner, t.Neg) else t.Fn(found.kind, inner)
+
+
+ODD = ("atan", "asin")
 
 
 def _radicand(value: Scalar, style: Style) -> t.Node:

@@ -34,13 +34,21 @@ def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
     if not has_roots(value):
         return value
     value = tidy(without_even_roots(inside(value, lambda part: tidied(part, sense))))
+    has_below = len(value.den) > 1 and any(map(_is_root, value.den.atoms()))
+    below = tidied(Scalar(value.den), sense) if has_below else Scalar(value.den)
+    if below.num != value.den:
+        return tidied(Scalar(value.num) / below, sense)
     above, below = value.num.content()[1], value.den.content()[1]
     common = times(above, inverse(below))
     if any(_is_root(i) for i, _ in common):
         rest = Scalar(value.num.scaled(1, inverse(above))) / Scalar(value.den.scaled(1, inverse(below)))
         value = _product(common, rest, sense, is_whole=True)
     elif any(map(_is_root, value.num.atoms())):
-        terms, below = value.num.terms.items(), UNITY / Scalar(value.den)
+        below, [index, *others] = UNITY / Scalar(value.den), filter(_is_root, value.num.atoms())
+        parts = value.num.by_power(index)
+        if not others and set(parts) <= {0, 1}:  # what stands before the only root is one factor
+            return _product(((index, 1),), Scalar(parts[1]) * below, sense) + Scalar(parts.get(0, Poly({}))) * below
+        terms = value.num.terms.items()
         parted = total(_product(m, below * c, sense) for m, c in terms)
         value = parted if parted.den is ONE else total(_product(m, lift(c), sense) for m, c in terms) * below
     value = value if value.den is ONE or any(map(_is_root, value.den.atoms())) else with_root_taken_out(value)

@@ -1,20 +1,27 @@
-"""A quantity along the motion as a function of one coordinate, or of the time."""
+"""A quantity along the motion as a function of one coordinate, or of the time; places and the time as functions of what is
+told as functions of them."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import Scalar, names_in, substitute, symbol
+from rbpsym.algebra import NOTHING, Scalar, names_in, substitute, symbol
+from rbpsym.algebra.present import present
 from rbpsym.ask.question import Question
+from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.arrivals import followed
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
+from rbpsym.quantities import TIME, Quantity
+from rbpsym.quantity.path import first_push
 from rbpsym.quantity.problem import ProblemWorld
 
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Found
+    from rbpsym.ask.moments import Asked
 
 
 def moving_in(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:
@@ -53,3 +60,32 @@ def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) ->
     if len(places) != 1:
         raise StatementError(f"“{name}” is tied to {min(moving)}", instead=f"ask for it as a function of {min(moving)}.")
     return replace(found, values=tuple(short(substitute(value, {way: places[0]})) for value in found.values))
+
+
+CONVERSE = re.compile(r"(?:the )?(\w+) as a function of (?:the )?((?:speed|velocity) of )?(\w+)")
+
+
+def converse(asked: Asked, text: str) -> tuple[Asked, str, str] | None:
+    """For “t as a function of x”, “x as a function of speed of x”: the problem with a letter for what it is a function of, the
+    question when, or where, that has this value, and what the letter is; None for another question."""
+    said = CONVERSE.fullmatch(text)
+    world = asked.world(asked.lasting) if said else None
+    if said is None or said[3] not in world.study.system.independent:
+        return None
+    if said[1] not in ("t", "time") and not (said[2] and said[1] in world.coordinates):
+        return None
+    name, speed, known = said[3], bool(said[2]), {quantity.name for quantity in asked.problem.parameters}
+    begun, first = (world.study.system.scope.start.get(f"{name}{dot}", NOTHING) for dot in ("", "_dot"))
+    way = sign(first or first_push(world.motion, name), world.motion.assumptions).sense
+    letter = world.study.letters.free("v" if speed else f"{name}_1")
+    ends = {"lower" if way > 0 else "upper": present(begun)} if way and not speed and names_in(begun) <= known else {}
+    is_positive = (speed and way) or (way > 0 and sign(begun, world.motion.assumptions).is_nonnegative)
+    dimension = asked.problem.dimensions[name] / TIME**int(speed)
+    added = Quantity(letter, dimension, said[0], "positive" if is_positive else "real", **ends)
+    problem = replace(asked.problem, parameters=(*asked.problem.parameters, added))
+    phases = (replace(one, problem=replace(one.problem, parameters=problem.parameters)) for one in problem.phases)
+    what = f"speed of {name}" if speed else name
+    where = f"{what} = {'-' if speed and way < 0 else ''}{letter}"
+    size = "the magnitude of the " if speed and way < 0 else "the " if speed else ""
+    asking = f"time until {where}" if said[1] in ("t", "time") else f"{said[1]} where {where}"
+    return type(asked)(replace(problem, phases=tuple(phases))), asking, f"{letter} is {size}{what}"

@@ -95,9 +95,11 @@ class Answer:
 
     @property
     def text(self) -> str:
-        """The value as text that Python and sympy read; a vector as a pair."""
+        """The value as text that Python and sympy read, as printed if that has no letters of its own; a vector as a pair."""
         style = replace(self.study.style, tangents=False)
-        texts = [to_machine(present(value, style)) for value in self.values]
+        pairs = list(zip(self.nodes, self.values, strict=False))
+        is_plain = len(self.nodes) == len(self.values) and all(t.names(node) <= names_in(value) | {"pi"} for node, value in pairs)
+        texts = [to_machine(node if is_plain else present(value, style)) for node, value in pairs]
         return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
 
     @property

@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from rbpsym.algebra import granted
+from rbpsym.ask.along import converse
 from rbpsym.ask.answer import Answer, Found, answer, found_of
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
@@ -101,6 +102,10 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
     if (said := WITH.fullmatch(plain)) and OF_TIME.search(said[1]):
         found = _whole(Asked(special_problem(scene(asked), said[2])), said[1], letter)
         return replace(found, question=replace(found.question, text=plain))
+    if inverse := converse(asked, plain):
+        other, asking, says = inverse
+        found = _whole(other, asking, letter)
+        return replace(found, question=replace(found.question, text=plain), says=found.says or says)
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
         return answer(asked, in_time, letter)

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
 
 LETTER = "Q"
 COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, where no formula tells")
+NAMED = {solutions.WEAK: "underdamped", solutions.CRITICAL: "critically damped", solutions.STRONG: "overdamped"}
 LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
@@ -84,8 +85,11 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     valid = _valid(draft, found, lasts, earlier, steps)
     is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))
     says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
+    courses = found.moment.courses.values() if found.moment and not question.manner else ()
+    says = next((f"in the {NAMED[one.case]} case" for one in courses if one.case in NAMED and one.valid), says)
     says = _behind(draft, last) if found.told.endswith("phase lag") else says
-    return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*earlier, *steps), says=says)
+    asked_ = tuple(dict.fromkeys((*held, *valid)))
+    return Answer(question, found.study, values, nodes, verdict, found.of, asked_, (*earlier, *steps), says=says)
 
 
 def _behind(draft: Draft, last: Step) -> str:

@@ -99,8 +99,8 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     if not zeros:
         places = tuple(zero.place for zero in table.zeros.found if not zero.is_pole)
         found = checked("vanishes_for", value=value, name=name, places=places, given=given)
-        asked_ = [demand.value for demand in (*world.demands, *world.standing)]
-        away = ([substitute(one, {name: place}) for one in asked_] for place in places)  # there it is not the motion that is told
+        asked_ = (*world.demands, *world.standing)
+        away = [[one.value for one in _there(asked_, name, place)] for place in places]  # there it is not the motion that is told
         found = together(Finding(**found), *(Finding(**kept_said(one, None, (), given, holds=False)) for one in away))
         says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
         return Finding(symbol=name, says=says, valid=(*asked, *_case(world)), **found)
@@ -127,9 +127,14 @@ def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Deman
         except StatementError:
             return None
         world.doubts.extend(doubts)
-    moments = (Demand(rooted(substitute(d.value, {name: zero.place}), given), d.op) for d in wanted)
+    moments = [replace(d, value=rooted(d.value, given)) for d in _there(wanted, name, zero.place)]
+    return settle([*zero.asked, *moments, *lasts], given)
+
+
+def _there(demands: Iterable[Demand], name: str, place: Scalar) -> list[Demand]:
+    """The demands at a place. Raises StatementError where one has no value."""
     try:
-        return settle([*zero.asked, *moments, *lasts], given)
+        return [replace(demand, value=substitute(demand.value, {name: place})) for demand in demands]
     except ZeroDivisionError:
         what = f"where {name} has that value the motion is not the one that is stated: a ratio of forces has none there"
         raise StatementError(what) from None

@@ -29,7 +29,14 @@ def _ratio(world: Scene, above: str, below: str) -> t.Node:
         raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     place = PLACE.fullmatch(below)
     above = above if place is None or WHEN.search(above) else above + place[2]  # “ratio of A to B where …” is of both
-    return t.Div(form_of(world, above), form_of(world, below))
+    found, used = t.Div(form_of(world, above), form_of(world, below)), len(world.used)
+    if not WHEN.search(below) and moving(world, (_valued(world, found, above),)):  # what only the time ties
+        with suppress(RbpsymError):
+            timed = t.Div(*(form_of(world, f"{text} as a function of t") for text in (above, below)))
+            if not moving(world, (_valued(world, timed, above),)):
+                return timed
+        del world.used[used:]
+    return found
 
 
 def _pendulum(world: Scene, name: str | None) -> t.Node:
@@ -41,6 +48,8 @@ def _pendulum(world: Scene, name: str | None) -> t.Node:
 
 
 def _magnitude(world: Scene, force: str, when: str) -> t.Node:
+    with suppress(RbpsymError):
+        return t.Abs(_leaf(world, f"impulse of {force}{when}"))
     return t.Sqrt(t.add(*(t.Pow(_leaf(world, f"impulse of {force}_{axis}{when}"), t.TWO) for axis in "xy")))
 
 

@@ -241,8 +241,7 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
             continue
         if number + 1 < len(asked.names) and place is None and not _comes_before(asked, number, state):
             continue
-        begun = _is_begun(study, state)
-        return Moment(number, at_start(study)) if begun else Moment(number, clear(study, state), "event", phase)
+        return Moment(number, at_start(study)) if _is_begun(study, state) else Moment(number, clear(study, state), "event", phase)
     study = asked.study(asked.meant(place))
     is_sure = not isinstance(refused, NotApplicable) or mover(study) == subject  # else it may come there again
     if event == "reaches" and is_sure and is_zero(at_start(study).places[subject] - scalar(value)):
@@ -278,13 +277,9 @@ def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
 
 def _vanishes(asked: Asked, when: When, place: int | None) -> Moment:
     name = when.words[0]
-    if _is_force(asked, name, place) and not _lets_go(asked, name):
+    if name in asked.study(asked.meant(place)).system.unknowns and not _lets_go(asked, name):
         return _ahead(asked, "takes", name, place, ZERO)
     return _ahead(asked, "lost", _subject(asked, name, "force"), place)
-
-
-def _is_force(asked: Asked, name: str, place: int | None) -> bool:
-    return name in asked.study(asked.meant(place)).system.unknowns
 
 
 def _lets_go(asked: Asked, name: str) -> bool:
@@ -336,7 +331,7 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     node = read_infix(text, world.names)
     if name == "t":
         return in_time.at_time(asked, asked.meant(place), _instant(world, text))
-    if _is_force(asked, name, place):
+    if name in asked.study(asked.meant(place)).system.unknowns:
         require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
         return _ahead(asked, "takes", name, place, node)
     coordinate = _coordinate(asked, name.removesuffix("_dot"))

@@ -37,6 +37,7 @@ ROWS: Rows = (
     ),
     (rf"(?:does|do|will) {_N} (?:reach|get to|come to) (.+)", lambda w, name, to: yesno.does(w, f"{name} reaches {to}")),
     (rf"is {_N} = (.+) (un)?stable", yesno.rests_stably),
+    (r"is (?:the )?(equilibrium of \w+) ((?:un)?stable)", lambda w, place, kind: yesno.does(w, f"{place} is {kind}")),
     (r"is (.+) (positive|negative)", lambda w, phrase, kind: yesno.does(w, f"{phrase} is always {kind}")),
     (r"is (.+ (?:>=|<=|>|<) .+)", yesno.does),
     (rf"(.+) in the limit {_N} ?(?:->|→|to) ?(.+)", special.in_limit),

@@ -201,8 +201,7 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
         )
     if contact not in ("it", "nothing", *needs):
         raise StatementError(f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts"))
-    held = [need for place, need in needs.items() if contact in ("it", "nothing", place)]
-    given = world.motion.assumptions
+    held, given = [need for place, need in needs.items() if contact in ("it", "nothing", place)], world.motion.assumptions
     if name == COEFFICIENT and name not in given.signs:
         held, given = [replace(need, limit=symbol(name)) for need in held], given.with_signs({name: "positive"})
     without = next((need.constraint for need in held if need.limit is None), None)
@@ -265,21 +264,23 @@ def _touches(world: Scene, until: str | None = None, text: str | None = None) ->
     return replace(found, beside=beside, there="there it slips")
 
 
-def rest_at(world: Scene, name: str, text: str) -> tuple[int, Equilibrium]:
-    """The place of rest there and its number, from 1. Raises StatementError if there is none."""
-    value = place_in(world, name, text)
-    for number, item in enumerate(world.study.equilibria, 1):
-        if name in item.at and is_zero(item.at[name] - value):
-            return number, item
-    raise StatementError(f"{name} = {text} is no place of rest", instead=f"ask for the “equilibrium of {name}”.")
+def rest_at(world: Scene, name: str, text: str | None) -> tuple[int, Equilibrium]:
+    """The place of rest there, or the only one, and its number, from 1. Raises StatementError if there is none."""
+    found = [(number, item) for number, item in enumerate(world.study.equilibria, 1) if name in item.at]
+    if text is not None:
+        found = [pair for pair in found if is_zero(pair[1].at[name] - place_in(world, name, text))]
+    if not found or (text is None and len(found) > 1):
+        what = f"{name} = {text} is no place of rest" if text else f"“{name}” has {len(found) or 'no known'} places of rest"
+        raise StatementError(what, instead=f"ask for the “equilibrium of {name}”.")
+    return found[0]
 
 
-def _stable(world: Scene, name: str, text: str, opposite: str | None) -> Wanted:
+def _stable(world: Scene, name: str, text: str | None, opposite: str | None) -> Wanted:
     """What is positive where a place of rest is stable."""
     place, item = rest_at(world, name, text)
     where = item.where if item.stable is None else lift(1 if item.stable else -1)
     if where is None:
-        raise StatementError(f"whether {name} = {text} is stable is not decided by one condition")
+        raise StatementError(f"whether {name} = {text or 'the equilibrium'} is stable is not decided by one condition")
     given = where_met(world.motion.assumptions, item.valid)
     steps = of_chapter(world, oscillations.write, f"equilibrium.{place}") if item.stable is not None else ()
     return Wanted((-where if opposite else where,), given, closed=False, asked=item.valid, steps=steps)
@@ -392,9 +393,8 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"(.+?) (?:stays|remains|is(?: always)?) (below|above) (.+?){_UNTIL}", _beyond),
     (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
     (rf"{_N} = (.+) is (un)?stable", _stable),
+    (rf"(?:the )?equilibrium of {_N} is (un)?stable", lambda world, name, opposite: _stable(world, name, None, opposite)),
     (rf"{_N} = (.+) is (?:an equilibrium|in equilibrium|a place of rest)", _equilibrium),
     (rf"{_N} is (critically damped|overdamped|underdamped)", _damped),
     (r"(.+?) (?:just )?(?:vanish(?:es)?|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
 )
-
-

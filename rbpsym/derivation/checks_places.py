@@ -27,7 +27,7 @@ from rbpsym.notation import tree as t
 def under(context: Context, step: Step, *ops: str) -> Context:
     """The context in which the printed conditions of the step are met (those with these operators; else all)."""
     demands = [demand for demand in demanded(context, step) if demand.op in (ops or (demand.op,))]
-    return replace(context, assumed=assuming(context.assumptions, demands, tighter=True)) if demands else context
+    return replace(context, assumed=assuming(context.assumptions, demands, tighter=True, whole=True)) if demands else context
 
 
 def demanded(context: Context, step: Step) -> list[Demand]:

@@ -6,6 +6,7 @@ and its first derivative, and that starts as the motion does, is the motion (Pic
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, atoms, generator, is_zero, symbol, time_derivative, without_roots_below
@@ -17,7 +18,7 @@ from rbpsym.derivation.entailment import short
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
-from rbpsym.equality.rooted import rooted
+from rbpsym.equality.rooted import neat, rooted
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.demands import Demand, assuming
@@ -86,7 +87,7 @@ def _tied(context: Context, step: Step, stated: Scalar) -> list[Verdict]:
 def reached(context: Context, step: Step) -> Verdict:
     """At the stated time the coordinate or speed has the value, and at none before (`data`: "subject", "value")."""
     [(_, _, right)] = relations(step.statement)
-    subject, time = step.data["subject"], context.value(right)
+    subject, time = step.data["subject"], neat(context.value(right), context.assumptions)
     name = subject.removesuffix("_dot")
     system = context.study.system
     moving = system.dependent.get(name, symbol(name))
@@ -97,8 +98,23 @@ def reached(context: Context, step: Step) -> Verdict:
     said = {n: said_of(context, n) for n in used}
     at = {**said, **{f"{n}_dot": derivative(place, "t") for n, place in said.items()}}
     gap = substitute(whole, at)
-    there = same(context, substitute(gap, {"t": time}), NOTHING)
+    left = neat(substitute(gap, {"t": time}), context.assumptions)
+    there = same(context, left, NOTHING)
+    there = there if there.is_proved else same(context, _without_logarithms(left), NOTHING)
     return weakest([there, _lies_ahead(context, step, time), _is_first(context, step, gap, time)])
+
+
+def _without_logarithms(value: Scalar) -> Scalar:
+    """f gⁿ e^{c/a} - 1 for a (ln f + n ln g) + c, which vanishes with it; else the value."""
+    logs = [index for index in value.atoms() if atoms.atom(index).kind == "ln"]
+    parts = [value.num.by_power(index) for index in logs]
+    slopes = [Scalar(part[1]) / Scalar(value.den) for part in parts if 1 in part]
+    counts = [short(slope / slopes[0]).number() for slope in slopes]
+    if not logs or len(slopes) < len(logs) or not all(isinstance(count, int) for count in counts):
+        return value
+    rest = value - sum((slope * Scalar(generator(i)) for slope, i in zip(slopes, logs, strict=True)), NOTHING)
+    powers = (atoms.atom(index).arg ** count for index, count in zip(logs, counts, strict=True))
+    return math.prod(powers, start=function("exp", short(rest / slopes[0]))) - 1
 
 
 def _lies_ahead(context: Context, step: Step, time: Scalar) -> Verdict:
@@ -119,7 +135,7 @@ def _given(context: Context, step: Step) -> Assumptions:
     said = [Demand(context.value(node.items[0]), node.ops[0]) for node in step.obligations]
     alone = {next(iter(names_in(one.value))): "positive" for one in said if one.op == ">" and len(names_in(one.value)) == 1}
     alone = {name: sign for name, sign in alone.items() if any(one.value == symbol(name) for one in said)}
-    return assuming(context.assumptions.with_signs(alone), said)
+    return assuming(context.assumptions.with_signs(alone), said, whole=True)
 
 
 def positive(context: Context, step: Step, value: Scalar) -> Verdict:

@@ -19,15 +19,17 @@ class Assumptions:
     ranges: name → (lower, upper), an open interval; a bound may hold other names (θ₀ < θ), None
     means no bound. A name that has a range with lower bound 0 counts as positive.
     reached: (name, side) of each bound that the quantity may have itself, side being 0 (lower) or 1.
+    known: values that are positive ("nonnegative" if True stands beside), where no bound of one name says so.
     """
 
     signs: Mapping[str, str] = field(default_factory=dict)
     ranges: Mapping[str, Range] = field(default_factory=dict)
     reached: frozenset[tuple[str, int]] = frozenset()
+    known: frozenset[tuple[Scalar, bool]] = frozenset()
 
     @cached_property
     def _content(self) -> int:
-        return hash((frozenset(self.signs.items()), frozenset(self.ranges.items()), self.reached))
+        return hash((frozenset(self.signs.items()), frozenset(self.ranges.items()), self.reached, self.known))
 
     def __hash__(self) -> int:
         return self._content
@@ -53,7 +55,7 @@ class Assumptions:
             if other in ranges:
                 low, high = (None if end is not None and name in names_in(end) else end for end in ranges[other])
                 ranges[other] = low, high
-        return Assumptions(self.signs, ranges, frozenset(sides))
+        return Assumptions(self.signs, ranges, frozenset(sides), self._known_without(name))
 
     def sides_of(self, name: str) -> frozenset[int]:
         """The sides (0, 1) of its range that a name may reach."""
@@ -63,7 +65,11 @@ class Assumptions:
         """The same with nothing assumed of these names."""
         signs = {name: sign for name, sign in self.signs.items() if name not in names}
         ranges = {name: r for name, r in self.ranges.items() if name not in names}
-        return Assumptions(signs, ranges, frozenset(end for end in self.reached if end[0] not in names))
+        reached = frozenset(end for end in self.reached if end[0] not in names)
+        return Assumptions(signs, ranges, reached, self._known_without(*names))
+
+    def _known_without(self, *names: str) -> frozenset[tuple[Scalar, bool]]:
+        return frozenset(item for item in self.known if not names_in(item[0]) & {*names})
 
 
 def behind(given: Assumptions, bound: Scalar | None) -> set[str]:

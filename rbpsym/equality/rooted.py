@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from math import prod
 
 from rbpsym.algebra import ONE, Poly, Scalar, atoms, factors, inverse, quotient, shorten, symbol, with_exponentials_joined
-from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
-from rbpsym.algebra.normal import normal
-from rbpsym.algebra.roots import simplified_root, tidied, with_image, without_even_roots
+from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, root, substitute
+from rbpsym.algebra.normal import has_roots, normal
+from rbpsym.algebra.roots import side_of, simplified_root, tidied, with_image, without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.signs import sign
@@ -50,7 +50,30 @@ def root_of(value: Scalar, given: Assumptions) -> Scalar:
 
 def neat(value: Scalar, given: Assumptions) -> Scalar:
     """The value as it is told: one root in each product, which holds no squares."""
-    return shorter(tidied(rooted(value, given), lambda part: sign(part, given).sense))
+    def sense(part: Scalar) -> int:
+        return sign(part, given).sense
+
+    value = tidied(rooted(value, given), sense)
+    for index in sorted(value.atoms()):
+        image = _denested(atoms.atom(index).arg, sense) if atoms.atom(index).kind == "root" else None
+        if image is not None:
+            value = tidied(with_image(value.num, index, image) / with_image(value.den, index, image), sense)
+    return shorter(value)
+
+
+def _denested(radicand: Scalar, sense: Callable[[Scalar], int]) -> Scalar | None:
+    """√(A + B√C) as √((A + D)/2) ± √((A - D)/2) where A² - B² C is a square D²; None for another root."""
+    roots = [i for i in radicand.num.atoms() if atoms.atom(i).kind == "root"]
+    parts = radicand.num.by_power(roots[0]) if len(roots) == 1 and radicand.den is ONE else {}
+    if set(parts) != {0, 1}:
+        return None
+    whole, slope = Scalar(parts[0]), Scalar(parts[1])
+    square = whole * whole - slope * slope * atoms.atom(roots[0]).arg
+    size = root(square) if square.number() is not None else side_of(square)
+    if size is None or has_roots(size) or sense(whole) <= 0 or not sense(slope) or not (sense(size) or sense(slope) > 0):
+        return None
+    halves = [root((whole + size * way) / 2) for way in (sense(size) or 1, -(sense(size) or 1))]
+    return halves[0] + halves[1] * sense(slope)
 
 
 MOST_SLOPES = 3

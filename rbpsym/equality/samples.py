@@ -110,6 +110,7 @@ def samples_of(assumptions: Assumptions) -> Samples:
     """Points for the assumptions: the first at which every range has room, else any."""
     wide = Samples(assumptions, tuple(range(CANDIDATES)))
     fitting = [k for k in wide.points if all(wide.fits(name, k) for name in assumptions.ranges)]
+    fitting = [k for k in fitting if all(_tried(Samples.scalar, wide, value, k) >= 0 for value, _ in assumptions.known)]
     return Samples(assumptions, tuple(fitting[:MANY] or wide.points[:FEW]))
 
 

@@ -93,6 +93,9 @@ class Study:
     def __post_init__(self) -> None:
         self.left = MOST_STUDIES if self.factoring else FEW_STUDIES
         self.samples = samples_of(self.assumptions)
+        for value, may_vanish in self.assumptions.known:
+            mask = PLUS_ZERO if may_vanish else PLUS
+            self.found |= {value.num: mask, -value.num: flip(mask)}
 
     def scalar(self, value: Scalar) -> int:
         """What sign a value may have."""

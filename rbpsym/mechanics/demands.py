@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import ONE, ZERO, Poly, atoms, cosine, generator, names_in, sine, with_exponentials_joined
@@ -13,7 +13,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions, behind
 from rbpsym.equality.domain import IMPLIED
-from rbpsym.equality.rooted import root_of
+from rbpsym.equality.rooted import neat, root_of
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential, open_factors
@@ -100,12 +100,21 @@ def _divided(item: Demand, demands: list[Demand]) -> Demand:
     return item
 
 
-def assuming(given: Assumptions, demands: Iterable[Demand], *, tighter: bool = False) -> Assumptions:
-    """The assumptions with what the demands say of one quantity each (`tighter`: in place of wider bounds too)."""
+def assuming(given: Assumptions, demands: Iterable[Demand], *, tighter: bool = False, whole: bool = False) -> Assumptions:
+    """The assumptions with what the demands say of one quantity each (`tighter`: in place of wider bounds too; `whole`: what
+    they say of several as it stands, for checks: it is not to be asked whether they are met)."""
     for demand in demands:
         if demand.op != "!=":
-            given = next(_turned(given, demand), None) or next(_narrowed(given, demand, tighter), given)
+            other = _knowing(given, demand) if whole else given
+            given = next(_turned(given, demand), None) or next(_narrowed(given, demand, tighter), other)
     return given
+
+
+def _knowing(given: Assumptions, demand: Demand) -> Assumptions:
+    """What no bound of one quantity says, as it stands; a quotient only where what it is divided by is positive."""
+    if len(demand.value.num) < 2 or sign(Scalar(demand.value.den), given).kind != "positive":
+        return given
+    return replace(given, known=given.known | {(Scalar(demand.value.num), demand.op == ">=")})
 
 
 def _turned(given: Assumptions, demand: Demand) -> Iterator[Assumptions]:
@@ -189,9 +198,10 @@ ENDS = {"asin": (-PI / 2, PI / 2), "atan": (-PI / 2, PI / 2), "acos": (NOTHING, 
 
 
 def _without_inverse(demand: Demand, given: Assumptions) -> Demand:
-    """c asin x + r > 0 as x > sin(-r/c), where that is within the values of asin; 1 or -1 > 0 where it is beyond."""
-    inverse = [i for i in demand.value.num.atoms() if atoms.atom(i).kind in FORWARD]
-    parts = demand.value.num.by_power(inverse[0]) if len(inverse) == 1 and demand.op != "!=" else {}
+    """c asin x + r > 0 as x > sin(-r/c), where that is within the values of asin; 1 or -1 > 0 where it is beyond. With two of
+    them, one is r."""
+    inverse = sorted(i for i in demand.value.num.atoms() if atoms.atom(i).kind in FORWARD)
+    parts = demand.value.num.by_power(inverse[0]) if len(inverse) in (1, 2) and demand.op != "!=" else {}
     if set(parts) - {0} != {1} or demand.value.den is not ONE:
         return demand
     kind, inner = atoms.atom(inverse[0]).kind, atoms.atom(inverse[0]).arg
@@ -207,7 +217,7 @@ def _without_inverse(demand: Demand, given: Assumptions) -> Demand:
     if not (sign(bound - low, given).is_nonnegative and sign(high - bound, given).is_nonnegative):
         return demand
     gap = (inner if isinstance(inner, Scalar) else Scalar(inner)) - FORWARD[kind](bound)
-    return Demand(short(gap * (-way if kind == "acos" else way)), demand.op)
+    return Demand(short(neat(gap, given) * (-way if kind == "acos" else way)), demand.op)
 
 
 # --- roots

@@ -164,7 +164,7 @@ def _linear_parts(poly: Poly, cos: int, sin: int) -> tuple[Scalar, Scalar, Scala
 
 
 def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
-    """Angles at which a cos A + b sin A + d = 0, for d = 0, a = 0, b = 0 or d = ±a."""
+    """Angles at which a cos A + b sin A + d = 0; where none of these vanishes, by u = tan(A/2)."""
     if not d:
         if not a:
             return [NOTHING, PI]
@@ -180,7 +180,14 @@ def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
         return [base, PI - base]
     if is_zero(a + d):
         return [NOTHING, function("atan", b / a) * 2]
-    return [PI, function("atan", a / b) * -2] if is_zero(a - d) else []
+    if is_zero(a - d):
+        return [PI, function("atan", a / b) * -2]
+    if sum(len(part.num) + len(part.den) for part in (a, b, d)) > LONG:
+        return []
+    return [function("atan", half) * 2 for half in _solve_quadratic(d - a, b * 2, a + d)]
+
+
+LONG = 6  # three terms with nothing but one below their bars: what is longer tells nobody where it vanishes
 
 
 def _principal(value: Scalar) -> Scalar:

@@ -106,13 +106,16 @@ class Given:
         """The square root, with what is declared positive taken out."""
         return root_of(short(value), self.assumptions)
 
-    def sense(self, value: Scalar) -> int:
-        """1, -1 or 0: the declared sign, else that at the sample numbers."""
-        known = sign(value, self.assumptions)
+    def sense(self, value: Scalar, *, open_: int = 0) -> int:
+        """1, -1 or 0: the declared sign, else `open_` if that is one and the author gives no numbers, else that at the sample
+        numbers."""
+        known, problem = sign(value, self.assumptions), self.study.problem
         if known.sense or known.kind == "zero":
             return known.sense
+        if open_ and not problem.example:
+            return open_
         try:
-            found = number(value, sample(self.study.problem))
+            found = number(value, sample(problem, problem.example))
         except NoNumber:
             return 0
         return (found > 0) - (found < 0)
@@ -222,11 +225,12 @@ def _cases(known: Given) -> Iterator[Course]:
 
 
 def course(known: Given, case: str = "") -> Course | None:
-    """The solution in the case that is named, else in that of the sample numbers; None where that case can't be."""
+    """The solution in the case that is named, else in that of the author's numbers, or that which swings; None where that case
+    can't be."""
     found = list(courses(known))
     if not case and len(found) == 1:
         return found[0]
-    case = case or (WEAK if known.sense(known.form.gap) > 0 else STRONG)
+    case = case or (WEAK if known.sense(known.form.gap, open_=1) > 0 else STRONG)
     return next((one for one in found if one.case == case), None)
 
 
@@ -266,7 +270,7 @@ def _uniform(known: Given) -> Course | None:
 def _swinging(known: Given) -> Course | None:
     left, place, speed = _free(known)
     stiffness = known.form.stiffness
-    way = known.sense(stiffness)
+    way = known.sense(stiffness, open_=1)
     sure = sign(stiffness, known.assumptions).kind in ("positive", "negative")
     valid = () if sure else (Demand(stiffness * way),)
     rate = known.letter("vartheta" if way > 0 else "eta")
@@ -358,11 +362,21 @@ def _powered(known: Given) -> Course | None:
 
 
 def _drawn(known: Given) -> Course | None:
-    """q̇ fⁿ stays what it is, with a linear function f of the time, where q̈ = -n (f'/f) q̇."""
+    """q̇ fⁿ stays what it is, where q̈ = -n (f'/f) q̇: with a linear function f of the time, or with n = 1 and a quadratic one
+    that has no zero, as the moment of inertia of an arm along which a mass is moved steadily."""
     lever = Scalar(known.form.drawn.den)
     rate, begun = derivative(lever, "t"), substitute(lever, {"t": NOTHING})
     power = short(known.form.drawn * lever / rate).number() if rate else None
-    if not isinstance(power, int) or power < 2 or depends_on(rate, "t"):
+    bend = derivative(rate, "t")
+    if power == 1 and bend and not depends_on(bend, "t"):
+        first = substitute(rate, {"t": NOTHING})
+        gap = short(begun * bend * 2 - first * first)
+        if known.sense(gap) <= 0:
+            return None
+        size = known.root(gap)
+        turned = function("atan", rate / size) - function("atan", first / size)
+        return Course(known.place + known.speed * begun * 2 / size * turned, valid=(Demand(gap),))
+    if not isinstance(power, int) or power < 2 or bend:
         return None
     place = known.place + known.speed * begun / rate / (power - 1) * (1 - (begun / lever) ** (power - 1))
     return Course(short(place), valid=(Demand(short(lever * begun)),))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
 from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
+from rbpsym.algebra.exponentials import with_exponentials_joined
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import WAYS, Demand
@@ -220,12 +221,18 @@ def _by_growth(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tup
 
 
 def _by_logarithm(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
-    """a ln f(t) + b = 0 as f(t) = e^{-b/a}."""
-    moving = _moving(gap)
-    parts = _linear(gap, moving[0]) if len(moving) == 1 and atoms.atom(moving[0]).kind == "ln" else None
-    if parts is None:
+    """a ln f(t) + b + c t = 0 as f(t) e^{ct/a} = e^{-b/a}."""
+    logs = [index for index in _moving(gap) if atoms.atom(index).kind == "ln"]
+    if logs and len(_moving(gap)) > 1:  # the time beside it is joined with exponentials in it
+        gap = neat(substitute(gap, letters), known.assumptions)
+        logs = [index for index in _moving(gap) if atoms.atom(index).kind == "ln"]
+    parts = {power: Scalar(part) for power, part in gap.num.by_power(logs[0]).items()} if len(logs) == 1 else {}
+    slope = neat(derivative(parts[0], "t") / parts[1], known.assumptions) if parts.keys() == {0, 1} else symbol("t")
+    if depends_on(slope, "t") or depends_on(parts[1], "t"):
         return None
-    return time_to(atoms.atom(moving[0]).arg - function("exp", short(-parts[1] / parts[0])), known, letters)
+    left = function("exp", short(-substitute(parts[0], {"t": NOTHING}) / parts[1]))
+    grown = with_exponentials_joined(atoms.atom(logs[0]).arg * function("exp", slope * symbol("t")))
+    return time_to(grown - left, known, letters)
 
 
 def _by_root(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:

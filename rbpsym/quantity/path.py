@@ -106,8 +106,10 @@ def reachable(motion: Motion) -> list[Condition]:
 
 
 def work_done(power: Scalar, motion: Motion) -> Scalar | None:
-    """∫ power dt from the start, coordinate by coordinate along which it is done; None without a closed form."""
+    """∫ power dt from the start, coordinate by coordinate along which it is done, or over the time; None if it has none."""
     known = motion.moved(power)
+    if not names_in(known) & {*motion.scope.rates, *motion.speeds} - {"t"}:
+        return definite(known, "t", NOTHING, symbol("t"))
     names = [n for n in motion.scope.start if n in motion.scope.rates and depends_on(known, f"{n}_dot")]
     total, rest = NOTHING, known
     for name in names:

@@ -66,7 +66,7 @@ STEADY = "with omega_0 = sqrt(k*(r_0 - ell)/(m*r_0))"
 ROUND = "with omega_0 = sqrt(M*g/(m*r_0))"
 ASKED = (
     (PUCK, f"frequency of r {STEADY}", "sqrt(k*(4*r_0 - 3*ell)/(m*r_0))"),
-    (PUCK, f"period of r {STEADY}", "2*pi/sqrt(k*(4*r_0 - 3*ell)/(m*r_0))"),
+    (PUCK, f"period of r {STEADY}", "2*pi*sqrt(m*r_0/(k*(4*r_0 - 3*ell)))"),
     (PUCK, f"equilibrium of r {STEADY}", "r_0"),
     (PUCK.replace('speed = "omega_0"', ""), "frequency of r", "sqrt(k/m)"),  # what does not turn swings about its rest
     (WEIGHT, f"frequency of r {ROUND}", "sqrt(3*M*g/(r_0*(m + M)))"),
