@@ -23,7 +23,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
 
-MOST_PRODUCTS = 3_000_000  # for one question, some ten seconds: twenty times what the longest of the library takes
+MOST_PRODUCTS = 10_000_000  # for one question, some ten seconds: three times what the longest that is tested takes
 LESS = "ask of one phase or place, or “with” special values."
 # what a motion as a function of the time tells, and is no question about parameters
 OF_TIME = re.compile(r"as (?:a )?functions? of (?:the )?(?:t|time)$")
