@@ -381,10 +381,10 @@ def test_two_disks_meet_with_their_rims():
 
 
 def test_the_answer_says_which_phase_has_no_closed_form():
-    """A ball that rolls off a sphere slips where |f| = μ N, which has no closed form here: the rest is told."""
+    """A ball that rolls off a sphere, pushed, slips where |f| = μ N, which has no closed form here: the rest is told."""
     problem = stated(
-        "m: mass, a: length, R: length, mu: number, g: acceleration",
-        coordinates={"theta": rb.coordinate(start="0", range=("0", "pi/2")), "phi": {}},
+        "m: mass, a: length, R: length, mu: number, g: acceleration, omega_0: angular speed",
+        coordinates={"theta": rb.coordinate(start="0", speed="omega_0", range=("0", "pi/2")), "phi": {}},
         bodies={"ball": rb.ball("a", mass="m", center=("(R + a)*sin(theta)", "(R + a)*cos(theta)"), angle="-phi")},
         constraints={
             "N": {"type": "rolling", "body": "ball", "circle": "O", "radius": "R", "side": "outside", "limit": "mu"}
