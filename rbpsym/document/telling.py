@@ -71,6 +71,13 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
     yield from ((Math(torques[place].items[-1]),) for place in (0, *(1 + every.index(label) for label in origins)))
 
 
+def forces_told(steps: list[Step], derivation: Derivation, said: Words) -> list[Inlines]:
+    """The forces on the only body with where they act, for a sentence."""
+    pose, short = DrawnPose(derivation.study), in_one_table(steps, derivation, said)
+    told = ((step, *tuple(_entry(step, [], pose, said))[:2]) for step in steps)
+    return [(*(what if step in short else (Math(step.slots["force"]),)), Text(" ("), *acts, Text(")")) for step, what, acts in told]
+
+
 def _by(name: str, said: Words) -> Inlines:
     return said.say(f"forces.{name}") if name in PARTIES else said.say("plain", text=BodyRef(name))
 
