@@ -74,8 +74,11 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
 def forces_told(steps: list[Step], derivation: Derivation, said: Words) -> list[Inlines]:
     """The forces on the only body with where they act, for a sentence."""
     pose, short = DrawnPose(derivation.study), in_one_table(steps, derivation, said)
-    told = ((step, *tuple(_entry(step, [], pose, said))[:2]) for step in steps)
-    return [(*(what if step in short else (Math(step.slots["force"]),)), Text(" ("), *acts, Text(")")) for step, what, acts in told]
+    found = []
+    for step in steps:
+        what, acts, _ = _entry(step, [], pose, said)
+        found.append((*(what if step in short else (Math(step.slots["force"]),)), Text(" ("), *acts, Text(")")))
+    return found
 
 
 def _by(name: str, said: Words) -> Inlines:
