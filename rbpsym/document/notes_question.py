@@ -92,7 +92,8 @@ def answer_section(
     """Each answer with the steps that are not among those `told` before, what is shown being referred to and what this level
     of detail leaves out being left out; and where the others are stated. No section if all are, or, in brief notes, which
     begin with the answers, if they need no further step."""
-    shown = {ends(step.statement): words.step(step.id)[0] for words, steps in told for step in steps}
+    marks = [(ends(step.statement), words.step(step.id)[0]) for words, steps in told for step in steps]
+    shown = dict(sorted(marks, key=lambda pair: isinstance(pair[1], Ref)))  # by the number under which it stands, if any
     together = len(answers) > 1 and all(isinstance(found, Answer) and found.verdict.is_proved for found in answers)
     blocks: list[Block] = []
     stated: dict[int, Ref] = {}
