@@ -83,7 +83,8 @@ def boxes_of_answers(sections: Iterable[Section], marks: Iterable[Ref]) -> Itera
 def _boxed(block: Block, labels: Set[str], *, others: bool) -> Block:
     if not isinstance(block, Display):
         return block
-    return replace(block, boxed=not labels.isdisjoint((block.label, *block.also)) or (others and block.boxed))
+    is_asked = not labels.isdisjoint((block.label, *block.also))
+    return replace(block, boxed=is_asked or (others and block.boxed), is_result=block.boxed)
 
 
 def answer_section(
