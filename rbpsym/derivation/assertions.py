@@ -133,6 +133,7 @@ PAGES: Mapping[str, Entry] = {
     "newton_euler.reactions": (_all("newton_euler.reaction"), ""),
     "torque.solved_all": (_all("torque.solved"), ""),
     "torque.solved_zero_all": (_all("torque.solved_zero"), ""),
+    "work.idle": (_all("work.none"), ""),
     "work.cancel_all": (_all("work.cancels"), "work.cancelled_all"),
     "work.done_intro": (w.all_works_are_done, "work.done_some"),
     "work.done_below": (w.all_works_are_done, "work.done_some_below"),
@@ -164,6 +165,7 @@ notebook number obligation own_text question part plain plots point ref results 
 symbols verdict
 kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
+newton_euler.short work.short work.short_below
 newton_euler.reactions_rest newton_euler.solved_many work.intro work.intro_below work.integrals work.none
 work.done_some work.done_some_below work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all
 phases.blow phases.impulses_then

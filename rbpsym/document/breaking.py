@@ -90,7 +90,7 @@ def long_left(left: b.Box, rights: tuple[b.Box, ...], column: float) -> Iterator
 
 
 # How much of the column a chain of that many relations may fill on one line.
-SHARES, SEVERAL = {1: 1.0, 2: 0.85}, 0.6
+SHARES, SEVERAL = {1: 1.0, 2: 0.9}, 0.9
 
 
 def with_short_ends(left: b.Box, rights: tuple[b.Box, ...], room: float) -> Iterator[DisplayLine]:

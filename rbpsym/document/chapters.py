@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from itertools import groupby
+from itertools import chain, groupby
 
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document import telling
 from rbpsym.document.breaking import table_width
-from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section
+from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref, Section
 from rbpsym.document.needless import is_still
 from rbpsym.document.notes_figures import figure_label, free_bodies_figure, free_bodies_label, is_drawn_beside
 from rbpsym.document.words import Words
@@ -29,23 +29,44 @@ ORDER = (
     "oscillations",
     "course",
 )
+Groups = tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]
+SINGLE: Groups = tuple(((name,), (name,)) for name in ORDER)
+# chapters under one heading: that of the first of them in the second row that is there
+GROUPS: Groups = (
+    (("kinematics", "inertia", "momentum"), ("kinematics", "inertia", "momentum")),
+    (("forces", "instant", "motion"), ("motion", "instant", "forces")),
+    (("work", "energy"), ("work", "energy")),
+    (("reactions", "contact", "done"), ("contact", "reactions", "done")),
+    (("oscillations",), ("oscillations",)),
+    (("course",), ("course",)),
+)
+BRIEF: Groups = (
+    (("kinematics", "inertia", "momentum", "instant", "motion"), ("motion", "instant", "kinematics", "inertia")),
+    (("work", "energy", "done"), ("work", "energy", "done")),
+    *GROUPS[3:],
+)
+GENERAL = ("kinematics", "inertia", "momentum", "torque")  # introductions that say the same in every problem: in full notes
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 
 
-def chapter_sections(
-    derivation: Derivation, said: Words, level: int, chapters: tuple[str, ...] = ORDER
-) -> Iterator[Section]:
-    """One section a chapter, in the order of a lecture; chapters without shown steps are left out."""
-    for name in chapters:
-        blocks = tuple(chapter_blocks(name, derivation, said))
-        if blocks:
-            yield Section(chapter_title(name, derivation, said), blocks, f"{said.prefix}section.{name}", level)
+def chapter_sections(derivation: Derivation, said: Words, level: int, first: Iterable[Block] = ()) -> Iterator[Section]:
+    """The chapters in the order of a lecture: one section each in full notes, else few, the `first` blocks in the first."""
+    before = tuple(first)
+    for chapters, titles in SINGLE if said.is_full else BRIEF if said.is_brief else GROUPS:
+        blocks = {name: list(chapter_blocks(name, derivation, said)) for name in chapters}
+        lead = next((name for name in titles if blocks[name]), None)
+        if lead is not None:
+            found = (*before, *chain.from_iterable(blocks.values()))
+            yield Section(chapter_title(lead, derivation, said), found, f"{said.prefix}section.{lead}", level)
+            before = ()
 
 
 def chapter_blocks(name: str, derivation: Derivation, said: Words) -> Iterator[Block]:
     """The shown steps of a chapter; none if there are none."""
-    steps = [step for step in derivation.chapter(name) if step.id in said.shown or step.id in said.same]
-    if steps:
+    found = derivation.chapter("work" if name == "done" else name)
+    apart = not said.is_full and name in ("work", "done")  # works carried out stand where the forces are known
+    steps = [step for step in found if step.id in said.shown or step.id in said.same]
+    if steps := [s for s in steps if not apart or (s.rule == "work_done") is (name == "done")]:
         yield from BLOCKS.get(name, _plain)(steps, derivation, said)
 
 
@@ -85,18 +106,19 @@ def _title(name: str, derivation: Derivation) -> str:
     if name == "contact" and is_still(derivation):
         return "friction"
     lost = any(step.rule == "vanishing" for step in derivation.steps)
-    return name if name != "contact" or lost else "along"
+    return "along" if name == "contact" and not lost else {"done": "work"}.get(name, name)
 
 
 def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> Iterator[Block]:
     if said.is_brief:
         short = f"{key.partition('.')[0]}.brief"
         yield from (Paragraph(said.say(short, ground=Said(derivation.study))),) if said.has(short) else ()
-    elif said.has(f"{key}.intro") and not (said.is_later and key != "oscillations"):
+    elif said.has(f"{key}.intro") and not (said.is_later and key != "oscillations") and (said.is_full or key not in GENERAL):
         points = [t.Sym(label) for label in telling.told_origins(derivation, said)]
         count = len(derivation.study.system.bodies)
         ground = Said(derivation.study)
-        yield Paragraph(said.say(f"{key}.intro", ground=ground, points=points, count=count, **slots))
+        told = "intro" if said.is_full or not said.has(f"{key}.short") else "short"
+        yield Paragraph(said.say(f"{key}.{told}", ground=ground, points=points, count=count, **slots))
 
 
 def _plain(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
@@ -147,12 +169,18 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
 
 
 def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
-    """The free-body diagrams and the ledger."""
-    is_drawn = is_drawn_beside(derivation, said)
-    figure = Ref(figure_label(said) if is_drawn else free_bodies_label(said))
+    """The free-body diagrams and the ledger; a sentence where the forces are drawn beside the system."""
+    if is_drawn_beside(derivation, said):
+        forces = telling.forces_told(steps, derivation, said)
+        yield Paragraph(said.say("forces.told", forces=forces, figure=Ref(figure_label(said))))
+        short = telling.in_one_table(steps, derivation, said)
+        yield from (Display(t.rows(step.statement)[0], said.prefix + step.id) for step in steps if step not in short)
+        yield from telling.Teller(said).conditions(steps)
+        return
+    figure = Ref(free_bodies_label(said))
     key = "forces" if telling.told_origins(derivation, said) else "forces.center"
     yield from _intro(key, derivation, said, figure=figure, table=Ref(said.prefix + "table.forces"))
-    yield from () if is_drawn else (free_bodies_figure(derivation, said),)
+    yield free_bodies_figure(derivation, said)
     short = telling.in_one_table(steps, derivation, said)
     long = [step for step in steps if step not in short]
     yield telling.forces_table(short, derivation, said)
@@ -187,9 +215,13 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     teller = telling.Teller(said)
     rules = ("work", "workless", "power", "work_energy", "work_sum", "work_done", "solution")
     kinds = {rule: [step for step in steps if step.rule == rule] for rule in rules}
-    integrals, handed_on = telling.by_kind(kinds["work"], ("work.handed_on",))
+    integrals, handed_on, idle = telling.by_kind(kinds["work"], ("work.handed_on", "work.none"))
+    integrals += idle if said.is_full else ()
     if integrals:
         yield from _integrals(integrals, derivation, said)
+    if idle and not said.is_full:
+        forces = list(dict.fromkeys(step.slots["force"] for step in idle))
+        yield Paragraph(said.say("work.idle", ground=Said(steps=idle), forces=forces, count=len(forces)))
     for manner in dict.fromkeys(step.phrase for step in kinds["workless"]):
         group = [step for step in kinds["workless"] if step.phrase == manner]
         yield from teller.together(group, "work.cancel_all", forces=[step.slots["force"] for step in group])
@@ -208,10 +240,10 @@ def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
     """The works as integrals: a table, or one below the other if they are long."""
     table = telling.works_table(steps, said)
     if table_width(table, said.notation) <= WIDEST:
-        yield Paragraph(said.say("work.intro", table=Ref(table.label)))
+        yield Paragraph(said.say("work.intro" if said.is_full else "work.short", table=Ref(table.label)))
         yield table
         return
-    yield Paragraph(said.say("work.intro_below"))
+    yield Paragraph(said.say("work.intro_below" if said.is_full else "work.short_below"))
     yield from (telling.joined([step], said) for step in steps)
 
 
@@ -221,6 +253,8 @@ def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.done_intro", ground=ground, table=Ref(table.label)))
         yield table
+        return
+    if not said.is_full:
         return
     yield Paragraph(said.say("work.done_below", ground=ground))
     for group in _by_force(steps):
@@ -298,6 +332,7 @@ BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]]
     "forces": _forces,
     "reactions": _reactions,
     "work": _work,
+    "done": _done,
     "contact": _contact,
     "oscillations": _oscillations,
 }

@@ -79,7 +79,8 @@ class Paragraph:
 class Display:
     """A formula on lines of its own: a chain, a system or an expression.
 
-    `reason` is printed beside it (or below where there is no room); a boxed one is a result.
+    `reason` is printed beside it (or below where there is no room); a boxed one is a result, and so is one that
+    `is_result` though it has no box, since the problem asks for others.
     References to the labels in `also` show its number too. One that stands elsewhere already
     `repeats` it: that one's number is printed, as a link.
     """
@@ -92,6 +93,7 @@ class Display:
     number: str = ""
     also: tuple[str, ...] = ()
     repeats: Ref | None = None
+    is_result: bool = False
 
     @property
     def mark(self) -> str:

@@ -20,7 +20,7 @@ def needless(derivation: Derivation) -> frozenset[str]:
     the square of a speed that is zero all the time; velocities where nothing can move; what holds along a motion
     that ends before it begins, because of a blow at the start.
     """
-    still, struck = is_still(derivation), _is_struck(derivation)
+    still, struck = is_still(derivation), is_struck(derivation)
     return frozenset(
         step.id
         for step in derivation.steps
@@ -41,7 +41,7 @@ def _is_velocity(step: Step) -> bool:
     return step.chapter == "kinematics" and step.rule in ("differentiation", "identity")
 
 
-def _is_struck(derivation: Derivation) -> bool:
+def is_struck(derivation: Derivation) -> bool:
     """Does the next phase begin where this one does?"""
     phases = derivation.study.problem.phases
     return bool(phases) and phases[0].event == AT_ONCE

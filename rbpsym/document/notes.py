@@ -8,7 +8,7 @@ from importlib.util import find_spec
 
 from rbpsym.ask.asking import own_answers
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
-from rbpsym.document.chapters import chapter_blocks, chapter_sections, chapter_title, repeated
+from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
 from rbpsym.document.needless import needless, owed_by
@@ -16,11 +16,11 @@ from rbpsym.document.notes_checks import checks_section, course_checks_section, 
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
-from rbpsym.document.notes_question import answer_section, in_known_forms, question_section
+from rbpsym.document.notes_question import answer_section, asked, boxes_of_answers, in_known_forms, question_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
 from rbpsym.document.places import locator
-from rbpsym.document.used import used
+from rbpsym.document.used import retold, used
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.course import CoursePart
@@ -44,15 +44,6 @@ RULES: Mapping[str, frozenset[str]] = {
 }
 STANDARD = 2
 
-# chapters under one heading: that of the first of them in the second row that is there
-GROUPS = (
-    (("kinematics", "inertia", "momentum", "instant", "motion"), ("motion", "instant", "kinematics", "inertia")),
-    (("work", "energy"), ("work", "energy")),
-    (("reactions", "contact"), ("contact", "reactions")),
-    (("oscillations",), ("oscillations",)),
-    (("course",), ("course",)),
-)
-
 
 def brief_steps(derivation: Derivation) -> frozenset[str]:
     """Ids of the steps that a book would print, and of the angular momenta that they start from."""
@@ -64,18 +55,6 @@ def brief_steps(derivation: Derivation) -> frozenset[str]:
 
 def _is_brief(step: Step) -> bool:
     return step.level <= STANDARD and step.rule in RULES.get(step.chapter, ())
-
-
-def brief_sections(derivation: Derivation, said: Words, level: int) -> Iterator[Section]:
-    """The chapters in a few sections, the drawing of the forces in the first."""
-    figure = list(_forces(derivation, said))
-    for chapters, titles in GROUPS:
-        blocks = {name: list(chapter_blocks(name, derivation, said)) for name in chapters}
-        lead = next((name for name in titles if blocks[name]), None)
-        if lead is not None:
-            found = (*figure, *(block for name in chapters for block in blocks[name]))
-            yield Section(chapter_title(lead, derivation, said), found, f"{said.prefix}section.{lead}", level)
-            figure = []
 
 
 def _forces(derivation: Derivation, said: Words) -> Iterator[Block]:
@@ -145,15 +124,16 @@ def problem_sections(
     drawn = _curves(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
     answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))
     later = list(phase_results(derivation, said, speaker))
-    answered = answer_section(answers, ((said, derivation.steps), *later), said, level)
+    answered, stated = answer_section(answers, ((said, derivation.steps), *later), said, level)
     derived = (
-        *(brief_sections if is_brief else chapter_sections)(derivation, said, level),
+        *chapter_sections(derivation, said, level, _forces(derivation, said) if is_brief else ()),
         *phase_sections(derivation, said, level, speaker),
     )
+    remarked = with_remarks(derived, derivation, (said, *(own for own, _ in later[1::2])), detail)
     return [
-        *([question_section(answers, said, level)] if answers else []),
-        statement_section(derivation, said, level),
-        *(derived if said.is_full else with_remarks(derived, derivation, (said, *(own for own, _ in later[1::2])), detail)),
+        *([question_section(answers, said, level)] if answers and is_brief else []),
+        statement_section(derivation, said, level, () if is_brief else asked(answers, stated, said)),
+        *(derived if said.is_full else (boxes_of_answers(remarked, stated.values()) if answers else remarked)),
         *([drawn] if drawn else []),
         *([answered] if answered else []),
         *(results_section(derivation, said, level, later, detail) if said.is_full else ()),
@@ -187,7 +167,7 @@ def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     kept = frozenset(step.id for step in derivation.steps if step.level <= level or step.is_result)
     if detail == "full":
         return kept - needless(derivation)
-    return (brief_steps(derivation) if detail == "brief" else kept) & used(derivation) - needless(derivation)
+    return (brief_steps(derivation) if detail == "brief" else kept) & used(derivation) - needless(derivation) - retold(derivation)
 
 
 CHECKS = "table.checks"

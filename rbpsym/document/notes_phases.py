@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import groupby
+from itertools import chain, groupby
 
 from rbpsym.derivation.chapters.endings import begun
 from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
@@ -27,7 +27,7 @@ Speaker = Callable[[Derivation, str], Words]
 
 
 def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Speaker) -> Iterator[Section]:
-    """A section for each later phase with those of its chapters below it.
+    """A section for each later phase; in full notes with those of its chapters below it.
 
     `speaker` gives the words for the derivation of a phase whose labels have a prefix.
     """
@@ -35,8 +35,10 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
     for number, (phase, stated, (first, own)) in enumerate(told, 2):
         begins = (*_event(stated, first), *_begins(phase, first), *_motion_again(phase.derivation, own), *_clock(phase, own))
         title = said.say("phases.title", number=number, name=said.named(phase.name))
-        yield Section(title, begins, first.prefix + "section", level)
-        yield from chapter_sections(phase.derivation, own, level + 1, CHAPTERS)
+        below = tuple(chapter_sections(phase.derivation, own, level + 1))
+        told = () if own.is_full else chain.from_iterable(section.blocks for section in below)
+        yield Section(title, (*begins, *told), first.prefix + "section", level)
+        yield from below if own.is_full else ()
 
 
 def phase_words(derivation: Derivation, said: Words, speaker: Speaker) -> Iterator[tuple[Words, Words]]:

@@ -111,7 +111,7 @@ def course(values: Sequence[float], small: float) -> str:
 IN_A_ROW = 3
 Panels = Sequence[Panel]
 ALL = ("energies", "speeds", "forces", "positions")
-ENOUGH = ("energies", "forces", "positions")  # where not everything is shown
+FEW = ("forces", "energies", "positions")  # one row of panels, where not everything is shown
 
 
 def plots_section(derivation: Derivation, said: Words, level: int) -> Section:
@@ -119,7 +119,7 @@ def plots_section(derivation: Derivation, said: Words, level: int) -> Section:
     title, label = said.say("plots.title"), said.prefix + "section.plots"
     try:
         moving = motion(derivation)
-        figures = tuple(plot_figures(moving, said, ALL if said.is_full else ENOUGH))
+        figures = tuple(plot_figures(moving, said, ALL if said.is_full else FEW))
     except NotApplicable as reason:
         return Section(title, (Paragraph(why_not(reason, said)),), label, level)
     return Section(title, (Paragraph(numbers(moving, said)), *figures), label, level)
@@ -136,16 +136,24 @@ def plot_figures(moving: PlottedMotion, said: Words, wanted: Sequence[str] = ALL
     made = {"energies": energies, "speeds": speeds, "forces": forces}
     made["positions"] = lambda moving: positions(moving, plain("plots.linear", said.language))
     worked = list(works(moving))
-    several = len(worked) > 1
+    if wanted is FEW and any(map(is_split, worked)):
+        worked = [panel for panel in worked if is_split(panel)][: IN_A_ROW - 1]
+    several = len(worked) > 1 and wanted is ALL
     groups = [(("works",), worked)] if several else []
-    rest = [("works_one", panel) for panel in worked if not several]
+    name = "works" if len(worked) > 1 else "works_one"
+    rest = [(name, panel) for panel in worked if not several]
     rest += [(name, panel) for name in wanted for panel in made[name](moving)]
-    for start in range(0, len(rest), IN_A_ROW):
+    for start in range(0, len(rest) if wanted is ALL else 1, IN_A_ROW):
         row = rest[start : start + IN_A_ROW]
         groups.append((tuple(dict.fromkeys(name for name, _ in row)), [panel for _, panel in row]))
     for number, (names, panels) in enumerate(groups):
         words = caption(moving, names, panels, said, is_first=number == 0)
         yield panels_figure(label_of(names, groups, number), panels, words, moving, said)
+
+
+def is_split(panel: Panel) -> bool:
+    """Does it show the works of one force, along the path and in the rotation?"""
+    return any(curve.style.startswith("curve sum") for curve in panel.curves)
 
 
 def label_of(names: tuple[str, ...], groups: Sequence[tuple[tuple[str, ...], Panels]], number: int) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import replace
 
 from rbpsym.ask.answer import Answer
@@ -11,7 +11,7 @@ from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.forms import Forms
 from rbpsym.derivation.step import Step, StepRef
 from rbpsym.document.chapters import ends
-from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section
+from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section, Text
 from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words, sentences
@@ -20,6 +20,7 @@ from rbpsym.notation.infix import RELATION_SIGNS
 
 Found = Answer | Refused
 Told = tuple[Words, tuple[Step, ...]]
+MOST_ASKED = 3  # in one sentence
 
 
 def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[Found]:
@@ -34,33 +35,85 @@ def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[
 
 
 def question_section(answers: Iterable[Found], said: Words, level: int) -> Section:
-    """What is asked; in brief notes with the answers."""
-    asked = [(found, question(text_of(found), said)) for found in answers]
-    blocks: list[Block] = [Paragraph(said.say("question.intro", count=len(asked)))]
-    if said.is_brief:
-        for found, words in asked:
-            blocks += [ItemList((words,)), *_outcome(found, said, _box(found))]
-    else:
-        blocks.append(ItemList(tuple(words for _, words in asked)))
+    """What is asked with the answers, for brief notes."""
+    blocks: list[Block] = [Paragraph(said.say("question.intro"))]
+    for found in answers:
+        blocks += [ItemList((question(text_of(found), said),)), *_outcome(found, said, _box(found))]
     return Section(said.say("section.question"), tuple(blocks), said.prefix + "section.question", level)
 
 
-def answer_section(answers: tuple[Found, ...], told: Iterable[Told], said: Words, level: int) -> Section | None:
-    """Each answer with the steps that are not among those `told` before: what is shown is referred to, and what this level
-    of detail leaves out there is left out here. None if brief notes, which begin with the answers, need no further step."""
-    shown = {ends(step.statement): words.step(step.id)[0] for words, steps in told for step in steps}
+def asked(answers: tuple[Found, ...], stated: Mapping[int, Ref], said: Words) -> Iterator[Block]:
+    """What is asked, each with the number under which its answer stands in the text."""
+    items = [
+        (*question(text_of(found), said), *((Text("\N{NO-BREAK SPACE}"), stated[k]) if k in stated else ()))
+        for k, found in enumerate(answers)
+    ]
+    if len(items) > MOST_ASKED:
+        yield from (Paragraph(said.say("question.intro")), ItemList(tuple(items)))
+    elif items:
+        yield Paragraph(said.say("question.asked", questions=items))
+
+
+def _stated(found: Found, shown: Mapping[t.Node, Inline]) -> Ref | None:
+    """Where a step on the page states an answer as it is."""
+    return next((mark for step in _equal(found) if isinstance(mark := shown.get(ends(step.statement)), Ref)), None)
+
+
+def _equal(found: Found) -> list[Step]:
+    """Of the steps from which an answer follows those that state its value, where no more is to be said."""
+    if not _states(found) or len(found.nodes) != 1 or found.relation != "=" or _has_more(found):
+        return []
+    before = (step for step in found.steps if step.id in found.steps[-1].reasons)
+    return [step for step in before if found.nodes[0] in {_comes_to(row) for row in t.rows(step.statement)}]
+
+
+def _has_more(found: Answer) -> bool:
+    """Is more to be said than a value, proved without conditions?"""
+    told = (found.valid, found.says, found.holds_so is not None, found.equation, found.at, any(found.each))
+    return any(told) or not found.verdict.is_proved
+
+
+def boxes_of_answers(sections: Iterable[Section], marks: Iterable[Ref]) -> Iterator[Section]:
+    """The sections with boxes around the answers alone."""
+    labels = {mark.label for mark in marks}
+    for section in sections:
+        yield replace(section, blocks=tuple(_boxed(block, labels, others=False) for block in section.blocks))
+
+
+def _boxed(block: Block, labels: Set[str], *, others: bool) -> Block:
+    if not isinstance(block, Display):
+        return block
+    is_asked = not labels.isdisjoint((block.label, *block.also))
+    return replace(block, boxed=is_asked or (others and block.boxed), is_result=block.boxed)
+
+
+def answer_section(
+    answers: tuple[Found, ...], told: Iterable[Told], said: Words, level: int
+) -> tuple[Section | None, dict[int, Ref]]:
+    """Each answer with the steps that are not among those `told` before, what is shown being referred to and what this level
+    of detail leaves out being left out; and where the others are stated. No section if all are, or, in brief notes, which
+    begin with the answers, if they need no further step."""
+    marks = [(ends(step.statement), words.step(step.id)[0]) for words, steps in told for step in steps]
+    shown = dict(sorted(marks, key=lambda pair: isinstance(pair[1], Ref)))  # by the number under which it stands, if any
     together = len(answers) > 1 and all(isinstance(found, Answer) and found.verdict.is_proved for found in answers)
     blocks: list[Block] = []
-    for number, found in enumerate(answers, 1):
-        own = replace(said, prefix=f"{said.prefix}ask{number}.", same={}, owed={}, shown=frozenset())
+    stated: dict[int, Ref] = {}
+    for number, found in enumerate(answers):
+        if not said.is_brief and (mark := _stated(found, shown)):
+            stated[number] = mark
+            continue
+        own = replace(said, prefix=f"{said.prefix}ask{number + 1}.", same={}, owed={}, shown=frozenset())
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
+        stated |= {number: mark} if not said.is_brief and (mark := _stated(found, shown)) else {}
         road += () if said.is_brief else _outcome(found, said, () if _states(found) else _box(found), alone=not together)
         head = [Paragraph((Emph(question(text_of(found), said)),))] if road and len(answers) > 1 else []
         blocks += [*head, *road]
     if together and blocks and not said.is_brief:
         steps = [step for found in answers for step in found.steps]
         blocks.append(Paragraph(said.say("question.proved.many", ground=Said(steps=steps))))
-    return None if not blocks else Section(said.say("section.answer"), tuple(blocks), said.prefix + "section.answer", level)
+    labels = {mark.label for mark in stated.values()}
+    found = tuple(_boxed(block, labels, others=True) for block in blocks)
+    return Section(said.say("section.answer"), found, said.prefix + "section.answer", level) if blocks else None, stated
 
 
 def text_of(found: Found) -> str:
@@ -74,8 +127,9 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     before = [replace(step, is_result=False) for step in found.steps[: len(found.steps) - len(last)]]
     known = {step.id: shown[ends(step.statement)] for step in before if ends(step.statement) in shown}
     new = [*(step for step in before if step.id not in known), *(() if said.is_brief else last)]
-    if last and len(new) > 1 and new[-2:-1] == before[-1:] and _comes_to(new[-2]) == _comes_to(new[-1]):
-        new[-2:] = [replace(new[-2], is_result=True)]  # what is asked has its name already
+    equal = {step.id for step in _equal(found)}
+    if not said.is_brief and any(step.id in equal for step in new):
+        new = new[:-1]  # what is asked has its name already
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)
     inner = {id for step in before if step.id in seen for id in step.reasons}
@@ -86,9 +140,9 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     shown |= {ends(step.statement): Ref(said.prefix + step.id) for step in new if step not in last}
 
 
-def _comes_to(step: Step) -> t.Node | None:
+def _comes_to(statement: t.Node) -> t.Node | None:
     """What an equation says that its letter is."""
-    return step.statement.items[-1] if isinstance(step.statement, t.Chain) and set(step.statement.ops) == {"="} else None
+    return statement.items[-1] if isinstance(statement, t.Chain) and set(statement.ops) == {"="} else None
 
 
 def _states(found: Found) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import BodyRef, Derivation
@@ -76,8 +76,8 @@ def dimension_words(quantity: Quantity, said: Words) -> Inlines:
 # ---
 
 
-def statement_section(derivation: Derivation, said: Words, level: int) -> Section:
-    """What the system is, how it starts, its drawing, its symbols and the conventions."""
+def statement_section(derivation: Derivation, said: Words, level: int, asked: Iterable[Block] = ()) -> Section:
+    """What the system is, how it starts, what is asked, its drawing, its symbols and the conventions."""
     problem, pose = derivation.study.problem, DrawnPose(derivation.study)
     ground = Said(derivation.study)
     text = [_bodies(problem, said, ground), *element_sentences(pose, said)]
@@ -87,6 +87,7 @@ def statement_section(derivation: Derivation, said: Words, level: int) -> Sectio
     blocks: list[Block] = [
         Paragraph(sentences(text)),
         Paragraph(sentences([*motion, *(() if said.is_full else _letters(symbols, (*text, *motion), said))])),
+        *asked,
         figure(derivation, said),
         *((symbols,) if said.is_full else ()),
         Paragraph(sentences(list(_conventions(pose, said)))),

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rbpsym.document.model import Inline, Inlines, Math, Text
-from rbpsym.document.phrases import merged
+from rbpsym.document.phrases import merged, plain
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.infix import RELATION_SIGNS, read_infix, read_relation
 from rbpsym.statement.letters import letters_of
@@ -25,19 +25,13 @@ def question(text: str, said: Words) -> Inlines:
     return merged(_marked(told, said)) if told else spoken(_with_articles(text, said), said)
 
 
-# quantities of the grammar before which a reader expects an article
-NOUNS = (
-    "smallest", "largest", "least", "greatest", "lowest", "highest", "speed", "velocity", "acceleration", "angular", "period",
-    "frequency", "damped frequency", "decay rate", "tension", "friction", "normal force", "force", "torque", "moment of inertia",
-    "kinetic energy", "potential energy", "energy", "momentum", "work", "impulse", "magnitude", "direction", "time",
-    "centre of mass", "equilibrium", "change", "distance", "x component", "y component", "rate of", "number of",
-)  # fmt: skip
 BEFORE = r"(?:^|(?<=^does )|(?<=^is )|(?<=which )|(?<=where )|(?<=when )|(?<=until )|(?<= of ))"
 
 
 def _with_articles(text: str, said: Words) -> str:
     """“the speed of x when “rolling” begins” of “speed of x when rolling begins”."""
-    text = re.sub(rf"{BEFORE}(?={'|'.join(NOUNS)})(?=\S+ )", "the ", text)
+    nouns = plain("question.nouns").replace(", ", "|")
+    text = re.sub(rf"{BEFORE}(?={nouns})(?=\S+ )", "the ", text)
     names = "|".join(map(re.escape, (phase.name for phase in said.problem.phases)))
     text = re.sub(rf"\b({names}) begins", "“\\1” begins", text) if names else text
     return re.sub(r"^(\w+) (?=for which )", r"the \1 ", text)

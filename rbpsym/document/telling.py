@@ -71,6 +71,16 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
     yield from ((Math(torques[place].items[-1]),) for place in (0, *(1 + every.index(label) for label in origins)))
 
 
+def forces_told(steps: list[Step], derivation: Derivation, said: Words) -> list[Inlines]:
+    """The forces on the only body with where they act, for a sentence."""
+    pose, short = DrawnPose(derivation.study), in_one_table(steps, derivation, said)
+    found = []
+    for step in steps:
+        what, acts, _ = _entry(step, [], pose, said)
+        found.append((*(what if step in short else (Math(step.slots["force"]),)), Text(" ("), *acts, Text(")")))
+    return found
+
+
 def _by(name: str, said: Words) -> Inlines:
     return said.say(f"forces.{name}") if name in PARTIES else said.say("plain", text=BodyRef(name))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping
 
 from rbpsym.derivation.step import Derivation, Step
+from rbpsym.document.needless import is_struck
 from rbpsym.notation import tree as t
 
 # by chapter, the rules of steps that are conclusions though they stand in no box: what ties the coordinates, the motion,
@@ -27,6 +28,31 @@ def used(derivation: Derivation) -> frozenset[str]:
     """Ids of the steps that are conclusions, and of all that they rest on or refer to."""
     both = _in_both_parts(derivation)
     return led_to(derivation.steps, [step.id for step in derivation.steps if step.is_result or _concludes(step, both)])
+
+
+# of the works, what the chapter on the energy says once more of the whole
+OF_THE_WHOLE = ("work.together.", "work.alone", "work.theorem.whole", "work.axis")
+
+
+def retold(derivation: Derivation) -> frozenset[str]:
+    """Ids of steps that say what others on the page do: the energy of the whole in terms of works, the rate at which it is
+    lost, the balances of a body from which the motion was found; and of what would happen but for a blow at the start."""
+    ends = {row.items[-1] for step in derivation.chapter("energy") if step.is_result for row in t.rows(step.statement)}
+    is_kept = any(step.id == "energy" for step in derivation.steps)
+    phrases = (*OF_THE_WHOLE, "work.theorem.") if is_kept else OF_THE_WHOLE
+    works = derivation.chapter("work") if derivation.chapter("energy") else ()
+    again = [s.id for s in works if s.phrase.startswith(phrases) or (s.rule == "power" and s.statement.items[-1] in ends)]
+    never = [s.id for name in ("motion", "reactions") for s in derivation.chapter(name) if is_struck(derivation)]
+    balanced = (s.id for s in derivation.chapter("reactions") if _is_balanced(s, derivation))
+    return frozenset((*again, *never, *balanced))
+
+
+def _is_balanced(step: Step, derivation: Derivation) -> bool:
+    """Are Newton's and Euler's equations of a body those from which the motion was found?"""
+    body = step.id.partition(".")[2]
+    found = (s for s in derivation.chapter("motion") if s.id.startswith(("push.", "balance.")) and s.id.endswith(f".{body}"))
+    own = [s for s in found if s.id.startswith("push.") or s.phrase == "torque.balance.center"]
+    return step.phrase == "newton_euler.body" and len(own) == len(t.rows(step.statement))
 
 
 def led_to(steps: Iterable[Step], ends: Iterable[str]) -> frozenset[str]:

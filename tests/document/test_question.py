@@ -3,9 +3,9 @@
 import pytest
 
 from rbpsym.derive import derive
-from rbpsym.document.model import Display, ItemList, Math, Paragraph, Text
+from rbpsym.document.model import Display, Math, Paragraph, Ref, Text
 from rbpsym.document.notes import DETAILS, notes
-from rbpsym.document.numbering import parts
+from rbpsym.document.numbering import numbered, parts
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_text
@@ -25,10 +25,18 @@ def text(found):
 @pytest.mark.parametrize("detail", DETAILS)
 def test_the_question_comes_first_and_its_answer_is_boxed_once(detail):
     page = notes(asking("F_y in equilibrium"), "en", detail)
-    first, answer = page.sections[0], tuple(found for found in page.sections if found.label == "section.answer")
-    assert first.label == "section.question" and "in equilibrium" in text(first)
-    there = [part for part in parts(first if detail == "brief" else answer) if isinstance(part, Display) and part.boxed]
-    assert [found.node.items[-1] for found in there] == [t.mul(t.Sym("M"), t.Sym("g"))]
+    assert "in equilibrium" in text(page.sections[0])
+    asked = page.sections[:1] if detail == "brief" else page.sections
+    there = [part.node.items[-1] for part in parts(asked) if isinstance(part, Display) and part.boxed]
+    assert there.count(t.mul(t.Sym("M"), t.Sym("g"))) == 1 and (detail == "full" or len(there) == 1)
+
+
+def test_an_answer_that_stands_in_the_text_is_boxed_there_and_referred_to():
+    page = numbered(notes(asking("acceleration of theta", "period of theta")))
+    boxed = [part for part in parts(page) if isinstance(part, Display) and part.boxed]
+    assert [part.label.startswith("ask") for part in boxed] == [False, True]
+    marks = [part.label for part in parts(page.sections[0]) if isinstance(part, Ref)]
+    assert marks[:1] == [boxed[0].label] and "What is asked, Q" not in text(page.sections[:-2])
 
 
 def test_several_answers_have_letters_of_their_own():
@@ -45,9 +53,10 @@ def test_a_question_without_an_answer_is_told_with_its_reason():
 
 def test_the_words_of_another_language_and_their_formulas():
     derivation = asking("F_y in equilibrium", said='said = { es = "`F_y` donde `theta = 0`" }')
-    [item] = [part for part in parts(notes(derivation, "es").sections[0]) if isinstance(part, ItemList)]
-    told = [part.node if isinstance(part, Math) else part.text for part in item.items[0]]
-    assert told == [t.Sym("F_y"), " donde ", t.equation(t.Sym("theta"), t.ZERO)]
+    page = notes(derivation, "es").sections[0]
+    [asked] = [p for p in page.blocks if isinstance(p, Paragraph) and text(p).startswith("Se pide: ")]
+    told = [part.node if isinstance(part, Math) else part.text for part in asked.inlines]
+    assert told[1:4] == [t.Sym("F_y"), " donde ", t.equation(t.Sym("theta"), t.ZERO)]
 
 
 def test_yes_and_no():

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from rbpsym.algebra import NOTHING, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import same
 from rbpsym.algebra.scalar import Scalar
@@ -41,6 +42,26 @@ def test_no_answer_is_given_away(name: str) -> None:
                 others[item.id] = plain[item.id]
             for place, found in others.items():
                 assert not any(same(value, other) or same(value, -other) for other in found), (item.id, place, answer)
+
+
+@by_name
+def test_no_blank_follows_from_a_solution_below_it(name: str) -> None:
+    """An equation with a blank is no question where a line of the same derivation is its solution: m ÿ = □ above ÿ = −g."""
+    plan, sheet = paper(name)
+    study, steps = plan.parts[0].bench.study, {step.id: step for step in plan.parts[0].bench.derivation.steps}
+    for item in sheet.items:
+        if isinstance(item.key, m.BlanksKey):
+            lines = {row for node in printed(item) for row in t.rows(node) if isinstance(row, t.Chain)}
+            ends = {row.items[0].name: scalar(row.items[-1]) for row in lines if is_solution(study, row)}
+            for row in (row for blank in item.key.blanks for row in t.rows(steps[blank.step].statement)):
+                sides = [meaning(study, side) for side in (row.items[0], row.items[-1])]
+                if row not in lines and all(isinstance(side, Scalar) for side in sides) and ends:
+                    assert not same(substitute(sides[0] - sides[1], ends), NOTHING) or same(*sides), (item.id, row)
+
+
+def is_solution(study: Study, row: t.Chain) -> bool:
+    known = isinstance(row.items[0], t.Sym) and row.items[0].name.endswith("_ddot")
+    return known and isinstance(meaning(study, row.items[-1]), Scalar)
 
 
 def values_in(study: Study, node: t.Node, see=None) -> Iterator[Scalar]:

@@ -139,7 +139,7 @@ OF_ANSWER = re.compile(r"ask\d+\.")
 
 def results(block: Block, live: Live | None) -> list[str]:
     """The ids of the steps whose result a block shows in a box; those of answers are no steps of the derivation."""
-    if live is None or not (isinstance(block, Display) and block.boxed):
+    if live is None or not (isinstance(block, Display) and (block.boxed or block.is_result)):
         return []
     labels = (label for label in (block.label, *block.also) if label.startswith(live.prefix))
     return [id for label in labels if (id := label.removeprefix(live.prefix)) and not OF_ANSWER.match(id)]

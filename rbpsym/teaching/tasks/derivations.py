@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
+from rbpsym.algebra import Scalar, is_zero, substitute
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.notation import tree as t
@@ -16,7 +17,7 @@ from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, gist, has_value, lines_to,
 from rbpsym.teaching.model import Anticipated, AskedQuantity, Blank, BlanksKey, Criterion, ExplanationKey, Item, OrderKey
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.situations import Scenery
-from rbpsym.teaching.spoilers import Content, claims, printed
+from rbpsym.teaching.spoilers import Content, claims, meaning, printed
 from rbpsym.teaching.spoilers import wanted as wanted_values
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
@@ -143,9 +144,27 @@ def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Ste
         shown = bench.given.prints | printed(bench.study, statements.values(), t.walk)  # a vector line may lead to it
         told = {id: [gap for gap in own if wanted_values(bench.study, [gap.node]) & shown] for id, own in chosen.items()}
         if not any(told.values()):
+            solved = _solved(bench, steps, chosen)
+            told = {step.id: chosen[step.id] for step in steps if step.id in chosen and _follows(bench, step, solved)}
+        if not any(told.values()):
             return steps, chosen
         found = {id: [gap for gap in own if gap not in told.get(id, ())] for id, own in found.items()}
         found |= {id: instead.pop(id) for id, own in found.items() if not own and id in instead}
+
+
+def _solved(bench: ProblemBench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]) -> dict[str, Scalar]:
+    """The accelerations and forces for which equations are solved in lines that have no blank."""
+    shown = (row for step in steps if step.rule == "solution" and step.id not in chosen for row in t.rows(step.statement))
+    named = {row.items[0].name: meaning(bench.study, row.items[-1]) for row in shown if isinstance(row.items[0], t.Sym)}
+    return {name: value for name, value in named.items() if isinstance(value, Scalar)}
+
+
+def _follows(bench: ProblemBench, step: Step, solved: Mapping[str, Scalar]) -> bool:
+    """Do these solutions, put into an equation, give back a side of it that is left out?"""
+    chains = (row for row in t.rows(step.statement) if isinstance(row, t.Chain))
+    ends = [tuple(meaning(bench.study, row.items[place]) for place in (0, -1)) for row in chains]
+    left = [first - last for first, last in ends if isinstance(first, Scalar) and isinstance(last, Scalar)]
+    return any(not is_zero(value) and is_zero(substitute(value, solved)) for value in left)
 
 
 def _ranked(steps: tuple[Step, ...]) -> list[Step]:
