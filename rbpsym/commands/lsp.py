@@ -25,7 +25,7 @@ ABILITIES = {
 MOST_BYTES = 8 * 1024 * 1024
 
 
-@dataclass
+@dataclass(frozen=True)
 class Server:
     """One editor: its open texts, and what was found in them last."""
 
