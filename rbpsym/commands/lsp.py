@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
@@ -31,13 +31,15 @@ class Server:
 
     out: IO[bytes]
     texts: dict[str, str] = field(default_factory=dict)
-    found: dict[str, list] = field(default_factory=dict)
+    found: dict[str, list[Any]] = field(default_factory=dict)
 
     def obey(self, message: Message) -> None:
         """One message; a question without a method of ours is answered so."""
         name, asked = message.get("method", ""), "id" in message
-        told = {"initialize": lambda _: {"capabilities": ABILITIES}, "shutdown": lambda _: None}
-        told |= {"textDocument/hover": self.hover, "textDocument/completion": self.completion}
+        told: dict[str, Callable[[Message], object]] = {
+            "initialize": lambda _: {"capabilities": ABILITIES}, "shutdown": lambda _: None,
+            "textDocument/hover": self.hover, "textDocument/completion": self.completion,
+        }  # fmt: skip
         if asked and name:
             known = name in told
             answer = {"result": told[name](message.get("params", {}))} if known else {"error": {"code": -32601, "message": name}}
@@ -118,7 +120,7 @@ def _told_of(error: RbpsymError) -> Message:
 
 
 def _of_statement(text: str, path: Path) -> Iterable[Message]:
-    from rbpsym.statement import load_text
+    from rbpsym.statement.loader import load_text
     from rbpsym.verify.claims_loader import is_claims
 
     try:
@@ -133,7 +135,7 @@ def _of_toml(line: str, lines: list[str]) -> Mapping[str, str]:
     from rbpsym.studio.completing import tables
 
     known: Any = tables()
-    headers = (found for one in reversed(lines) if (found := re.match(r"\s*\[+\s*(?:phases\.)?(\w+)", one)))
+    headers: Iterator[re.Match[str]] = (found for one in reversed(lines) if (found := re.match(r"\s*\[+\s*(?:phases\.)?(\w+)", one)))
     section = header[1] if (header := next(headers, None)) else ""
     kinds = known["kinds"].get(section, {"names": {}})
     if line.lstrip().startswith("["):
@@ -152,7 +154,8 @@ def _of_comment(line: str) -> Mapping[str, str]:
     if "rbpsym:" not in line:
         return {}
     if re.search(r"\bis\b", line):
-        return dict.fromkeys(tables()["quantities"], "what a symbol may mean")
+        known: Any = tables()
+        return {phrase: "what a symbol may mean" for phrase in known["quantities"]}
     return {"claim": "the next display is claimed", **{f"{key} =": "of this text" for key in (*OF_SETTING, *OF_CLAIM)}}
 
 

@@ -37,7 +37,7 @@ def schema() -> Schema:
 
     sections = {name: {"description": meaning} for name, meaning in SECTIONS.items()}
     kinds = {section: named({"oneOf": list(_kinds(section))}) for section in KINDS}
-    phase = {key: {"description": meaning} for key, meaning in COMMON["phases"].items()}
+    phase: Schema = {key: {"description": meaning} for key, meaning in COMMON["phases"].items()}
     phase |= {key: phase[key] | {"type": "object"} for key in ("constraints", "interactions")}  # may change a key alone
     phase["impulses"] |= kinds["impulses"]
     phase["event"] |= {"enum": list(EVENTS)}

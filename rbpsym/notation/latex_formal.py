@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_functions import LOOSE, relation
-from rbpsym.notation.latex_grammar import argument, between, factor, is_vector, multiplied
+from rbpsym.notation.latex_grammar import argument, atom, between, factor, is_vector, multiplied
 from rbpsym.notation.latex_names import label_after
 from rbpsym.notation.latex_tokens import COLUMN, END_COLUMN, NEXT
 from rbpsym.notation.source import Source
@@ -161,7 +161,8 @@ def _around(reader: LatexReader) -> t.Node:
 def _operator(reader: LatexReader) -> t.Node:
     token = reader.take()
     below = [_end(reader)] if reader.pass_sign("_") else []
-    return formal(reader, token.start, token.text[1:], factor(reader), *below)
+    of = atom(reader) if reader.sees_sign("(", "[") else factor(reader)  # tr(U)^2 is no tr(U^2)
+    return formal(reader, token.start, token.text[1:], of, *below)
 
 
 @begins("⟨")
