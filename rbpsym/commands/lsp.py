@@ -155,7 +155,7 @@ def _of_comment(line: str) -> Mapping[str, str]:
         return {}
     if re.search(r"\bis\b", line):
         known: Any = tables()
-        return {phrase: "what a symbol may mean" for phrase in known["quantities"]}
+        return dict.fromkeys(known["quantities"], "what a symbol may mean")
     return {"claim": "the next display is claimed", **{f"{key} =": "of this text" for key in (*OF_SETTING, *OF_CLAIM)}}
 
 

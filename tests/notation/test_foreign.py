@@ -116,7 +116,7 @@ FORMAL = {  # read whole, without a value
     r"\ddot x \approx -x \quad \text{for small } x": "ẍ ≈ −x\n  condition(for small x)",
     r"= a + n!": "continued = a + factorial(n)",
     r"\lim_{\Delta t\to 0} \frac{\Delta p}{\Delta t} = F": "limit(Δp/(Δt), Δt → 0) = F",
-    r"c = \tr(U)^2 - \tr(U^2)": "c = tr(U)² − tr(U²)",
+    r"c = \tr(U)^2 - \tr(U^2)": "c = (tr(U))² − tr(U²)",
     r"x \propto U(x)": "∝(x, U)",
     r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s²)",
     r"\left(\frac{d^2}{dt^2} + k\right) x = \det A": "(d²/dt²(operator) + k) x = det(A)",
