@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
@@ -135,8 +135,8 @@ def _of_toml(line: str, lines: list[str]) -> Mapping[str, str]:
     from rbpsym.studio.completing import tables
 
     known: Any = tables()
-    headers: Iterator[re.Match[str]] = (found for one in reversed(lines) if (found := re.match(r"\s*\[+\s*(?:phases\.)?(\w+)", one)))
-    section = header[1] if (header := next(headers, None)) else ""
+    headers = (re.match(r"\s*\[+\s*(?:phases\.)?(\w+)", one) for one in reversed(lines))
+    section = header[1] if (header := next(filter(None, headers), None)) else ""
     kinds = known["kinds"].get(section, {"names": {}})
     if line.lstrip().startswith("["):
         return dict(known["sections"])
@@ -170,7 +170,12 @@ def _meanings() -> Mapping[str, str]:
 
 @click.command("lsp")
 def command() -> None:
-    """Serve editors over stdio: findings, hover and completion, for problems and for papers with comments."""
+    """Serve editors over stdio: findings, hover and completion, for problems and for papers with comments.
+
+    \b
+    Examples:
+      rbpsym lsp      the command of the server, in the settings of an editor
+    """
     source, server = sys.stdin.buffer, Server(sys.stdout.buffer)
     while header := source.readline():
         size = re.match(rb"Content-Length:\s*(\d+)", header, re.I)
