@@ -37,6 +37,8 @@ COMMANDS: dict[str, str] = {
     "new": "rbpsym.commands.new",
     "tutor": "rbpsym.commands.tutor",
     "studio": "rbpsym.commands.studio",
+    "schema": "rbpsym.commands.schema",
+    "lsp": "rbpsym.commands.lsp",
     "doctor": "rbpsym.commands.doctor",
 }
 

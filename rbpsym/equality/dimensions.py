@@ -188,6 +188,7 @@ _RULES: dict[type[Node], Callable[[Any, Dimensions], _Found]] = {
     tree.PathIntegral: _path,
     tree.Sum: lambda node, dimensions: _find(node.term, dimensions),
     tree.Word: lambda node, _: None,
+    tree.Formal: lambda node, _: None,
     tree.Chain: _chain,
     **dict.fromkeys((tree.Neg, tree.Abs, tree.Group, tree.Bracket, tree.Delta, tree.At, tree.Limit), _inner),
     tree.System: _system,

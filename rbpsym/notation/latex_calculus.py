@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_functions import operand, relation
-from rbpsym.notation.latex_grammar import argument, between, expression, multiplied
+from rbpsym.notation.latex_formal import formal, over_an_index, taken_at
+from rbpsym.notation.latex_functions import operand
+from rbpsym.notation.latex_grammar import argument, begins_factor, between, expression, multiplied
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.symbol_table import Drawn, LatexReader, begins
@@ -46,16 +50,17 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     """A derivative, if the fraction is one; else nothing is passed."""
     if not (reader.sees_sign("{") and reader.sees_differential(1)):
         return None
-    begin, opening = reader.position, reader.take()
+    begin = reader.position
+    reader.take()
     partial = reader.take().text == "∂"
     order = _order(reader)
     of = None if reader.sees_sign("}") else expression(reader)
-    reader.expect("}", opening)
-    if of is None and not reader.sees_differential(1):
-        reader.position = begin  # the fraction of a length d
+    if not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
+        reader.position = begin  # the fraction of a length d, or of a differential
         return None
     parts = _below(reader, order)
-    of = operand(reader) if of is None else of
+    if of is None:
+        of = operand(reader) if begins_factor(reader) else t.Formal("operator", span=(start, reader.previous_end))
     for wrt, times in reversed(parts):
         of = reader.spanned(t.Deriv(of, wrt, times, partial), start)
     return of
@@ -133,6 +138,8 @@ def _integral(reader: LatexReader) -> t.Node:
     reader.integrals -= 1
     sign = reader.take().text if reader.sees_sign(r"\cdot", r"\times") else ""
     path, reader.path = reader.path, around
+    if path is None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(integrand)):
+        return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
     if path is None and not reader.sees_differential():
         raise reader.error("the integral has no differential", "Write dθ at its end.", start)
     path = _differential(reader) if path is None else path
@@ -206,8 +213,8 @@ def _differential(reader: LatexReader) -> t.Node:
     """What stands after the d: a symbol, a vector, or a parenthesis; `m` for a mass element."""
     reader.take()
     token = reader.token
-    if reader.sees_sign("("):
-        return between(reader, ")")
+    if reader.sees_sign("(", "{"):
+        return between(reader, ")" if reader.sees_sign("(") else "}")
     if begins_name(token):
         mass = token.text == "m" and reader.ahead().text not in ("_", "'")
         return _mass(reader) if mass else read_name(reader)
@@ -222,18 +229,21 @@ def _mass(reader: LatexReader) -> t.Node:
 def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
     """The integral that a sign, a differential and limits make."""
     lower, upper = limits
+    joined = {r"\cdot": t.Dot, r"\times": t.Cross}.get(sign, lambda *factors: t.Mul(factors))
+    whole = joined(integrand, t.Formal("differential", (path,)))
+    parts = (whole, *(t.Word(end) if isinstance(end, str) else end for end in limits if end is not None))
     product = {r"\cdot": "dot", r"\times": "cross", "": "times"}[sign]
     if isinstance(lower, str) and lower != "path" and (len(lower) > 1 or path == t.Sym("m")):
         return _over_body(integrand, product, path, lower)
     if lower is None or lower == "path":
         if upper is not None:
-            raise reader.error("the lower limit is missing", "", start)
+            return t.Formal("integral", parts)
         return t.PathIntegral(integrand, path, product)
     if upper is None or isinstance(lower, str) or not isinstance(path, (t.Sym, t.Vec)):
-        raise reader.error("the limits do not fit the differential", r"Over a body, write \int_{body} f dm.", start)
+        return t.Formal("integral", parts)
     if isinstance(path, t.Vec):
         if not _is_angle(reader, path):
-            raise reader.error("between which places does this path go?", "Write the integral over a coordinate.", start)
+            return t.Formal("path", parts)
         integrand = t.Dot(integrand, t.Unit("z"))
     return t.Integral(integrand, path.name, lower, upper)
 
@@ -260,32 +270,69 @@ def _over_body(integrand: t.Node, product: str, path: t.Node, body: str) -> t.No
 def _sum(reader: LatexReader) -> t.Node:
     """A sum over an index; without one, ΣF is a name."""
     first, sign = reader.position, reader.take()
-    if not reader.sees_sign("_"):
+    if not reader.sees_sign("_", "^"):
         reader.position = first
         return reader.spanned(read_name(reader), sign.start)
-    reader.take()
+    begin = reader.position
+    reader.pass_sign("_")
     braces, index = reader.pass_sign("{"), reader.take()
     whole = not (braces and reader.pass_sign("=")) or reader.take().text == "1"
-    if braces and whole and not reader.pass_sign("}"):
-        whole = False
+    whole = whole and (not braces or reader.pass_sign("}"))
     upper = argument(reader) if whole and reader.pass_sign("^") else None
-    if index.kind != "letter" or not whole or not isinstance(upper, (t.Sym, type(None))):
-        hint = r"Write its terms, or \sum_i for a sum over all."
-        raise reader.error("only a sum over all values of one index can be computed", hint, sign)
-    return reader.spanned(t.Sum(multiplied(reader), index.text), sign.start)
+    if index.kind == "letter" and whole and isinstance(upper, (t.Sym, type(None))):
+        return reader.spanned(t.Sum(multiplied(reader), index.text), sign.start)
+    reader.position = begin
+    return _written_out(reader, sign) or over_an_index(reader, "sum", sign.start)
+
+
+MOST_TERMS = 12
+_COUNTED = re.compile(r"_\s*\{\s*([a-z])\s*=\s*(\d)\s*\}\s*\^\s*(?:\{\s*(\d+)\s*\}|(\d))")
+
+
+def _written_out(reader: LatexReader, sign: Token) -> t.Node | None:
+    """The terms of a sum from a number to a number whose index stands in subscripts alone; else None, and nothing is passed."""
+    begin, tokens, terms = reader.position, reader.tokens, []
+    counted = _COUNTED.match(reader.source.text, reader.token.start)
+    index, low, high = (counted[1], int(counted[2]), int(counted[3] or counted[4])) if counted else ("", 0, -1)
+    for count in range(low, high + 1 if high - low < MOST_TERMS else low):
+        reader.position = behind = next(k for k in range(begin, len(tokens)) if tokens[k].start >= counted.end())
+        reader.tokens = _numbered(tokens, behind, index, str(count))
+        terms.append(multiplied(reader))
+        if index in {token.text for token in reader.tokens[behind : reader.position]}:
+            reader.tokens, reader.position = tokens, begin
+            return None
+    reader.tokens = tokens
+    return reader.spanned(t.Group(t.Add(tuple(terms))) if len(terms) > 1 else terms[0], sign.start) if terms else None
+
+
+def _numbered(tokens: tuple[Token, ...], begin: int, index: str, count: str) -> tuple[Token, ...]:
+    """The tokens with a number for an index that stands in a subscript, alone or beside letters."""
+    found, depth = list(tokens), 0
+    for k in range(begin, len(tokens) - 1):
+        before, behind = tokens[k - 1].text, tokens[k + 1].text
+        depth += (tokens[k].text == "{" and (depth > 0 or before == "_")) - (depth > 0 and tokens[k].text == "}")
+        if tokens[k].text == index and (before == "_" or depth) and not {"+", "-", "/"}.intersection((before, behind)):
+            found[k] = replace(tokens[k], kind="digit", text=count)
+    return tuple(found)
 
 
 @begins(r"\lim")
 def _limit(reader: LatexReader) -> t.Node:
-    start = reader.take().start
-    reader.expect("_")
-    opening = reader.token
-    reader.expect("{")
-    var = read_symbol(reader)
-    if not reader.pass_sign(r"\to"):
-        raise reader.error(r"“\to” is expected here")
-    to = expression(reader)
-    reader.expect("}", opening)
+    start, begin = reader.take().start, reader.position
+    try:
+        reader.expect("_")
+        opening = reader.token
+        reader.expect("{")
+        var = read_symbol(reader)
+        if not reader.pass_sign(r"\to"):
+            raise reader.error(r"“\to” is expected here")
+        to = expression(reader)
+        reader.expect("}", opening)
+    except RbpsymError:
+        reader.position = begin
+        if reader.ahead(3).text != "Δ" and reader.ahead(2).text != "Δ":
+            raise
+        return over_an_index(reader, "limit", start)
     return reader.spanned(t.Limit(multiplied(reader), var, to), start)
 
 
@@ -294,7 +341,7 @@ def _bracket(reader: LatexReader) -> t.Node:
     """[f] with limits is taken between them; without, it is a parenthesis."""
     start = reader.token.start
     node = between(reader, "]")
-    if not reader.sees_sign("_"):
+    if isinstance(node, t.Formal) or not reader.sees_sign("_"):
         return node
     reader.take()
     lower_var, lower = _end(reader)
@@ -322,10 +369,4 @@ def _end(reader: LatexReader) -> tuple[str | None, t.Node]:
 def _at(reader: LatexReader) -> t.Node:
     """\\left. f \\right|_{condition}"""
     start = reader.token.start
-    node = between(reader, r"\rvert")
-    reader.expect("_")
-    opening = reader.token
-    reader.expect("{")
-    condition = relation(reader)
-    reader.expect("}", opening)
-    return reader.spanned(t.At(node, condition), start)
+    return taken_at(reader, between(reader, r"\rvert"), start)

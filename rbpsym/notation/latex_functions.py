@@ -38,10 +38,17 @@ SIGNS = {
 }  # fmt: skip
 
 
+LOOSE = {
+    r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
+    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦",
+}  # fmt: skip
+
+
 def relation(reader: LatexReader) -> t.Node:
     """A chain, or an expression alone."""
     start = reader.token.start
-    return reader.spanned(chained(reader, [expression(reader)], []), start)
+    first = t.Formal("continued", span=(start, start + 1)) if reader.sees_sign("=", r"\approx") else expression(reader)
+    return reader.spanned(chained(reader, [first], []), start)
 
 
 def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
@@ -49,12 +56,19 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     while reader.sees_sign(*SIGNS):
         ops.append(SIGNS[reader.take().text])
         items.append(expression(reader))
-    return t.Chain(tuple(items), tuple(ops)) if ops else items[0]
+    found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
+    if not reader.sees_sign(*LOOSE):
+        return found
+    sign = LOOSE[reader.take().text]
+    return reader.spanned(t.Formal(sign, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
 
 
 MOST_ASKED = 6  # of such questions in a formula; behind them, what varies is a function
 _CALLED = "is this a product, or a value of a function?"
 _WRITE = r"Say in the symbols what all of it means, or write a product without the parenthesis."
+
+
+COMMANDS["relation"] = relation
 
 
 @begins("f()")
@@ -63,17 +77,43 @@ def called(reader: LatexReader) -> t.Node:
     name = read_name(reader)
     if not isinstance(name, (t.Sym, t.Vec)) or not reader.sees_sign("("):
         return name
-    varies, begin, opening = _varies(reader, name), reader.position, reader.token
+    varies, begin = _varies(reader, name), reader.position
+    if _has_commas(reader):
+        return _value(reader, name)
     found = _arguments(reader)
     end, reader.position = reader.position, begin
     if found is None or (varies is False and found != [t.ZERO]):
         return name
-    if len(found) == 1 and (isinstance(found[0], t.Num) or _varies(reader, found[0]) is False):
-        raise reader.error(_CALLED, _WRITE, opening)
-    clear = len(found) > 1 or found[0] is _TIME or (varies and len(reader.met) >= MOST_ASKED)
+    if any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False):
+        return _value(reader, name)
+    clear = len(found) > 1 or found[0] is _TIME or (varies is not False and len(reader.met) >= MOST_ASKED)
+    clear = clear or (varies is None and found == [_TIME])
     if clear or reader.decide(_CALLED, _WRITE, yes=int(varies is True)) == (varies is None):
         reader.position = end
     return name
+
+
+def _has_commas(reader: LatexReader) -> bool:
+    """Is there more than names in the parentheses that follow, with commas between, or a relation: f(2x, y), f(x = 0)?"""
+    begin = reader.position
+    named, reader.position = _arguments(reader), begin
+    depth = count = 0
+    for token in reader.tokens[begin:] if named is None else ():
+        depth += (token.text in ("(", "[", "{", r"\{")) - (token.text in (")", "]", "}", r"\}"))
+        count += (token.text == "," or token.text in SIGNS) and depth == 1
+        if not depth:
+            break
+    return count > 0
+
+
+def _value(reader: LatexReader, name: t.Node) -> t.Node:
+    """f(0), f(x + y, 2): the value of a function that nothing is known of."""
+    opening = reader.take()
+    found = [relation(reader)]
+    while reader.pass_sign(",", ";"):
+        found.append(relation(reader))
+    reader.expect(")", opening)
+    return reader.spanned(t.Formal("value", (name, *found)), (name.span or (opening.start, 0))[0])
 
 
 _TIME = t.Sym("t")
@@ -130,10 +170,11 @@ def operand(reader: LatexReader) -> t.Node:
     return factors[0] if len(factors) == 1 else reader.spanned(t.Mul(tuple(factors)), start.start)
 
 
+COMMANDS["operand"] = operand
 FUNCTIONS = {rf"\{word}": name for word, name in FUNCTION_WORDS.items()}
 _INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})
 _CLOSED = ("(", "[", "{", r"\{")
-_ROOTS = (r"\frac", r"\sqrt")
+_ROOTS = (r"\frac", r"\sqrt", r"\ang", r"\num")
 _DOTTED = (r"\dot", r"\ddot", r"\dddot")
 _ENDING = (r"\vec", r"\hat", r"\boldsymbol")
 
@@ -145,7 +186,10 @@ def _function(reader: LatexReader) -> t.Node:
     exponent = None
     if reader.pass_sign("^"):
         exponent = argument(reader)
-        if name in _INVERSE_POWER or not isinstance(exponent, t.Num):
+        if exponent == t.Neg(t.ONE) and f"a{name}" in FUNCTION_WORDS.values():
+            asked = f"this power of {name} can be read in two ways", rf"Write \arc{name}, or ({token.text} x)^n."
+            name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
+        elif name in _INVERSE_POWER or not isinstance(exponent, t.Num):
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
     arg = _argument(reader, token)
@@ -157,7 +201,7 @@ def _function(reader: LatexReader) -> t.Node:
 def _argument(reader: LatexReader, head: Token) -> t.Node:
     """(expression), {expression}, or factors side by side."""
     start = reader.token.start
-    if reader.sees_sign(*_CLOSED):
+    if reader.sees_sign(*_CLOSED, r"\lvert", "|"):
         return COMMANDS[reader.token.text](reader)
     if reader.sees_differential() or not (_is_simple(reader) or begins_name(reader.token)):
         raise reader.error(f"{head.text} needs its argument here", "", head)

@@ -10,7 +10,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_rows import OPEN
-from rbpsym.notation.latex_tokens import COLUMN, END_COLUMN, NEXT
+from rbpsym.notation.latex_tokens import END_COLUMN, Token
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.symbol_table import COMMANDS, LatexReader, begins
 
@@ -24,32 +24,71 @@ def expression(reader: LatexReader) -> t.Node:
     """term + term - term"""
     start = reader.token.start
     with reader.deeper():
-        terms = [_term(reader)]
-        while goes_on(reader, "-") or reader.sees_sign("+", "-"):
+        terms = [_evaluated(reader, _term(reader))]
+        while goes_on(reader, "-") or reader.sees_sign("+", *_SIGNED):
             sign = reader.take()
-            term = _term(reader)
-            terms.append(reader.spanned(t.Neg(term), sign.start) if sign.text == "-" else term)
+            term = _evaluated(reader, _term(reader), start)
+            terms.append(_signed(reader, term, sign) if sign.text != "+" else term)
+    if _is_differential(terms[-1]) and any(isinstance(part, t.PathIntegral | t.Integral) for part in t.walk(t.Add(tuple(terms)))):
+        what = "does this belong to the integral?"
+        raise reader.source.error(what, start, reader.previous_end, "Put the integrand in parentheses.")
     return terms[0] if len(terms) == 1 else reader.spanned(t.Add(tuple(terms)), start)
 
 
+_SIGNED = {"-": "", r"\pm": "±", r"\mp": "∓"}
+
+
+def _signed(reader: LatexReader, term: t.Node, sign: Token) -> t.Node:
+    kind = _SIGNED[sign.text]
+    return reader.spanned(t.Formal(kind, (term,)) if kind else t.Neg(term), sign.start)
+
+
+def _is_differential(term: t.Node) -> bool:
+    term = term.arg if isinstance(term, t.Neg) else term
+    parts = term.factors if isinstance(term, t.Mul) else (term,)
+    return any(isinstance(part, t.Formal) and part.kind == "differential" for part in parts)
+
+
 def _term(reader: LatexReader) -> t.Node:
-    start = reader.token.start
-    if reader.pass_sign("-"):
+    if reader.sees_sign(*_SIGNED):
+        sign = reader.take()
         with reader.deeper():
-            return reader.spanned(t.Neg(_term(reader)), start)
+            return _signed(reader, _term(reader), sign)
     reader.pass_sign("+")
     return multiplied(reader)
+
+
+def _sees_evaluation(reader: LatexReader) -> bool:
+    """Does a bar follow behind which is said where what stands before it is taken: f|_{x=0}?"""
+    return reader.sees_sign(r"\lvert", *_PLAIN_BARS) and reader.ahead().text == "_"
+
+
+def _evaluated(reader: LatexReader, term: t.Node, first: int | None = None) -> t.Node:
+    """The term, or its value where a bar behind it says."""
+    while _sees_evaluation(reader):
+        if first is not None:
+            raise reader.error("how much of this sum is taken there?", r"Write \left. ... \right|_{...}, or parentheses.")
+        reader.take()
+        term = COMMANDS["at"](reader, term, reader.previous_end)
+        if begins_factor(reader):
+            with reader.deeper():
+                term = reader.spanned(t.Mul((term, multiplied(reader))), (term.span or (0, 0))[0])
+    return term
 
 
 def multiplied(reader: LatexReader) -> t.Node:
     """Products joined by a dot or cross; between vectors these are Dot and Cross."""
     start = reader.token.start
     node = _product(reader)
-    while reader.sees_sign(r"\cdot", r"\times", "*") and not ends_integrand(reader):
+    while reader.sees_sign(r"\cdot", r"\times", "*", *_OPERATORS) and not ends_integrand(reader):
         sign = reader.take()
         right = _signed_product(reader)
-        node = reader.spanned(_joined(node, right, sign.text), start)
+        formal = t.Formal(_OPERATORS[sign.text], (node, right)) if sign.text in _OPERATORS else None
+        node = reader.spanned(formal or _joined(node, right, sign.text), start)
     return node
+
+
+_OPERATORS = {r"\otimes": "⊗", r"\wedge": "∧", r"\circ": "∘", r"\oplus": "⊕"}
 
 
 def ends_integrand(reader: LatexReader) -> bool:
@@ -76,7 +115,12 @@ def is_vector(node: t.Node) -> bool:
         return True
     if isinstance(node, t.Div):
         return is_vector(node.num)
+    if isinstance(node, t.Formal) and node.kind in _SHAPED:
+        return node.kind == "∇"
     return any(is_vector(part) for part in t.children(node))
+
+
+_SHAPED = frozenset(("∇", "matrix", "transposed", "determinant", "row", "mean"))
 
 
 def _signed_product(reader: LatexReader) -> t.Node:
@@ -152,8 +196,8 @@ def begins_factor(reader: LatexReader) -> bool:
     """Does something that can be multiplied follow?"""
     token = reader.token
     if reader.sees_differential():
-        return _sees_derivative(reader)
-    if reader.bars and token.text in _PLAIN_BARS:
+        return not reader.integrals or _sees_derivative(reader)
+    if (reader.bars and token.text in _PLAIN_BARS) or _sees_evaluation(reader):
         return False
     known = token.kind in ("digit", "letter", "text") or begins_name(token)
     return known or token.text in COMMANDS
@@ -172,19 +216,27 @@ def _sees_derivative(reader: LatexReader) -> bool:
 
 def refuse_number(reader: LatexReader) -> None:
     """Raise ReadError for 2 3."""
-    if reader.token.kind == "digit":
+    behind = reader.tokens[reader.position - 1].text in ("}", END_COLUMN) and reader.ahead(-2).text != "^"
+    if reader.token.kind == "digit" and not behind:
         raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
 
 
 def factor(reader: LatexReader) -> t.Node:
     """An atom with its powers."""
-    start = reader.token.start
+    start, closed = reader.token.start, reader.sees_sign("(", "[", r"\{", r"\frac", r"\dv", r"\pdv")
     base = atom(reader)
+    while closed and _sees_evaluation(reader):
+        reader.take()
+        base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
         reader.take()
-        base = reader.power(base, _exponent(reader), start)
-    if reader.sees_sign("_", "'"):
-        raise reader.error("only a symbol can have a subscript or prime")
+        exponent = _exponent(reader)
+        transposed = exponent == t.Sym("T") and is_vector(base)
+        base = reader.spanned(t.Formal("transposed", (base,)), start) if transposed else reader.power(base, exponent, start)
+    while reader.sees_sign("_", "'", "!", r"\prime"):
+        label = (t.Word(COMMANDS["label"](reader)),) if reader.sees_sign("_") else ()
+        kind = "marked" if label or reader.take().text != "!" else "factorial"
+        base = reader.spanned(t.Formal(kind, (base, *label)), start)
     return base
 
 
@@ -206,8 +258,8 @@ def atom(reader: LatexReader) -> t.Node:
     with reader.deeper():
         if reader.sees_differential() and (derivative := COMMANDS["d/"](reader)):
             return derivative
-        if reader.sees_differential():
-            raise _missing(reader)
+        if reader.sees_differential() and not reader.integrals:
+            return _differential(reader)
         if token.text in COMMANDS and token.kind in ("sign", "command"):
             return COMMANDS[token.text](reader)
         if (power := _exponential(reader)) is not None:
@@ -215,6 +267,18 @@ def atom(reader: LatexReader) -> t.Node:
         if begins_name(token):
             return COMMANDS["f()"](reader)
     raise _missing(reader)
+
+
+def _differential(reader: LatexReader) -> t.Node:
+    """dx, d²x or d(xy) that stands alone."""
+    start = reader.take().start
+    if reader.sees_sign("_"):
+        return reader.spanned(t.Formal("∂", (t.Word(COMMANDS["label"](reader)),)), start)
+    order = (argument(reader),) if reader.pass_sign("^") else (t.Word("inexact"),) if reader.pass_sign("'") else ()
+    inner = atom(reader) if begins_factor(reader) else None
+    if inner is None:
+        raise reader.error("a differential alone has no value", r"Write rates: \frac{dW}{dt} = ...")
+    return reader.spanned(t.Formal("differential", (inner, *order)), start)
 
 
 def _exponential(reader: LatexReader) -> t.Node | None:
@@ -234,8 +298,6 @@ def _missing(reader: LatexReader) -> RbpsymError:
     token = reader.token
     if token.kind == "end":
         return reader.error("the formula ends too early", "A number or symbol is missing here.")
-    if token.kind == "differential" or token.text == "d":
-        return reader.error("a differential alone has no value", r"Write rates: \frac{dW}{dt} = ...")
     if token.kind == "command":
         return reader.error(f"the command “{token.text}” is not known here", UNKNOWN_COMMAND)
     return reader.error(f"“{token.text}” stands where a number or symbol is expected")
@@ -275,47 +337,10 @@ def argument(reader: LatexReader) -> t.Node:
 
 @begins("{")
 def braced(reader: LatexReader) -> t.Node:
-    """{expression}"""
+    """{expression}, or {}^A before a name"""
+    if reader.ahead().text == "}" and reader.ahead(2).text in ("^", "_"):
+        return COMMANDS["{}^"](reader)
     return between(reader, "}")
-
-
-@begins("(")
-def _parenthesis(reader: LatexReader) -> t.Node:
-    """(expression), or a vector by its components where none can be multiplied with what is before."""
-    before = reader.tokens[reader.position - 1] if reader.position else None
-    start = reader.token.start
-    if before is None or before.kind == "row" or before.text in _BEFORE_VECTOR:
-        return reader.spanned(_components(reader, ")", ","), start)
-    return between(reader, ")")
-
-
-_NO_MATRIX = "the environment of a matrix can't be read", "Write the equation of each row."
-_BEFORE_VECTOR = frozenset(("=", r"\approx", "+", "-"))
-
-
-@begins(COLUMN)
-def _column(reader: LatexReader) -> t.Node:
-    """A column or row of two or three components."""
-    opening = reader.token
-    found = _components(reader, END_COLUMN, NEXT, "&")
-    if not isinstance(found, t.Add) or not is_vector(found):
-        raise reader.error(*_NO_MATRIX, opening)
-    return reader.spanned(found, opening.start)
-
-
-def _components(reader: LatexReader, closing: str, *signs: str) -> t.Node:
-    """What stands in parentheses: an expression, or the vector of several."""
-    opening, waiting = reader.take(), (reader.integrals, reader.bars)
-    reader.integrals, reader.bars, used, found = 0, False, set(), [expression(reader)]
-    while reader.sees_sign(*signs):
-        used.add(reader.take().text)
-        found.append(expression(reader))
-    reader.integrals, reader.bars = waiting
-    if len(used) > 1 or len(found) > 3:
-        raise reader.error(*_NO_MATRIX, opening)
-    reader.expect(closing, opening)
-    along = (t.mul(part, t.Unit(axis)) for part, axis in zip(found, "xyz", strict=False))
-    return found[0] if len(found) == 1 else t.Add(tuple(along))
 
 
 @begins(r"\{")
@@ -329,11 +354,21 @@ def between(reader: LatexReader, closing: str) -> t.Node:
     waiting = reader.integrals, reader.bars
     reader.integrals, reader.bars = 0, closing in _PLAIN_BARS
     node = expression(reader)
+    if reader.sees_sign(",", ";") and closing in _LISTS:
+        node = _listed(reader, node, _LISTS[closing], opening.start)
     if closing == "}" and reader.pass_sign(r"\over"):
         node = t.Div(node, expression(reader))
     reader.integrals, reader.bars = waiting
-    if reader.sees_sign(",", ";"):
-        what = "what do several things in parentheses mean here?"
-        raise reader.error(what, "Give all of it a symbol, or write its components.")
     reader.expect(closing, opening)
-    return node
+    return reader.spanned(node, opening.start) if isinstance(node, t.Formal) and node.kind in _LISTS.values() else node
+
+
+_LISTS = {")": "list", "⟩": "list", "]": "brackets", "}": "list", r"\}": "braces"}
+
+
+def _listed(reader: LatexReader, first: t.Node, kind: str, start: int) -> t.Node:
+    """What commas part."""
+    found = [first]
+    while reader.pass_sign(",", ";"):
+        found.append(expression(reader))
+    return reader.spanned(t.Formal(kind, tuple(found)), start)

@@ -12,7 +12,8 @@ from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import COMMANDS, Drawn, LatexReader, SymbolTable, spelling
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
-_ACCENTS = {r"\hat": "hat", r"\bar": "bar", r"\tilde": "tilde", r"\check": "check"}
+_ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "mathbb", "mathfrak")
+_ACCENTS = {rf"\{kind}": kind for kind in _ACCENTED}
 _VECTORS = frozenset({r"\vec", r"\boldsymbol"})
 _SCRIPTS = frozenset({r"\mathcal", r"\mathpzc"})
 _PLAIN = frozenset({r"\mathit", r"\mathnormal"})
@@ -70,6 +71,20 @@ def _spelled(reader: LatexReader) -> t.Node | None:
     return None
 
 
+def _prescribed(reader: LatexReader) -> t.Node:
+    """{}^A v: a name with a mark before it; {}^A d, a derivative seen from A."""
+    start, first = reader.token.start, reader.position
+    reader.position += 2
+    mark = reader.token.text + label_after(reader)
+    if not begins_name(reader.token) or reader.sees_differential():
+        return reader.spanned(t.Formal("seen from", (t.Word(mark[1:]), COMMANDS["operand"](reader))), start)
+    drawn, vector = _scripted(reader)
+    return reader.spanned(_known(reader, replace(drawn, label=f"{mark} {drawn.label}"), vector, None, first), start)
+
+
+COMMANDS["{}^"] = _prescribed
+
+
 def _summed(reader: LatexReader) -> tuple[Drawn, bool]:
     """A letter with what is around it, and perhaps a sum sign in front: ΣF_x is one name."""
     if not reader.pass_sign(r"\sum"):
@@ -111,8 +126,9 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
         raise reader.error(f"“{token.text}” stands before something that is no letter")
     with reader.deeper():
         drawn, vector = _scripted(reader) if inside else _accented(reader)
-    while inside and token.text in _VECTORS and drawn == Drawn(drawn.base) and reader.token.kind == "letter":
-        drawn = Drawn(drawn.base + reader.take().text)  # the vector from A to B
+    while inside and (token.text in _VECTORS or token.text == r"\bar") and reader.token.kind == "letter":
+        more, _ = _scripted(reader)  # the vector from A to B
+        drawn = replace(drawn, base=drawn.base + drawn.label + more.base, label=more.label)
     if inside:
         reader.expect("}", opening)
     return _with_accent(drawn, token.text), vector or token.text in _VECTORS
@@ -143,6 +159,9 @@ def label_after(reader: LatexReader) -> str:
     if not label:
         raise reader.error("this subscript is empty", "Remove it, or write what belongs there.", opening)
     return label
+
+
+COMMANDS["label"] = label_after
 
 
 def _label_part(reader: LatexReader) -> str:
@@ -216,7 +235,7 @@ def _label_behind(reader: LatexReader, end: int) -> str:
 
 def _change(reader: LatexReader, drawn: Drawn, start: int, first: int) -> t.Node:
     """A Δ: alone a name, or part of one (Delta_x), or the change of what follows."""
-    if drawn in reader.table.names:
+    if reader.table.names.get(drawn):
         return reader.spanned(_known(reader, drawn, False, None, first), start)
     if drawn != Drawn("Δ"):
         raise _unknown(reader, drawn, first)
@@ -234,7 +253,7 @@ def _changed(reader: LatexReader) -> t.Node:
     """What stands after Δ: a name, or something in delimiters."""
     if begins_name(reader.token):
         return read_name(reader)
-    if reader.sees_sign("(", "{", "[", r"\lvert", "|"):
+    if reader.sees_sign("(", "{", "[", r"\lvert", "|", r"\int", r"\sum", r"\frac"):
         return COMMANDS[reader.token.text](reader)
     raise reader.error("a symbol or a parenthesis is expected after Δ")
 

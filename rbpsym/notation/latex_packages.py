@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_functions import operand, whole_number
-from rbpsym.notation.latex_grammar import DEGREE, argument, between
+from rbpsym.notation.latex_grammar import DEGREE, argument
 from rbpsym.notation.latex_names import read_symbol
 from rbpsym.notation.symbol_table import LatexReader, begins
 
@@ -59,43 +59,3 @@ def _number(reader: LatexReader) -> t.Node:
 @begins(r"\overset", r"\underset", r"\stackrel")
 def _over_a_sign(reader: LatexReader) -> t.Node:
     raise reader.error("a mark over a sign or symbol can't be read", "Write the sign or symbol alone.")
-
-
-@begins(r"\underbrace", r"\overbrace")
-def _braced(reader: LatexReader) -> t.Node:
-    """What stands over or under the brace; its name is in words or another symbol."""
-    mark = "_" if reader.take().text == r"\underbrace" else "^"
-    opening = reader.token
-    reader.expect("{")
-    reader.position -= 1
-    found = between(reader, "}")
-    if reader.pass_sign(mark):
-        words = argument(reader)
-        if any(not isinstance(part, (t.Word, t.Mul)) for part in t.walk(words)):
-            raise reader.error("what is named by this brace is another formula", "Write it alone.", opening)
-    return found
-
-
-_UNITS = "a number with a unit can't be decided", "Claim the formula in symbols."
-_DOTS = "dots stand for terms that nobody can compute", "Write all terms, or a sum over an index."
-_ONE = "this stands for two formulas", "Write the sign that is meant."
-_NONE = "this says nothing that can be computed", "Write an equation."
-_PATH = "an integral over a closed path or several variables can't be read", "Write it as one integral, or what it comes to."
-REFUSED = {
-    **dict.fromkeys((r"\SI", r"\qty", r"\si", r"\unit", r"\SIrange", r"\qtyrange"), _UNITS),
-    **dict.fromkeys((r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb"), _DOTS),
-    **dict.fromkeys((r"\pm", r"\mp"), _ONE),
-    **dict.fromkeys((r"\propto", r"\sim", r"\ll", r"\gg", r"\in", r"\forall", r"\exists", r"\lesssim", r"\gtrsim"), _NONE),
-    **dict.fromkeys((r"\oint", r"\iint", r"\iiint", r"\prod"), _PATH),
-    r"\infty": ("infinity is no value", r"Write a limit, \lim_{x \to ...}, or a number."),
-    r"\langle": ("a mean value can't be read", "Give it a symbol of its own."),
-    r"\nabla": ("a gradient can't be computed", "Write its components."),
-    r"\grad": ("a gradient can't be computed", "Write its components."),
-    r"\cancel": ("what is crossed out can't be read", "Leave it out."),
-}
-
-
-@begins(*REFUSED)
-def _refused(reader: LatexReader) -> t.Node:
-    what, instead = REFUSED[reader.token.text]
-    raise reader.error(f"“{reader.token.text}”: {what}", instead)

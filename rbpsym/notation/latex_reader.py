@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.errors import Place, RbpsymError
-from rbpsym.notation import latex_calculus, latex_functions, latex_packages
+from rbpsym.notation import latex_calculus, latex_formal, latex_functions, latex_packages
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.infix import Ways
@@ -113,7 +113,7 @@ def _parting(one: Reading, other: Reading) -> Question:
     return one.met[place]
 
 
-GRAMMAR = (latex_calculus, latex_functions, latex_packages)  # enter their commands into the table when they are imported
+GRAMMAR = (latex_calculus, latex_formal, latex_functions, latex_packages)  # loaded: they enter their commands into the table
 
 
 def read_latex(
@@ -123,21 +123,24 @@ def read_latex(
     notation: Notation = DEFAULT,
     spellings: Mapping[str, str] = MappingProxyType({}),
     place: Place | None = None,
+    whole: bool = False,
 ) -> t.Node:
     """The tree of a LaTeX formula: an expression, a Chain, or a System of several relations.
 
     `symbols` are the names of the problem, drawn as `notation` says, or {LaTeX: name}, or a
     `SymbolTable`; `spellings` adds other LaTeX for a name. A full stop or comma at the end of
-    the formula is punctuation. Raises ReadError with line, column and caret, LimitError.
+    the formula is punctuation. `whole`: parts without a value (`tree.Formal`) are read too. Raises ReadError with line,
+    column and caret, LimitError.
     """
     if not isinstance(symbols, SymbolTable):
         symbols = symbol_table(symbols, notation, spellings)
     source = Source(text, place)
     tokens = _formula_tokens(text, source)
-    return source.bounded(best_reading(source, tokens, symbols, _rows))
+    found = source.bounded(best_reading(source, tokens, symbols, _rows))
+    return found if whole else latex_formal.refuse(found, source)
 
 
-def latex_ways(text: str, symbols: SymbolTable) -> Ways:
+def latex_ways(text: str, symbols: SymbolTable, *, whole: bool = False) -> Ways:
     """All readings of a formula that can be read in several ways. Raises as `read_latex`."""
     source = Source(text)
     tokens = _formula_tokens(text, source)
@@ -146,6 +149,8 @@ def latex_ways(text: str, symbols: SymbolTable) -> Ways:
     what, instead, token = met[0] if met else ("", "", tokens[0])
     error = source.error(what, token.start, token.end, instead) if met else None
     trees = tuple(source.bounded(reading.node) for reading in readings)
+    for tree in () if whole else trees:
+        latex_formal.refuse(tree, source)
     return Ways(trees, error, tuple(_parted(reading) for reading in readings))
 
 
@@ -197,25 +202,31 @@ def _rows(reader: LatexReader) -> t.Node:
     if reader.token.kind != "end":
         hint = UNKNOWN_COMMAND if reader.token.kind == "command" else ""
         raise reader.error(f"“{reader.token.text}” is not expected here", hint)
-    rows = [row for row in rows if not _is_text(row, reader)] or rows
+    rows = [_as_condition(row, reader) for row in rows if not _is_text(row)] or rows
     if len(rows) == 1 and not conditions:
         return rows[0]
-    alone = next((row for row in (*rows, *conditions) if not isinstance(row, t.Chain)), None)
+    conditions = [_as_condition(row, reader) for row in conditions]
+    alone = next((row for row in (*rows, *conditions) if not isinstance(row, (t.Chain, t.Formal))), None)
     if alone is not None:
         hint = "Begin it with the sign by which it goes on, or write a whole relation."
         raise reader.source.error("this is no relation, and nothing says how it goes on", *alone.span, hint)
     return t.System(tuple(rows), tuple(conditions), span=(0, reader.previous_end))
 
 
-def _is_text(row: t.Node, reader: LatexReader) -> bool:
-    """Is it a remark in words? Raises ReadError for words that may be a condition."""
-    words = [part for part in t.walk(row) if not isinstance(part, (t.Mul, t.Group))]
-    if not all(isinstance(part, t.Word) for part in words):
-        return False
-    if any(CONDITIONS.search(part.text) for part in words):
-        hint = r"Write it as \text{for } x > 0, or as “given” in the claim."
-        raise reader.source.error("are these words a condition?", *(row.span or (0, 1)), hint)
-    return True
+def _words(row: t.Node) -> list[t.Word]:
+    return [part for part in t.walk(row) if isinstance(part, t.Word)]
+
+
+def _is_text(row: t.Node) -> bool:
+    """Is it a remark in words, that can be no condition?"""
+    words = all(isinstance(part, (t.Mul, t.Group, t.Word)) for part in t.walk(row))
+    return words and not any(CONDITIONS.search(word.text) for word in _words(row))
+
+
+def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
+    """The row; words with what they are about are a condition that nothing can be computed of."""
+    said = not isinstance(row, (t.Chain, t.Formal)) and any(CONDITIONS.search(word.text) for word in _words(row))
+    return t.Formal("condition", (row,), span=row.span) if said else row
 
 
 def _is_condition(row: t.Node, parting: str, rows: list[t.Node], conditions: list[t.Node]) -> bool:

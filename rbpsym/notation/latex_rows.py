@@ -15,13 +15,13 @@ from rbpsym.notation.source import Source
 
 OPEN = "?"  # the text of a row token where a sum or product may go on
 GAP = "gap"  # the text of a row token made by a wide gap, behind which a condition may stand
-RELATIONS = frozenset(("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\to"))
+RELATIONS = frozenset(("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\to", r"\propto", r"\sim", r"\ll", r"\gg", r"\in"))
 _JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which nothing begins
-_SIGNS = frozenset((*RELATIONS, *_JOINING, "-"))
+_SIGNS = frozenset((*RELATIONS, *_JOINING, "-", r"\pm", r"\mp"))
 ARROW = r"\to"
 _CUT = (r"\left.", r"\right.")
 _HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
-_DEEPER, _HIGHER = frozenset("([{") | {r"\{", COLUMN}, frozenset(")]}") | {r"\}", END_COLUMN}
+_DEEPER, _HIGHER = frozenset("([{⟨") | {r"\{", COLUMN}, frozenset(")]}⟩") | {r"\}", END_COLUMN}
 _CELLED = frozenset(("array", "cases"))  # whose rows may be no sum, but the values of a vector or by cases
 
 
@@ -105,7 +105,9 @@ class _Layout:
         """The end of a row, or a word that joins relations."""
         before, behind = self._near(k, -1), self._near(k, 1)
         if self.columns and self.depth == self.columns[-1]:
-            return None if behind and behind.text == END_COLUMN else replace(token, kind="sign", text=NEXT)
+            if not token.text.startswith("\\") or (behind and behind.text == END_COLUMN):
+                return None
+            return replace(token, kind="sign", text=NEXT)
         if not token.text.startswith("\\"):
             self.parted -= self._at_edge(k, -1)  # a row may begin with a word
             return self._part(token, token.text if token.text == CONDITION else "")

@@ -35,17 +35,18 @@ _SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|L
 _INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
 _DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
 _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
-    rf"{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*\d+)*\s*,?\s*{_DOTS}\s*,?\s*(?:\d*{_INDEX}(?:\s*[-+]\s*\w)?|\d+)"
+    rf"{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}\s*,?\s*(?:\d*{_INDEX}(?:\s*[-+]\s*\w)?|\d+)"
     r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
 _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
     rf"(?<=[\s,~(])(?:\\text(?:rm)?\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}\s*)?\(?\s*(?:{_RUN})\s*\)?"
     r"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end))"
 )
-_ZERO = r"\\(?:vec|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
+_ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
 _DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
 _GAP = (
-    r"(?<=[-+=&])\{\}|\{\}(?=\s*[-+=<>&])|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
+    r"(?<=[-+=&])\{\}|\{\}(?=\s*(?:[-+=<>&]|\\[pm]{2}(?![A-Za-z])))"
+    r"|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
     r"|\\hspace\*?\s*\{[^{}]*\}"
 )
 PUNCTUATION = (",", ".", ";")
@@ -57,6 +58,7 @@ _PATTERNS = re.compile(
     rf"|(?P<silent>{_SILENT})"
     rf"|(?P<gap>{_GAP})"
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
+    r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
     r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
     r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
     rf"|\{{\s*\\rm\s+(?:{'|'.join(FUNCTION_WORDS)})\s*\}})"
@@ -67,7 +69,7 @@ _PATTERNS = re.compile(
     rf"|(?P<plain>(?<![A-Za-z\\])(?:{'|'.join(FUNCTION_WORDS)})(?=\s*(?:\(|\\left|\\[a-z])))"
     r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
     r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
-    r"|(?P<sign>:=|[-+*/=<>()\[\]{}|_^',.;&])"
+    r"|(?P<sign>:=|=:|[-+*/=<>()\[\]{}|_^',.;&!])"
 )
 _ALIASES = {
     r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
@@ -78,10 +80,11 @@ _ALIASES = {
     r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat",
     r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
     "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
-    r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
+    r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
     r"\va": r"\vec", r"\vu": r"\hat", r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
     r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
     r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
+    r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'",
 }  # fmt: skip
 JOINING = frozenset({
     "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
@@ -209,6 +212,10 @@ def _zero(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     return Token("digit", "0", start, end)
 
 
+def _gradient(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token("command", r"\nabla", start, end)
+
+
 def _degree(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     return Token("sign", "°", start, end)
 
@@ -225,16 +232,18 @@ def _command(source: Source, kind: str, text: str, start: int, end: int) -> Toke
     return Token("command" if text.startswith("\\") else "sign", text, start, end)
 
 
-def _is_column(whole: str, text: str, start: int, end: int) -> bool:
-    """Is it an array of one column in brackets (or its end): [\\begin{array}{c} a \\\\ b \\end{array}]?"""
+def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
+    """Is it (or its end) an array in brackets, or what a relation gives by cases, and no rows of relations?"""
     if text.startswith(r"\end"):
-        return re.compile(r"\s*(?:\\right\s*)?[\])]").match(whole, end) is not None
-    return whole[:start].rstrip()[-1:] in ("[", "(") and re.search(r"\{\s*[lcr]\s*\}$", text) is not None
+        start = whole.rfind(rf"\begin{{{name}}}", 0, start)
+    before = whole[: max(start, 0)].rstrip().removesuffix(r"\displaystyle").rstrip(" &")
+    return before[-1:] == "=" if name in ("cases", "dcases") else before[-1:] in ("[", "(", "|")
 
 
 def _environment(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     name = re.search(r"\{([^{}]*)\}", text)[1]
-    if name.removesuffix("*") in _COLUMNS or (name == "array" and _is_column(source.text, text, start, end)):
+    in_rows = name in ("array", "cases", "dcases") and not _is_column(source.text, name, text, start, end)
+    if name.removesuffix("*") in _COLUMNS or (name in ("array", "cases", "dcases") and not in_rows):
         return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
     if name not in _ENVIRONMENTS:
         what = f"the environment “{name[:40]}” can't be read"
@@ -244,5 +253,5 @@ def _environment(source: Source, kind: str, text: str, start: int, end: int) -> 
 
 _MAKERS = {
     "text": _text, "plain": _function, "differential": _differential, "begin": _environment, "command": _command,
-    "bar": _bar, "zero": _zero, "empty": _empty, "row": _row, "degree": _degree,
+    "bar": _bar, "zero": _zero, "empty": _empty, "row": _row, "degree": _degree, "gradient": _gradient,
 }  # fmt: skip

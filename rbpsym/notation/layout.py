@@ -117,6 +117,13 @@ def _at(node: t.At, style: Style) -> b.Box:
     return b.Script(body, draw(node.condition, style.script))
 
 
+@draws(t.Formal)
+def _formal(node: t.Formal, style: Style) -> b.Box:
+    """What it is, and its parts in parentheses."""
+    parts = [box for part in node.parts for box in (b.Operator(",", "mark"), b.Space(), draw(part, style))][2:]
+    return b.Row((b.Phrase(node.kind), b.Fence("(", b.Row(tuple(parts)), ")"))) if parts else b.Phrase(node.kind)
+
+
 @draws(t.Limit)
 def _limit(node: t.Limit, style: Style) -> b.Box:
     variable = glyph_box(style.notation.glyph(node.var))

@@ -221,6 +221,14 @@ class Word(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class Formal(Node):
+    """What is read and has no value that is computed, such as a matrix, a list, or a differential; `kind` says what."""
+
+    kind: str
+    parts: tuple[Node, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Chain(Node):
     """items[0] ops[0] items[1] ops[1] ...; ops are "=", "<", ">", "<=", ">=", "!=", "~" (≈), "->".
 

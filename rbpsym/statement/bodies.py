@@ -37,7 +37,7 @@ def read_body(table: Table, name: str, scope: Scope, before: Mapping[str, Body])
     kind = kind_of_element(table, SHAPES, "shape")
     own = _own_points(table, kind, scope, where)
     points = (*kind.point_names, *own, CM)
-    table.check_keys([*_BODY_KEYS, *_kind_keys(kind), *points], where)
+    table.check_keys([*_BODY_KEYS, *keys_of(kind), *points], where)
     shape, mass = _shape(table, kind, scope, where)
     shape = replace(shape, points={**shape.points, **own})
     angle = _angle(table, kind, scope, where)
@@ -45,7 +45,8 @@ def read_body(table: Table, name: str, scope: Scope, before: Mapping[str, Body])
     return Body(name, shape, mass, placed, angle, table.string("meaning"), table.source.key(table.path))
 
 
-def _kind_keys(kind: ShapeKind) -> tuple[str, ...]:
+def keys_of(kind: ShapeKind) -> tuple[str, ...]:
+    """The keys of a shape, beside those that all bodies have."""
     extra = ("density",) if kind.density else ()
     return (*(field.name for field in kind.fields), *extra)
 
@@ -55,7 +56,7 @@ def _kind_keys(kind: ShapeKind) -> tuple[str, ...]:
 
 def _own_points(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Pair]:
     section = table.table("points", f"points of {where}")
-    taken = {*_BODY_KEYS, *_kind_keys(kind)}
+    taken = {*_BODY_KEYS, *keys_of(kind)}
     points = {}
     for name in section.names():
         check_name(name, section, key=name)
@@ -216,7 +217,7 @@ def _part(table: Table, number: int, scope: Scope, where: str) -> _Part:
     kind = kind_of_element(table, SHAPES, "shape")
     part = table.string("name") or f"part {number}"
     label = f"{part} of {where}"
-    table.check_keys([*_PART_KEYS, *_kind_keys(kind)], label)
+    table.check_keys([*_PART_KEYS, *keys_of(kind)], label)
     return _Part(table, kind, label, table.flag("removed"), _count(table, kind, scope, label))
 
 

@@ -43,7 +43,7 @@ class _Any(dict[Drawn, tuple[str, ...]]):
         return default if unit or drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) else (name_of(drawn),)
 
 
-ANY = SymbolTable(_Any())
+ANY = SymbolTable(_Any(), varies=lambda name: True)  # U(x) is hardly a product where nothing is known
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ def symbols_of(formula: Formula, paper: Paper) -> tuple[str, ...]:
     """The symbols of a display, as they are printed; () if it can't be read."""
     try:
         latex = printed(formula, paper).latex
-        trees = latex_ways(latex, ANY).trees
+        trees = latex_ways(latex, ANY, whole=True).trees
     except RbpsymError:
         return ()
     parts = (node for node in t.walk(trees[0]) if isinstance(node, (t.Sym, t.Vec)) and node.span and node.name != "pi")

@@ -74,6 +74,20 @@ def _macro(head: re.Match[str], body: str) -> Macro:
     return Macro(body, int(count or provided_count or 0), default)
 
 
+_SITE = re.compile(
+    r"""(?:^|[{,\s])r?(["']?)(\\{0,2}[A-Za-z]+)\1\s*+:\s*+(?:\[\s*+)?(r?)(["'])((?:(?!\4)[^\\\n]|\\.)*+)\4"""
+)
+
+
+def site_macros(text: str) -> str:
+    r"""The macros that the settings of a site give to MathJax or KaTeX, `"name": ["body", 1]`, as \newcommand."""
+    block = re.search(r"macros[\"']?\s*[:=]|^math:", text, re.M)
+    found = _SITE.findall(text, block.end() if block else len(text))
+    bodies = ((name.strip("\\"), body if raw else body.replace("\\\\", "\\")) for _, name, raw, _, body in found)
+    counted = ((name, max(re.findall(r"#(\d)", body), default="0"), body) for name, body in bodies)
+    return "\n".join(rf"\newcommand{{\{name}}}[{count}]{{{body}}}" for name, count, body in counted)
+
+
 def closing(text: str, start: int, most: int = sys.maxsize) -> int:
     """The offset behind the brace that closes the one at `start`. Raises ReadError if none does (so soon)."""
     depth, position = 0, start
@@ -146,7 +160,8 @@ def _once(latex: str, macros: Mapping[str, Macro]) -> tuple[str, int]:
 
 def _filled(macro: Macro, arguments: list[str]) -> str:
     """The body with its arguments; a blank keeps a command and a letter apart."""
-    body = re.sub(r"#(\d)", lambda f: arguments[int(f[1]) - 1] if int(f[1]) <= len(arguments) else f[0], macro.body)
+    body = re.sub(r"(\\[A-Za-z]+)(#\d)(?!\d)", lambda f: f"{f[1]} {f[2]}", macro.body)
+    body = re.sub(r"#(\d)", lambda f: arguments[int(f[1]) - 1] if int(f[1]) <= len(arguments) else f[0], body)
     return f"{body} " if body[-1:].isalpha() else body
 
 

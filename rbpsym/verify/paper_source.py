@@ -11,7 +11,10 @@ from pathlib import Path
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
 from rbpsym.statement.files import latin_or_utf8_in
 from rbpsym.verify.paper_formats import LATEX, NOTE, NOTE_END, lines_of
+from rbpsym.verify.paper_macros import site_macros
 
+SITES = ("conf.py", "_config.yml", "myst.yml", "_quarto.yml", "mathjax-config.js")  # where the macros of a site may be said
+_TEX = re.compile(r"""["']([\w./-]{1,200}\.tex)["']""")
 MAX_BYTES = 4 * 1024 * 1024
 MAX_LINE = 200_000
 MAX_FILES = 100
@@ -128,9 +131,13 @@ class _Files:
         """What the packages and classes hold that lie in the folder of the text, and those that they ask for."""
         found: dict[Path, str] = {}
         waiting = [text]
+        for one in (beside / name for name in SITES if (beside / name).is_file()):
+            said = self._content(one)
+            found[one] = site_macros(said)
+            waiting += [rf"\usepackage{{{name}}}" for name in _TEX.findall(said)]
         while waiting and len(found) < MAX_FILES:
             names = [name.strip() for group in _PACKAGE.findall(waiting.pop()) for name in group.split(",")]
-            for one in (beside / f"{name}{end}" for name in names for end in (".sty", ".cls")):
+            for one in (beside / f"{name}{end}" for name in names for end in (".sty", ".cls", "")):
                 inside = one.resolve().is_relative_to(self.folder)
                 if inside and one.is_file() and one not in found:
                     found[one] = "\n".join(_COMMENT.sub(r"\1", line) for line in self._content(one).split("\n"))

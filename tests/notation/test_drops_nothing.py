@@ -67,7 +67,7 @@ REFUSED = {
     r"\ddot y &= g & \ddot x &= g \\ &= a & &= a": "which relation",
     r"x = (h + b \\ r)": "product",
     r"x = h - \\ - b": "a sign begins the next",
-    r"\left(\begin{array}{cc} h & -b \end{array}\right)": "environment",
+    r"\left(\begin{array}{cc} h & -b \\\\ b & h \end{array}\right)": "environment",
     r"\begin{array}{cc} h & -b \end{array}": "“&”",
     r"\ddot x = h, \quad x = 0, \theta": "",
     r"\ddot x = h, \quad x = 0, 1": "",

@@ -3,8 +3,9 @@ r"""What physicists write: forms and packages are read as what they mean, or ref
 import pytest
 
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.latex_reader import latex_ways, read_latex
 from rbpsym.notation.text import to_text
+from rbpsym.verify.paper_draft import ANY
 
 NAMES = {
     **{name: name for name in ("x", "v", "m", "g", "F", "a", "b", "k", "T", "t", "N", "R", "I")},
@@ -82,8 +83,8 @@ REFUSED = [
     (r"x = \qty{9.8}{\metre}", "unit"),
     (r"dx = v dt", "Write rates"),
     (r"x = \begin{pmatrix} a & b \\ k & g \end{pmatrix}", "each row"),
-    (r"x = k(a, b + g)", "several things"),
-    (r"T = \sum_{i=1}^3 m", "only a sum over all"),
+    (r"x = k(a, b + g)", "a value of a function"),
+    (r"T = \sum_{i=0}^N m", "only a sum over all"),
     (r"a = b \quad \text{(for small angles)}", "a condition"),
     (r"a = b \quad \text{at the start}", "a condition"),
     (r"x = \foo", "newcommand"),
@@ -97,6 +98,45 @@ def test_it_is_refused_with_what_to_write(latex, told):
     with pytest.raises(RbpsymError, match=told) as caught:
         read(latex)
     assert caught.value.instead
+
+
+FORMAL = {  # read whole, without a value
+    r"x = a \pm b": "x = a + ±(b)",
+    r"\sum_{i=1}^3 m_i v_i = 0": "(m₁v₁ + m₂v₂ + m₃v₃) = 0",
+    r"\sum_{i=0}^n i x_i = \sum_{j\neq i}^{N} F_{ij}": "sum(ixᵢ, i = 0, n) = sum(Fᵢⱼ, j ≠ i, N)",
+    r"\sum_{i=1}^2 m_{i+1} = M": "sum(mᵢₚₗᵤₛ₁, i = 1, 2) = M",
+    r"dU = T dS - p dV": "differential(U) = Tdifferential(S) − pdifferential(V)",
+    r"f(x, y+1, 0) = F(\sin v, k) = H(0, k)": "value(f, x, y + 1, 0) = value(F, sin v, k) = value(H, 0, k)",
+    r"\begin{bmatrix} a & b\\ c & k\end{bmatrix} x = 0": "matrix(row(a, b), row(c, k)) x = 0",
+    r"F = \begin{cases} a & x > 0 \\ b & \text{otherwise} \end{cases}": "F = cases(row(a, x > 0), row(b, otherwise))",
+    r"\boldsymbol{\nabla} \cdot \vec F = -\nabla U": "∇ · F⃗ = −∇U",
+    r"\int_C \vec F\cdot d\vec r = 0": "integral(F⃗ · differential(r⃗), C) = 0",
+    r"\frac{dU}{dx}\bigg|_{x=a}(x-a) = \left.f\right|_0^1": "dU/dx|_(x = a)(x − a) = between(f, 0, 1)",
+    r"{}^N\bar{v}^P = \langle a, b\rangle + \langle v^2\rangle": "v̄_N^P = list(a, b) + mean(v²)",
+    r"\ddot x \approx -x \quad \text{for small } x": "ẍ ≈ −x\n  condition(for small x)",
+    r"= a + n!": "continued = a + factorial(n)",
+    r"\lim_{\Delta t\to 0} \frac{\Delta p}{\Delta t} = F": "limit(Δp/(Δt), Δt → 0) = F",
+    r"c = \tr(U)^2 - \tr(U^2)": "c = (tr(U))² − tr(U²)",
+    r"x \propto U(x)": "∝(x, U)",
+    r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s²)",
+    r"\left(\frac{d^2}{dt^2} + k\right) x = \det A": "(d²/dt²(operator) + k) x = det(A)",
+}
+
+
+@pytest.mark.parametrize("latex", FORMAL)
+def test_what_has_no_value_is_read_whole_and_said_where_a_value_is_wanted(latex):
+    first, *_ = latex_ways(latex, ANY, whole=True).trees
+    assert to_text(first) == FORMAL[latex]
+    if "sum_{i=1}^3" not in latex:
+        with pytest.raises(RbpsymError) as caught:
+            latex_ways(latex, ANY)
+        assert caught.value.instead
+
+
+@pytest.mark.parametrize("latex", [r"S = \int_0^1 p dq - H dt", r"x = a + f|_0^1"])
+def test_how_far_a_sign_reaches_is_not_guessed(latex):
+    with pytest.raises(RbpsymError, match=r"belong to the integral|how much of this sum"):
+        latex_ways(latex, ANY, whole=True)
 
 
 @pytest.mark.parametrize("latex", [r"m d = a", r"m d \sin\theta = a", r"\frac{d}{2} = a", r"d^2 = a", r"k d_1 = a"])
