@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 from rbpsym.derivation.step import Derivation
@@ -17,13 +17,12 @@ FILE = "problem.toml"
 MOST = 6  # statements of different physics
 
 
-@dataclass
 class Worked:
     """What was found out about a statement; the derivation when it is first asked for."""
 
-    physics: Problem
-    study: Study
-    derivation: Derivation | None = None
+    def __init__(self, physics: Problem, study: Study) -> None:
+        self.physics, self.study = physics, study
+        self.derivation: Derivation | None = None
 
     def told(self, problem: Problem) -> Study:
         """The mechanics with all that is known of it, under the words of this statement."""
