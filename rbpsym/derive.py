@@ -27,13 +27,13 @@ THERE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, f
 AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, work_energy.write_done, oscillations.write, course.write)
 
 
-def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
+def derive(problem: Problem, *, simulation: bool = True, study: Study | None = None) -> Derivation:
     """The derivation of a problem, each step with its certificate.
 
-    With `simulation`, the numerical oracle is run as well. Raises StatementError if the
+    With `simulation`, the numerical oracle is run as well; `study` is its mechanics, if it was made. Raises StatementError if the
     statement does not determine the motion.
     """
-    first = _derived(study_of(problem), simulation)
+    first = _derived(study or study_of(problem), simulation)
     if not problem.phases:
         return first
     try:

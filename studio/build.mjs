@@ -33,8 +33,8 @@ async function archive() {
     py.FS.mount(py.FS.filesystems.NODEFS, { root: folder }, "/src/" + name);
   }
   py.runPython(`import sys; sys.path[:0] = ["/src", "/src/pack"]; sys.dont_write_bytecode = True; import pack_engine`);
-  py.runPython(`pack_engine.pack("/engine.zip", "/data.zip")`);
-  return ["/engine.zip", "/data.zip"].map((name) => py.FS.readFile(name));
+  py.runPython(`pack_engine.pack("/engine.zip", "/data.zip", "/scene.css")`);
+  return ["/engine.zip", "/data.zip", "/scene.css"].map((name) => py.FS.readFile(name));
 }
 
 // --- the site
@@ -42,7 +42,7 @@ async function archive() {
 rmSync(out, { recursive: true, force: true });
 const began = Date.now();
 for (const name of ENGINE) { mkdirSync(join(out, "pyodide"), { recursive: true }); cpSync(join(here, "node_modules", "pyodide", name), join(out, "pyodide", name)); }
-const [modules, contents] = await archive();
+const [modules, contents, scene] = await archive();
 const py = put(`py/engine.${hashed(modules)}.zip`, modules), data = put(`py/data.${hashed(contents)}.zip`, contents);
 const version = JSON.parse(readFileSync(join(here, "node_modules", "pyodide", "package.json"))).version;
 const files = { py, data, key: `snapshot-${version}-${hashed(py + data)}`, snapshots: process.env.STUDIO_SNAPSHOTS !== "0" };
@@ -52,7 +52,8 @@ const workerName = put(`worker.${hashed(worker)}.js`, worker);
 const bundled = await build({ entryPoints: [join(here, "src", "app.js")], bundle: true, minify: true, format: "esm", write: false, target: "es2022", logLevel: "error" });
 const app = bundled.outputFiles[0].text.replace("./WORKER", "./" + workerName);
 const appName = put(`app.${hashed(app)}.js`, app);
-const style = source("style.css"), styleName = put(`style.${hashed(style)}.css`, style);
+const font = readFileSync(join(root, "templates", "math.woff2")), fontName = put(`math.${hashed(font)}.woff2`, font);
+const style = source("style.css").replace("FONT", fontName) + new TextDecoder().decode(scene), styleName = put(`style.${hashed(style)}.css`, style);
 put("index.html", source("index.html").replace("STYLE", styleName).replace("APP", appName));
 put("frame.html", source("frame.html"));
 

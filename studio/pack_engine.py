@@ -27,7 +27,7 @@ def touch() -> None:
     """Everything that the page asks for, once."""
     for name in TOUCHED:
         text = call(do="statement", name=name)["text"]
-        for do in ("notes", "answers", "explorer"):
+        for do in ("glance", "notes", "answers", "explorer", "letters"):
             call(do=do, text=text)
     call(do="check", text=text, paper=r"\[ \ddot x = g \]")
     for kind in ("html", "tex", "md", "ipynb", "typ"):
@@ -67,9 +67,14 @@ def data():
     yield SRC / "sympy/__init__.py", "sympy/__init__.py"  # its list of names is read (`sympy_bridge`)
 
 
-def pack(code: str, rest: str) -> None:
-    """Writes the archives of the modules and of the data."""
+def pack(code: str, rest: str, looks: str) -> None:
+    """Writes the archives of the modules and of the data, and how figures look."""
     touch()
+    from rbpsym.document.figures.svg import color_rules
+
+    sheet = (SRC / "templates/notes.css").read_text(encoding="utf-8").splitlines()
+    rules = [line for line in sheet if line.startswith((".scene", ".fill-none", ".dot-accent"))]
+    Path(looks).write_text("\n".join([color_rules(), *rules, ""]), encoding="utf-8")
     found = [(name[:-3] + ".pyc", compiled(path, name)) for path, name in modules()]
     for target, files in ((code, found), (rest, [(name, path.read_bytes()) for path, name in data()])):
         with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:

@@ -42,8 +42,11 @@ def own_answers(study: Study) -> Iterator[Answer | Refused]:
     """What the problem of a study asks itself, each with its answer or with the sentence why there is none."""
     asked, questions = Asked(study.problem, study), study.problem.questions
     for place, text in enumerate(questions, 1):
+        letter = LETTER if len(questions) == 1 else f"{LETTER}_{place}"
         try:
-            yield answered(asked, text, LETTER if len(questions) == 1 else f"{LETTER}_{place}")
+            if (text, letter) not in study.answered:
+                study.answered[text, letter] = answered(asked, text, letter)
+            yield study.answered[text, letter]
         except RbpsymError as error:
             yield Refused(text, error.what)
 

@@ -85,6 +85,8 @@ class Context:
 
         parts = integrand.num.by_power(atoms.intern("symbol", self.radius))
         moments = self.moments[body]
+        if unknown := parts.keys() - moments:
+            raise Undecided(f"∫ {self.radius}^{min(unknown)} dm of “{body}” is not known")
         return sum((Scalar(part) * moments[power] for power, part in parts.items()), NOTHING)
 
     def parts(self, node: Node, *kinds: type[Node]) -> tuple[Node, ...]:

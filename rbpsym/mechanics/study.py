@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from rbpsym.algebra import (
     COEFFICIENT,
@@ -47,6 +48,11 @@ class Study:
     def system(self) -> System:
         """Kinematics and forces."""
         return assemble(self.problem)
+
+    @kept
+    def answered(self) -> dict[tuple[str, str], Any]:
+        """Answers to questions by their words and letter: kept by those who ask."""
+        return {}
 
     @kept
     def letters(self) -> Letters:

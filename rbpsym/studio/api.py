@@ -17,17 +17,22 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from rbpsym.algebra import Scalar
+from rbpsym.algebra.present import present
 from rbpsym.derivation.step import Derivation
-from rbpsym.derive import derive
 from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import Notation
+from rbpsym.notation.mathml import to_mathml
 from rbpsym.statement.library import library_folder, problem_files
-from rbpsym.statement.loader import load_text
+from rbpsym.studio.kept import FILE, derived, problem_of, study
 
 FORMATS = ("html", "tex", "md", "ipynb", "typ")  # of notes; PDF where Typst is installed
 SHEETS = ("html", "tex", "moodle", "qti", "canvas", "prairielearn", "gift")
 DETAILS = ("brief", "standard", "full")
-FILE = "problem.toml"
 Answer = Mapping[str, Any]
+GLANCE = 90  # nodes of a formula
 NONE: list[str] = []
 
 
@@ -80,12 +85,6 @@ def schema() -> Answer:
     }  # fmt: skip
 
 
-@lru_cache(maxsize=8)
-def derived(text: str) -> Derivation:
-    """The derivation of a statement; the last ones are kept."""
-    return derive(load_text(text, FILE), simulation=False)
-
-
 # --- operations
 
 
@@ -124,38 +123,56 @@ def notes(text: str, language: str = "en", detail: str = "standard") -> Answer:
     }
 
 
-def answers(text: str, language: str = "en") -> Answer:
-    """{figure, answers}: the system drawn (HTML), and [{question, shown, verdict, says, where}], `shown` and `where` MathML."""
+def glance(text: str, language: str = "en") -> Answer:
+    """{title, figure, alt, motion, forces}: what is known at once: the drawing (SVG); accelerations and forces as MathML."""
     from rbpsym.document.figures.svg import to_svg
-    from rbpsym.document.model import FigureBlock
-    from rbpsym.document.notes import notes as written
-    from rbpsym.document.numbering import parts
+    from rbpsym.document.notes_figures import system_figure
+    from rbpsym.document.words import Words
 
-    derivation = derived(text)
-    document = written(derivation, language, "brief")
-    blocks = (part for section in document.sections for part in parts(section.blocks))
-    figure = next((one for one in blocks if isinstance(one, FigureBlock) and one.scenes), None)
-    drawn = "".join(to_svg(scene, document.notation) for scene in figure.scenes) if figure else ""
-    return {"figure": drawn, "alt": figure.alt if figure else "", "answers": list(map(_told, _asked(derivation)))}
+    known = study(text)
+    said = Words(language, known.problem)
+    motion, forces = _solved(known, said.notation)
+    drawn = None if known.problem.is_at_rest else system_figure(Derivation(known, ()), said)
+    return {
+        "title": known.problem.title.get(language) or known.problem.name,
+        "figure": "".join(to_svg(scene, said.notation) for scene in drawn.scenes) if drawn else "",
+        "alt": drawn.alt if drawn else "",
+        "motion": motion,
+        "forces": forces,
+    }
 
 
-def _asked(derivation: Derivation) -> list[Any]:
+def _solved(known: Study, notation: Notation) -> tuple[list[str], list[str]]:
+    """Accelerations and unknown forces as the free bodies give them; the equations of motion where these stay coupled."""
+    found = known.solved
+    coupled = known.motion_rows if found.accelerations is None else ()
+    motion = [t.equation(present(row, known.style), t.ZERO) for row in coupled]
+    motion += _values(found.accelerations or {}, known)
+    shown = [[to_mathml(node, notation) for node in nodes] for nodes in (motion, _values(found.reactions, known))]
+    return shown[0], shown[1]
+
+
+def _values(found: Mapping[str, Scalar], known: Study) -> list[t.Node]:
+    """Each value by its name; what would be longer than a glance is left to the notes."""
+    nodes = [t.equation(t.Sym(name), present(value, known.style, factor=True)) for name, value in found.items()]
+    return [node for node in nodes if sum(1 for _ in t.walk(node)) <= GLANCE]
+
+
+def answers(text: str) -> list[Answer]:
+    """[{question, shown, verdict, says, where}]: each question with its answer, `shown` and `where` as MathML."""
     from rbpsym.ask.asking import own_answers
 
-    return list(own_answers(derivation.study))
+    return list(map(_told, own_answers(study(text))))
 
 
 def _told(found: Any) -> Answer:
     """A question with its answer, or with the reason why there is none."""
     from rbpsym.ask.asking import Refused
-    from rbpsym.notation.glyphs import Notation
-    from rbpsym.notation.mathml import to_mathml
-    from rbpsym.notation.tree import Sym, relation
 
     if isinstance(found, Refused):
         return {"question": found.text, "shown": [], "verdict": "", "says": found.reason, "where": []}
     notation = Notation(found.study.problem.notation)
-    named = [relation(Sym(found.symbol), "=", node) if found.symbol else node for node in found.nodes]
+    named = [t.equation(t.Sym(found.symbol), node) if found.symbol else node for node in found.nodes]
     plain = "" if found.holds_so is None else ("yes" if found.holds_so else "no")
     return {
         "question": found.question.text,
@@ -170,7 +187,7 @@ def explorer(text: str, language: str = "en") -> Answer:
     """{html}: the page in which the system moves."""
     from rbpsym.document.explorer.page import explorer as page
 
-    return {"html": page((load_text(text, FILE),), language)}
+    return {"html": page((problem_of(text),), language)}
 
 
 def export(text: str, format: str, language: str = "en", detail: str = "standard") -> Answer:
@@ -191,7 +208,7 @@ def worksheet(text: str, format: str, seed: str = "", language: str = "en") -> A
     from rbpsym.teaching.plan import plan_of
 
     _one_of(format, SHEETS, "format")
-    made = exporter(format)((plan_of(load_text(text, FILE)).worksheet(None, seed, language),), Options(key=True))
+    made = exporter(format)((plan_of(problem_of(text)).worksheet(None, seed, language),), Options(key=True))
     return {"files": _files(made.files), "left_out": list(made.left_out)}
 
 
@@ -207,7 +224,7 @@ def check(text: str, paper: str, suffix: str = ".tex") -> list[Answer]:
     from rbpsym.verify.paper_formats import TEXTS
 
     _one_of(suffix, tuple(TEXTS), "kind of text")
-    load_text(text, FILE)
+    problem_of(text)
     with TemporaryDirectory(prefix="rbpsym-") as name:
         problem, page = Path(name, FILE), Path(name, f"text{suffix}")
         problem.write_text(text, encoding="utf-8")
@@ -237,26 +254,37 @@ def completions() -> Answer:
 
 
 @lru_cache(maxsize=4)
-def _tutor(text: str) -> Any:
+def _tutor(text: str, language: str) -> Any:
     from rbpsym.studio.tutor import Tutor
 
-    return Tutor(derived(text))
+    return Tutor(derived(text), language)
 
 
-def judge(text: str, line: str, lines: list = NONE) -> Answer:
-    """{verdict, says, step} of a student's line, typed plainly or LaTeX; `lines` are those above it."""
-    found = _tutor(text).judge(line, lines)
-    return {"verdict": found.verdict, "says": found.says, "step": found.step}
+def letters(text: str) -> Answer:
+    """{letters}: the names that a student will type."""
+    return {"letters": _tutor(text, "en").letters}
 
 
-def hint(text: str, lines: list = NONE, depth: int = 1) -> Answer:
+def judge(text: str, line: str, lines: list = NONE, language: str = "en") -> Answer:
+    """{verdict, says, step, principle, choices} of a student's line, typed plainly or LaTeX; `lines` are those above it.
+
+    Where the line is one of the principles `choices` [{key, words}], the student may be asked which (`principle` is its key).
+    """
+    tutor = _tutor(text, language)
+    found = tutor.judge(line, lines)
+    asked = tutor.principles() if found.principle else []
+    told = {"verdict": found.verdict, "says": found.says, "step": found.step}
+    return {**told, "principle": found.principle, "choices": asked}
+
+
+def hint(text: str, lines: list = NONE, depth: int = 1, language: str = "en") -> Answer:
     """{says}: the next step that can be made, the more of it the greater the depth (1 to 3)."""
-    return {"says": _tutor(text).hint(lines, depth)}
+    return {"says": _tutor(text, language).hint(lines, depth)}
 
 
-def record(text: str, lines: list) -> Answer:
-    """{problem, lines: [{line, verdict, says}], steps}: what a student hands in."""
-    return _tutor(text).record(lines)
+def record(text: str, lines: list, language: str = "en") -> Answer:
+    """{problem, lines: [{line, verdict, says}], steps, all}: what a student hands in."""
+    return _tutor(text, language).record(lines)
 
 
 def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
@@ -266,5 +294,8 @@ def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
     one.__name__: one
-    for one in (schema, gallery, statement, notes, answers, explorer, export, worksheet, check, completions, judge, hint, record)
-}
+    for one in (
+        schema, gallery, statement, glance, notes, answers, explorer, export, worksheet, check, completions, letters, judge,
+        hint, record,
+    )
+}  # fmt: skip

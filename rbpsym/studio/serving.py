@@ -22,6 +22,7 @@ KINDS: Mapping[str, str] = {
     ".json": "application/json",
     ".wasm": "application/wasm",
     ".zip": "application/zip",
+    ".woff2": "font/woff2",
 }
 ASKED_AGAIN = ("index.html", "sw.js", "frame.html")  # the names of the others change with their content
 

@@ -1,70 +1,102 @@
-// The page: the statement at the left, what follows from it at the right, as one types.
+// The page: the statement at the left, what follows from it at the right, as one types; first what is known at once.
 import { Engine, Fault } from "./engine.js";
 import { editor, put, tell } from "./editor.js";
-import { packed, unpacked } from "./link.js";
+import { address, forExplorer, packed, unpacked, wanted } from "./link.js";
+import { frameOf, listens, tells } from "./embed.js";
+import { Form } from "./form.js";
+import { Tutor } from "./tutor.js";
+import { dress, say, speak } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 const el = (tag, props = {}, ...inner) => { const one = Object.assign(document.createElement(tag), props); one.append(...inner); return one; };
-const PAUSE = 150, PATIENCE = 4000; // ms after the last key; until an outdated derivation is ended
-const TABS = { notes: "Notes", answers: "Drawing & answers", explorer: "Explorer", export: "Export", check: "Check a text", tutor: "Tutor" };
+const PAUSE = 120, PATIENCE = 4000; // ms after the last key; until an outdated derivation is ended
+const TABS = ["notes", "answers", "explorer", "export", "check", "tutor"];
 const FIRST = "sliding-ladder";
 const NOTES = { html: "HTML", tex: "LaTeX", md: "Markdown", ipynb: "Notebook", typ: "Typst" };
 const SHEETS = { html: "HTML", tex: "LaTeX", moodle: "Moodle", qti: "QTI", canvas: "Canvas", prairielearn: "PrairieLearn", gift: "GIFT" };
 
-let tables = null, text = "", timer = 0, turn = 0, running = 0, tab = "notes", done = {}, notesPage = "";
-const marks = (window.studio = { began: performance.now(), times: [] }); // what tests and measurements read
+let tables = null, text = "", timer = 0, turn = 0, running = 0, tab = "notes", done = {}, glance = null;
+// what tests and measurements read: ms from the last key to the first sight and to the notes, and of work in the engine
+const marks = (window.studio = { began: performance.now(), times: [], glances: [], work: [] });
 
 const engine = new Engine(new URL("./WORKER", import.meta.url), (told) => {
+  if (told.worked !== undefined) return marks.work.push(told.worked);
   Object.assign((marks.boot ??= {}), told);
-  if (told.broken) status("The engine can't be started: " + told.broken);
+  if (told.broken) status(say("broken", { why: told.broken }));
 });
-const view = editor($("editor"), (now) => { text = now; clearTimeout(timer); timer = setTimeout(refresh, PAUSE); }, () => tables);
+const view = editor($("editor"), (now) => { text = now; clearTimeout(timer); timer = setTimeout(refresh, PAUSE); if (!$("form").hidden) form.show(text); }, () => tables);
+const form = new Form($("form"), el, () => tables, (now) => { put(view, now); clearTimeout(timer); refresh(); });
+const tutor = new Tutor(work, el, tells);
 
 function status(words) { $("status").textContent = words; }
 
-async function work(name, keys) {
+async function work(name, keys, passing = false) {
   running++;
   $("stop").hidden = false;
-  try { return await engine.ask(name, keys); } finally { if (!--running) $("stop").hidden = true; }
+  try { return await engine.ask(name, keys, passing); } finally { if (!--running) $("stop").hidden = true; }
 }
 
 const asked = () => ({ text, language: $("language").value });
 
-// --- notes, and what the open tab shows
+// --- what follows: the drawing and the motion at once, then what the open tab shows, then the proofs
 
 async function refresh() {
-  const mine = ++turn, began = performance.now();
+  const mine = ++turn, began = performance.now(), spent = () => Math.round(performance.now() - began);
   if (!text.trim()) return;
-  status("Deriving …");
-  const late = running && setTimeout(() => { if (mine === turn && running > 1) engine.stop(); }, PATIENCE);
+  status(say("deriving"));
+  const late = engine.drop() && setTimeout(() => { if (mine === turn) engine.stop(); }, PATIENCE);
   try {
-    const found = await work("notes", { ...asked(), detail: $("detail").value });
+    const found = await work("glance", asked(), true);
     if (mine !== turn) return;
+    clearTimeout(late);
     done = {};
-    notesPage = found.html;
-    show($("notes"), found.html);
-    document.title = `${found.title} – rbpsym studio`;
     wrong(null);
-    const { proved, steps } = found.summary, seconds = ((performance.now() - began) / 1000).toFixed(1);
-    status(`${proved} of ${steps} steps proved, ${seconds} s`);
-    marks.times.push(Math.round(performance.now() - began));
-    marks.notes ??= performance.now();
-    document.body.classList.remove("stale");
-    history.replaceState(null, "", "#p=" + await packed(text));
-    await fill();
+    glanced(found);
+    marks.glances.push(spent());
+    history.replaceState(null, "", address({ p: await packed(text), n: null, lang: $("language").value, detail: $("detail").value }));
+    await Promise.all([tab === "notes" ? null : fill(), noted(mine, began)]);
   } catch (error) {
     if (mine === turn) wrong(error);
   } finally { clearTimeout(late); }
 }
 
+function glanced(found) {
+  glance = found;
+  document.title = `${found.title} – rbpsym studio`;
+  $("figure").innerHTML = found.figure;
+  $("figure").ariaLabel = found.alt;
+  $("figure").hidden = !found.figure;
+  $("motion").innerHTML = [...found.motion, ...found.forces].map((one) => `<p>${one}</p>`).join("");
+  $("glance").hidden = !(found.figure || found.motion.length);
+  document.body.classList.remove("stale");
+}
+
+async function noted(mine, began) {
+  $("notes").classList.add("old");
+  const found = await work("notes", { ...asked(), detail: $("detail").value }, true);
+  if (mine !== turn) return;
+  show($("notes"), found.html);
+  $("notes").classList.remove("old");
+  const { proved, steps } = found.summary, ms = Math.round(performance.now() - began);
+  status(say("proved", { proved, steps, seconds: (ms / 1000).toFixed(1) }));
+  marks.times.push(ms);
+  marks.notes ??= performance.now();
+  done.notes = true;
+  tells("derived", { title: found.title, text, proved, steps });
+}
+
 function wrong(fault) {
   if (fault && !(fault instanceof Fault)) throw fault;
+  if (fault && /^(outdated|stopped)$/.test(fault.message)) return;
   const error = fault?.error;
   tell(view, error);
   $("fault").textContent = error ? error.told || error.what : "";
   $("fault").classList.toggle("bad", Boolean(error));
   document.body.classList.toggle("stale", Boolean(error));
-  if (error) status(error.line ? `Line ${error.line}: ${error.what}` : error.what);
+  if (!error) return;
+  status(error.line ? say("line", error) : error.what);
+  marks.faults = (marks.faults ?? 0) + 1;
+  tells("fault", { what: error.what, instead: error.instead, line: error.line });
 }
 
 // A page in a frame: its body is put in the place of the one before, so that one stays where one reads.
@@ -91,56 +123,58 @@ function follow(event) {
 
 const FILL = {
   async answers() {
-    const found = await work("answers", asked());
-    const page = new DOMParser().parseFromString(notesPage, "text/html");
-    const figure = el("figure", {}, el("div", { className: "scenes", role: "img", ariaLabel: found.alt, innerHTML: found.figure }));
-    const list = found.answers.map((one) => el("section", {}, el("h2", { textContent: one.question }), ...said(one)));
-    page.body.replaceChildren(el("main", {}, el("h1", { textContent: "Drawing and answers" }), ...(found.figure ? [figure] : []),
-      ...(list.length ? list : [el("p", { textContent: "The statement asks nothing; add [[ask]] with a question." })])));
-    show($("answers"), page.documentElement.outerHTML);
+    const found = await work("answers", { text }, true);
+    const figure = el("div", { className: "scenes", role: "img", ariaLabel: glance.alt, innerHTML: glance.figure });
+    const list = found.map((one) => el("section", {}, el("h2", { textContent: one.question }), ...said(one)));
+    $("answers").replaceChildren(...(glance.figure ? [figure] : []), ...(list.length ? list : [el("p", { textContent: say("asksnothing") })]));
   },
   async explorer() {
-    const frame = $("explorer"), none = $("explorer-none");
+    const none = $("explorer-none");
     try {
-      const { html } = await work("explorer", asked());
+      const { html } = await work("explorer", asked(), true), old = $("explorer"), frame = old.cloneNode();
       frame.hidden = !(none.hidden = true);
       frame.hidden = false;
       frame.onload = () => { frame.onload = null; frame.contentWindow.postMessage(html, "*"); };
-      frame.src = "./frame.html";
+      frame.src = "./frame.html#" + forExplorer();
+      old.replaceWith(frame);
     } catch (error) {
-      frame.hidden = true; none.hidden = false;
+      if (error.message === "outdated") throw error;
+      $("explorer").hidden = true; none.hidden = false;
       none.textContent = error.error.what + (error.error.instead ? " " + error.error.instead : "");
     }
   },
+  async tutor() { await tutor.open(text, glance.title); },
 };
 
 function said(one) {
   const shown = one.shown.map((math) => el("p", { innerHTML: (one.verdict === "PROVED" ? "✓ " : "? ") + math }));
-  const where = one.where.length ? [el("p", { innerHTML: "where " + one.where.join(", ") })] : [];
+  const where = one.where.length ? [el("p", { innerHTML: say("where") + " " + one.where.join(", ") })] : [];
   return [...shown, ...(one.says ? [el("p", { textContent: one.says })] : []), ...where];
 }
 
 async function fill() {
-  if (done[tab] || !FILL[tab] || document.body.classList.contains("stale")) return;
-  done[tab] = true;
-  try { await FILL[tab](); } catch (error) { done[tab] = false; if (error.message !== "stopped") wrong(error); }
+  const name = tab;
+  if (done[name] || !FILL[name] || !glance || document.body.classList.contains("stale")) return;
+  done[name] = true;
+  try { await FILL[name](); } catch (error) { done[name] = false; wrong(error); }
 }
 
 function choose(name, focus) {
   tab = name;
-  for (const key of Object.keys(TABS)) {
+  for (const key of TABS) {
     const button = $("tab-" + key), is = key === name;
     button.setAttribute("aria-selected", is);
     button.tabIndex = is ? 0 : -1;
     $("panel-" + key).hidden = !is;
     if (is && focus) button.focus();
   }
-  fill();
+  history.replaceState(null, "", address({ tab: name === "notes" ? null : name }));
+  return fill();
 }
 
 function moved(event) {
-  const keys = Object.keys(TABS), step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-  if (step) choose(keys[(keys.indexOf(tab) + step + keys.length) % keys.length], true);
+  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+  if (step) choose(TABS[(TABS.indexOf(tab) + step + TABS.length) % TABS.length], true);
 }
 
 // --- export and check
@@ -155,11 +189,11 @@ function save(name, content, is64) {
 }
 
 async function exported(name, keys) {
-  $("exported").textContent = "Writing …";
+  $("exported").textContent = say("writing");
   try {
     const { files, left_out } = await work(name, { ...asked(), ...keys });
     for (const file of files) save(file.name, file.content, file.base64);
-    $("exported").textContent = [`Saved: ${files.map((file) => file.name).join(", ")}.`, ...left_out].join(" ");
+    $("exported").textContent = [say("saved", { files: files.map((file) => file.name).join(", ") }), ...left_out].join(" ");
   } catch (error) { $("exported").textContent = error.error?.told ?? String(error); }
 }
 
@@ -167,77 +201,90 @@ async function decided() {
   const box = $("decided");
   try {
     const found = await work("check", { text, paper: $("paper").value });
-    const head = el("tr", {}, ...["Line", "Formula", "Verdict", "Why"].map((word) => el("th", { scope: "col", textContent: word })));
-    const rows = found.map((one) => el("tr", {}, ...[one.line, one.latex, one.outcome, one.detail + (one.fix ? ` – write: ${one.fix}` : "")]
+    const head = el("tr", {}, ...["line", "formula", "verdict", "why"].map((word) => el("th", { scope: "col", textContent: say("col." + word) })));
+    const rows = found.map((one) => el("tr", {}, ...[one.line, one.latex, one.outcome, one.detail + (one.fix ? say("write", one) : "")]
       .map((cell, k) => el("td", { textContent: cell, className: k === 2 ? { PROVED: "good", REFUTED: "bad" }[cell] ?? "" : "" }))));
-    box.replaceChildren(found.length ? el("table", {}, head, ...rows) : "No formula was found: write it between \\[ and \\], or between dollars.");
+    box.replaceChildren(found.length ? el("table", {}, head, ...rows) : say("noformula"));
   } catch (error) { box.textContent = error.error?.told ?? String(error); }
-}
-
-// --- the tutor
-
-const student = { lines: [], seen: "", hints: [] };
-async function tutored(name, keys) {
-  if (student.seen !== text) { Object.assign(student, { lines: [], seen: text, hints: [] }); $("lines").replaceChildren(); }
-  let found;
-  try { found = await work(name, { text, lines: student.lines, ...keys }); } catch (error) { found = { verdict: "", says: error.message }; }
-  $("lines").append(el("li", { className: found.verdict === "wrong" ? "bad" : /^true/.test(found.verdict) ? "good" : "" },
-    el("code", { textContent: keys.line ?? "a hint:" }), " ", el("strong", { textContent: found.verdict ?? "" }), " ", found.says));
-  return found;
-}
-async function lined(event) {
-  event.preventDefault();
-  const line = $("line").value.trim();
-  if (!line) return;
-  const found = await tutored("judge", { line });
-  student.lines.push(line);
-  student.depth = 0;
-  if (found.verdict !== "unread") $("line").value = "";
 }
 
 // --- beginning
 
 async function opened() {
-  const code = /^#p=([\w-]+)$/.exec(location.hash)?.[1];
-  if (code) try { return put(view, await unpacked(code)); } catch { status("The link can't be read; here is a problem of the library."); }
-  await started(FIRST);
+  const keys = wanted();
+  if (keys.get("p")) try { return put(view, await unpacked(keys.get("p"))); } catch { status(say("badlink")); }
+  await started(keys.get("n") || FIRST);
 }
 
-async function started(name) { put(view, (await engine.ask("statement", { name })).text); }
+async function started(name) {
+  try { put(view, (await engine.ask("statement", { name })).text); } catch (error) { wrong(error); if (name !== FIRST) await started(FIRST); }
+}
 
 function buttons(parent, formats, write) {
   $(parent).append(...Object.entries(formats).map(([format, label]) => el("button", { type: "button", textContent: label, onclick: () => write(format) })));
 }
 
-$("tabs").append(...Object.entries(TABS).map(([key, label]) => {
-  const button = el("button", { id: "tab-" + key, type: "button", role: "tab", textContent: label, onclick: () => choose(key) });
+async function copied(content) {
+  try { await navigator.clipboard.writeText(content); status(say("copied")); } catch { status(content); }
+}
+
+function asForm(is) {
+  $("form").hidden = !is;
+  $("editor").hidden = is;
+  $("asform").setAttribute("aria-pressed", is);
+  $("astext").setAttribute("aria-pressed", !is);
+  if (is) form.show(text);
+}
+
+function dressed() {
+  speak($("language").value);
+  document.documentElement.lang = $("language").value;
+  dress();
+}
+
+const keys = wanted(), only = keys.get("only");
+$("language").value = keys.get("lang") ?? (navigator.language.startsWith("es") ? "es" : "en");
+if (keys.get("detail")) $("detail").value = keys.get("detail");
+if (only) document.body.classList.add("only");
+$("tabs").append(...TABS.map((key) => {
+  const button = el("button", { id: "tab-" + key, type: "button", role: "tab", onclick: () => choose(key) });
+  button.dataset.w = key;
   button.setAttribute("aria-controls", "panel-" + key);
   return button;
 }));
 $("tabs").addEventListener("keydown", moved);
-choose("notes");
+dressed();
+status(say("starting"));
+choose(TABS.find((one) => one === (only ?? keys.get("tab"))) ?? "notes");
 buttons("formats", NOTES, (format) => exported("export", { format, detail: $("detail").value }));
 buttons("sheets", SHEETS, (format) => exported("worksheet", { format, seed: $("seed").value }));
 $("save").onclick = () => save("problem.toml", text);
 $("decide").onclick = decided;
-$("line-form").onsubmit = lined;
-$("hint").onclick = () => tutored("hint", { depth: (student.depth = (student.depth || 0) + 1) });
-$("record").onclick = async () => { const found = await engine.ask("record", { text, lines: student.lines }); save("record.json", JSON.stringify(found, null, 2)); };
-$("detail").onchange = $("language").onchange = refresh;
+$("record").onclick = async () => save("record.json", JSON.stringify(await engine.ask("record", { text, lines: tutor.lines }), null, 2));
+$("detail").onchange = refresh;
+$("language").onchange = () => { dressed(); refresh(); };
 $("stop").onclick = () => engine.stop();
+$("asform").onclick = () => asForm(true);
+$("astext").onclick = () => asForm(false);
 $("gallery").onchange = () => $("gallery").value && started($("gallery").value);
-$("link").onclick = async () => {
-  const address = location.href.split("#")[0] + "#p=" + await packed(text);
-  try { await navigator.clipboard.writeText(address); status("The link is copied; the problem travels in it."); } catch { status(address); }
-};
+$("link").onclick = async () => copied(address({ p: await packed(text), only: null }));
+$("embed").onclick = async () => copied(frameOf(address({ p: await packed(text), only: tab, tab: null }), document.title));
 addEventListener("hashchange", opened);
+listens({
+  open: ({ text: given, name }) => (name ? started(name) : put(view, given)),
+  show: ({ tab: name }) => TABS.includes(name) && choose(name),
+  ask: ({ request: { do: name, ...rest } }) => work(name, { text, ...rest }),
+  set: (data) => $("explorer").contentWindow.postMessage(data, "*"),
+  state: async () => ({ text, tab, link: address({ p: await packed(text) }) }),
+}, () => $("explorer"));
 
 opened();
-engine.ask("completions").then((found) => { tables = found; });
+engine.ask("completions").then((found) => { tables = found; if (!$("form").hidden) form.show(text); });
 engine.ask("gallery").then((cards) => {
   for (const topic of new Set(cards.map((card) => card.topic))) {
     const own = cards.filter((card) => card.topic === topic).map((card) => el("option", { value: card.name, textContent: card.title }));
     $("gallery").append(el("optgroup", { label: topic }, ...own));
   }
 });
+tells("ready");
 if ("serviceWorker" in navigator) navigator.serviceWorker.register("./sw.js").then(() => navigator.serviceWorker.ready).then(() => { marks.kept = performance.now(); });

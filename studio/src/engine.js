@@ -1,11 +1,13 @@
-// The engine as the page sees it: ask(name, keys) gives a promise; stop() ends what runs and starts anew.
+// The engine as the page sees it: ask(name, keys) gives a promise; one request is with the worker at a time. What was asked
+// `passing` is of no use once the statement has changed: drop() takes it out of the queue; stop() ends what runs, too.
 export class Fault extends Error {
   constructor(error) { super(error.what); this.error = error; }
 }
+const gone = (what) => new Fault({ what, told: "", line: 0 });
 
 export class Engine {
   constructor(url, told) {
-    this.url = url; this.told = told; this.number = 0; this.waiting = new Map();
+    this.url = url; this.told = told; this.queue = []; this.running = null;
     this.start();
   }
 
@@ -16,27 +18,41 @@ export class Engine {
   }
 
   heard(data) {
-    if (data.id === undefined) return this.told(data);
-    const { resolve, reject } = this.waiting.get(data.id) ?? {};
-    this.waiting.delete(data.id);
-    if (!resolve) return;
+    if (!data.done) return this.told(data);
+    const { resolve, reject } = this.running;
+    this.running = null;
+    this.next();
     if (data.broken) return reject(new Fault({ what: "the engine met a fault of its own: " + data.broken, told: data.broken, line: 0 }));
     const answer = JSON.parse(data.answer);
+    this.told({ worked: data.worked });
     if (answer.error) reject(new Fault(answer.error)); else resolve(answer.ok);
   }
 
-  ask(name, keys = {}) {
-    const id = ++this.number;
+  next() {
+    if (this.running || !this.queue.length) return;
+    this.running = this.queue.shift();
+    this.worker.postMessage(this.running.request);
+  }
+
+  ask(name, keys = {}, passing = false) {
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve, reject });
-      this.worker.postMessage({ id, request: JSON.stringify({ do: name, ...keys }) });
+      this.queue.push({ resolve, reject, passing, request: JSON.stringify({ do: name, ...keys }) });
+      this.next();
     });
+  }
+
+  /** True if what runs is outdated, too. */
+  drop() {
+    const old = this.queue.filter((one) => one.passing);
+    this.queue = this.queue.filter((one) => !one.passing);
+    for (const one of old) one.reject(gone("outdated"));
+    return Boolean(this.running?.passing);
   }
 
   stop() {
     this.worker.terminate();
-    for (const { reject } of this.waiting.values()) reject(new Fault({ what: "stopped", told: "", line: 0 }));
-    this.waiting.clear();
+    for (const one of [this.running, ...this.queue]) one?.reject(gone("stopped"));
+    Object.assign(this, { queue: [], running: null });
     this.start();
   }
 }

@@ -1,4 +1,6 @@
-// A text in the fragment of the address: deflated, in base64url.
+// What stands behind the # of the address: p (a statement, deflated, in base64url) or n (a problem of the library), tab, lang,
+// detail, only (one panel without the rest, for a frame); what else there is belongs to the explorer (numbers, t).
+const OWN = ["p", "n", "tab", "lang", "detail", "only"];
 const through = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 
 export async function packed(text) {
@@ -9,4 +11,20 @@ export async function packed(text) {
 export async function unpacked(code) {
   const bytes = Uint8Array.from(atob(code.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
   return new TextDecoder("utf-8", { fatal: true }).decode(await through(bytes, new DecompressionStream("deflate-raw")));
+}
+
+export const wanted = () => new URLSearchParams(location.hash.slice(1));
+
+/** The part of the address that the explorer reads. */
+export function forExplorer() {
+  const rest = wanted();
+  for (const key of OWN) rest.delete(key);
+  return rest.toString();
+}
+
+/** The same address with other values; what is null is taken out. */
+export function address(values) {
+  const keys = wanted();
+  for (const [key, value] of Object.entries(values)) if (value === null || value === undefined) keys.delete(key); else keys.set(key, value);
+  return location.href.split("#")[0] + "#" + keys;
 }

@@ -91,9 +91,10 @@ const booted = boot();
 onmessage = async ({ data }) => {
   try {
     await booted;
-    postMessage({ id: data.id, answer: call(data.request) });
-    if (keeping && data.request.includes('"do":"notes"')) { keeping(); keeping = null; }
+    const began = performance.now(), answer = call(data);
+    postMessage({ done: true, answer, worked: Math.round(performance.now() - began) });
+    if (keeping && data.includes('"do":"notes"')) { keeping(); keeping = null; }
   } catch (error) {
-    postMessage({ id: data.id, broken: String(error && error.message || error) });
+    postMessage({ done: true, broken: String(error && error.message || error) });
   }
 };

@@ -319,7 +319,7 @@ def test_it_is_worked_by_keyboard_alone(tmp_path: Path) -> None:
     for found in met(tmp_path, {"file": page, "act": "keys"}, {"file": page, "act": "keys", "width": 360}):
         order, after = found["order"], found["after"]
         ids = [one["id"] for one in order]
-        assert ids[:5] == ["play", "restart", "speed", "time", "place-0-theta"]
+        assert ids[:6] == ["play", "restart", "speed", "time", "curves-kind", "place-0-theta"]
         assert ids[-1] == "reset"
         assert sum(one.startswith("number-") for one in ids) == 4
         assert all(one["name"] for one in order)

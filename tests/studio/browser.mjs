@@ -31,8 +31,18 @@ const end = async (text) => { await page.click("#editor .cm-content"); await pag
 await end('\n[[ask]]\nquestion = "N_f at the start"\n');
 await noted(2);
 await page.click("#tab-answers");
-await page.frameLocator("#answers").getByText("N_f at the start").waitFor({ timeout: 30000 });
-seen.edited = await page.frameLocator("#answers").locator("h2").count();
+await page.locator("#answers").getByText("N_f at the start").waitFor({ timeout: 30000 });
+seen.edited = await page.locator("#answers h2").count();
+seen.glance = await page.evaluate(() => [document.querySelectorAll("#figure svg").length, document.querySelectorAll("#motion math").length]);
+
+// the same as a form: a value that is changed there is changed in the text
+await page.click("#asform");
+seen.axeForm = await axe("form");
+await page.locator("#form").getByLabel("question").last().fill("N_w at the start");
+await page.keyboard.press("Tab");
+await page.locator("#answers").getByText("N_w at the start").waitFor({ timeout: 30000 });
+await page.click("#astext");
+seen.formed = await page.evaluate(() => document.querySelector("#editor .cm-content").textContent.includes("N_w at the start"));
 
 // an error: told under its line
 await end('[bodies.other]\nshap = "rod"\n');
@@ -66,9 +76,10 @@ await page.click("#decide");
 await page.waitForSelector("#decided td", { timeout: 30000 });
 seen.check = await page.textContent("#decided");
 await page.click("#tab-tutor");
-await page.fill("#line", "theta_ddot = -3*g/(4*ell)*cos(theta)");
+await page.fill("#line", "theta_ddot = -3*g/(2*ell)*cos(theta)");
 await page.keyboard.press("Enter");
-await page.waitForSelector("#lines li", { timeout: 60000 });
+await page.waitForFunction(() => document.querySelector("#score").textContent, null, { timeout: 60000 });
+seen.axeTutor = await axe("tutor");
 seen.tutor = await page.textContent("#lines li");
 await page.click("#tab-notes");
 

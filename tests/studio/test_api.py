@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from rbpsym.studio import api
+from rbpsym.derive import derive
+from rbpsym.studio import api, kept
 
 ABSENT = ("click", "rich", "typst", "numpy", "scipy", "flint", "pygments", "docx")
 NAMES = ("sliding-ladder", "rod-and-disk-free", "atwood-with-massive-pulley", "ball-slipping-to-rolling", "slider-crank")
@@ -92,7 +93,35 @@ def test_completions_tell_what_the_registries_hold() -> None:
     assert "velocity of BODY.cm" in found["quantities"]
 
 
-def test_answers_come_with_the_drawing(ladder: str) -> None:
-    found = asked(do="answers", text=ladder)["ok"]
-    assert found["figure"].startswith("<svg")
-    assert [one["verdict"] for one in found["answers"]] == ["PROVED", "PROVED"]
+def test_answers_are_proved(ladder: str) -> None:
+    assert [one["verdict"] for one in asked(do="answers", text=ladder)["ok"]] == ["PROVED", "PROVED"]
+
+
+def test_at_a_glance_are_drawing_motion_and_forces(ladder: str) -> None:
+    found = asked(do="glance", text=ladder)["ok"]
+    assert found["figure"].startswith("<svg") and found["alt"]
+    assert (len(found["motion"]), len(found["forces"])) == (1, 2)
+    assert "<mfrac>" in found["motion"][0]
+
+
+def _edited(text: str, *, title: str = "", question: str = "", mass: str = "") -> str:
+    told = text.replace("Sliding ladder", title) if title else text
+    told = told.replace('= "M"', f'= "{mass}"') if mass else told
+    return told + (f'\n[[ask]]\nquestion = "{question}"\n' if question else "")
+
+
+@pytest.mark.parametrize(
+    ("edit", "derives"), [({"title": "Another name"}, 0), ({"question": "N_f at the start"}, 0), ({"mass": "2*M"}, 1)]
+)
+def test_what_an_edit_does_not_change_is_not_derived_again(
+    ladder: str, edit: dict[str, str], derives: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And what is kept makes no difference: the page is the one of a statement that is seen for the first time."""
+    asked(do="notes", text=ladder)
+    calls: list[object] = []
+    monkeypatch.setattr(kept, "derive", lambda *args, **keys: (calls.append(args), derive(*args, **keys))[1])
+    text = _edited(ladder, **edit)
+    found = asked(do="notes", text=text)["ok"]
+    assert len(calls) == derives
+    kept._WORKED.clear()
+    assert asked(do="notes", text=text)["ok"] == found

@@ -87,7 +87,9 @@ def test_the_page_does_all_it_is_for() -> None:
     assert seen["completed"] and seen["explorer"] and seen["linked"]
     assert seen["export"][0].endswith(".tex")
     assert "REFUTED" in seen["check"]
-    assert seen["tutor"]
+    assert "wrong" in seen["tutor"] and "2 times what it should be" in seen["tutor"]
+    assert seen["glance"] == [1, 3]
+    assert seen["formed"] and seen["axeForm"] == seen["axeTutor"] == []
     assert seen["offline"] == "Sliding ladder"
     assert seen["boot"] == "snapshot"
     assert seen["wider"] <= 0

@@ -181,7 +181,7 @@ def _coordinate(coordinate, notation: Notation, said: Words) -> dict[str, Any]:
 # ---
 
 
-SCRIPTS = ("numbers", "motion", "shapes", "drawing", "readings", "controls")
+SCRIPTS = ("numbers", "motion", "shapes", "drawing", "readings", "curves", "controls")
 FOLDER = Path(__file__).with_name("script")
 
 

@@ -15,6 +15,8 @@ function begin() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   for (const [name, one] of NUMBERS) state.numbers[name] = wanted.has(name) ? Number(wanted.get(name)) : one.value;
   byId("speed").replaceChildren(...SPEEDS.map((value) => element("option", { value }, told("times", { value: shown(value) }))));
+  const kinds = SETS.filter((kind) => MODELS.some((model) => kind !== "reactions" || Object.keys(model.data.unknowns).length));
+  byId("curves-kind").replaceChildren(...kinds.map((kind) => element("option", { value: kind }, WORDS[kind])));
   sliders();
   rebuild();
   pace();
@@ -45,6 +47,7 @@ function slider(one) {
   input.value = now;
   tell();
   input.addEventListener("input", () => { state.numbers[one.name] = Number(input.value); tell(); soon(); });
+  input.addEventListener("change", () => tells("changed", { name: one.name }));
   const name = element("span", { class: "slider-name" }, [formula(one), " ", reading.node]);
   return element("div", { class: "slider", title: one.meaning }, [element("label", { for: id }, name), input]);
 }
@@ -70,6 +73,12 @@ function rebuild() {
   byId("force-bar").style.width = fixed(force.legend * force.factor * (byId("picture-0").clientWidth / ROOM || 0.8)) + "px";
   byId("impulse-key").hidden = !fine.some((motion) => motion.blows.length);
   seekers();
+  curves();
+}
+
+function curves() {
+  const fine = state.motions.filter((motion) => motion.end.kind !== "numbers");
+  state.curves = fine.length ? new Curves(fine, byId("curves-kind").value) : null;
 }
 
 const longest = () => Math.max(...state.motions.map((motion) => motion.duration));
@@ -111,6 +120,7 @@ function seek(time) {
   byId("clock").value = String(state.time);
   byId("clock").textContent = clock();
   state.seekers.forEach((update) => update());
+  if (state.curves) state.curves.show(state.time);
 }
 
 const clock = () => shown(Math.round(state.time * 1e4) / 1e4) + "\u202fs";
@@ -205,9 +215,24 @@ function tick(now) {
   if (state.time >= longest() - 1e-9) { state.playing = false; mark(); say(); } else requestAnimationFrame(tick);
 }
 
+// --- the page around: it hears what happens and may set numbers, the time and whether it plays
+
+function tells(event, keys = {}) {
+  if (window.parent !== window) window.parent.postMessage({ rbpsym: 1, event, time: state.time, numbers: { ...state.numbers }, ...keys }, "*");
+}
+
+window.addEventListener("message", ({ data, source }) => {
+  if (source !== window.parent || !data || data.rbpsym !== 1 || data.do !== "set") return;
+  for (const [name, value] of Object.entries(data.numbers || {})) if (NUMBERS.has(name) && Number.isFinite(value)) state.numbers[name] = value;
+  if (data.numbers) { sliders(); rebuild(); }
+  if (Number.isFinite(data.time)) seek(data.time);
+  if (data.play !== undefined && data.play !== state.playing) (data.play ? play : pause)();
+});
+
 function mark() {
   byId("play").textContent = state.playing ? WORDS.pause : WORDS.play;
   byId("play").dataset.playing = state.playing;
+  tells(state.playing ? "plays" : "rests");
 }
 
 /** The state in a sentence, for those who do not see it. */
@@ -234,6 +259,7 @@ byId("restart").addEventListener("click", restart);
 byId("reset").addEventListener("click", reset);
 byId("time").addEventListener("input", (event) => { pause(); seek(Number(event.target.value)); });
 byId("time").addEventListener("change", say);
+byId("curves-kind").addEventListener("change", () => { curves(); seek(state.time); });
 document.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|BUTTON|SUMMARY|A)$/.test(event.target.tagName)) return;
   const keys = { " ": () => (state.playing ? pause() : play()), ArrowRight: () => nudge(0.02), ArrowLeft: () => nudge(-0.02), Home: restart };
@@ -244,3 +270,4 @@ function nudge(step) { pause(); seek(state.time + step); say(); }
 
 mark();
 begin();
+tells("moving");

@@ -1,0 +1,210 @@
+"""One phase of a motion as the tutor judges it: a line is read with all letters of the derivation, and decided by its checks.
+
+A line is a step if it is printed alike, says the same quantity to be the same value, or is the same equation multiplied by a
+constant. Else it holds if one of the checks of steps proves it: as an identity, on the motion, or along it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from rbpsym.algebra import NOTHING, Scalar, Value, is_zero, names_in
+from rbpsym.derivation import checks
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Derivation, Step
+from rbpsym.document.notes import notation_of
+from rbpsym.equality.verdict import Verdict
+from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import Notation
+from rbpsym.notation.infix import read_relation
+from rbpsym.notation.latex import to_latex
+from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.symbol_table import symbol_table
+from rbpsym.studio.slips import Slip, slip
+from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
+from rbpsym.teaching.grading.reading import read_formula
+from rbpsym.verify.claims_check import relations
+
+CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
+INEQUALITY, PRINTED = re.compile(r"[<>≤≥]"), re.compile(r"[\\']")
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """The steps of one phase; ids begin with `prefix`."""
+
+    derivation: Derivation
+    language: str = "en"
+    prefix: str = ""
+    begins: tuple[Step, ...] = ()
+    _values: dict[t.Node, Value | None] = field(default_factory=dict)
+
+    @cached_property
+    def notation(self) -> Notation:
+        """How the problem's names are printed."""
+        return notation_of(self.derivation, self.language)
+
+    @cached_property
+    def steps(self) -> dict[str, Step]:
+        """The proved steps by id, in their order."""
+        steps = (*self.begins, *self.derivation.steps)
+        return {self.prefix + step.id: step for step in steps if step.certificate and step.certificate.verdict.is_proved}
+
+    @cached_property
+    def own(self) -> frozenset[str]:
+        """The letters of the steps, with those over which is integrated."""
+        parts = [part for step in self.steps.values() for part in t.walk(step.statement)]
+        bound = frozenset(part.var for part in parts if isinstance(part, t.Integral))
+        return bound.union(*(t.names(step.statement) for step in self.steps.values()))
+
+    @property
+    def names(self) -> frozenset[str]:
+        """All letters of the statement and of the derivation."""
+        return self.own | self._ground.book.names
+
+    @cached_property
+    def _ground(self) -> GradingGround:
+        return ground_of(self.derivation.study, self.language)
+
+    @cached_property
+    def context(self) -> Context:
+        """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
+        letters = self.derivation.letters
+        return replace(letters, scalars={**self._ground.scope.scalars, **letters.scalars})
+
+    @cached_property
+    def _book(self) -> Book:
+        problem = self.derivation.study.problem
+        return book(self.names, problem.notation, self.language, problem.names_in(self.language))
+
+    @cached_property
+    def printed(self) -> dict[str, tuple[str, ...]]:
+        """The ids of the steps that a printed line is or holds."""
+        found: dict[str, tuple[str, ...]] = {}
+        for id, step in self.steps.items():
+            for line in {self.line(row): row for row in (step.statement, *relations(step.statement))}:
+                found[line] = (*found.get(line, ()), id)
+        return found
+
+    @cached_property
+    def _rows(self) -> list[tuple[str, t.Chain]]:
+        """The equations of the steps; of a chain, that of its ends too."""
+        rows = ((id, row) for id, step in self.steps.items() for row in (*relations(step.statement), *_ends(step.statement)))
+        return [(id, row) for id, row in rows if set(row.ops) == {"="}]
+
+    def line(self, node: t.Node) -> str:
+        """The LaTeX of a formula without spaces."""
+        return "".join(to_latex(node, self.notation).split())
+
+    def read(self, line: str) -> t.Node:
+        """The tree of a line, typed plainly or LaTeX. Raises ReadError."""
+        if not PRINTED.search(line):
+            return read_relation(line, self.names) if INEQUALITY.search(line) else read_formula(line, self._book)
+        with suppress(ReadError):
+            return read_latex(line, symbol_table(sorted(self.own), self.notation))
+        try:
+            return read_latex(line, symbol_table(sorted(self.names), self.notation))
+        except ReadError as error:
+            with suppress(ReadError):  # in letters that students use untold
+                return read_formula(line, self._book)
+            raise error
+
+    def value(self, node: t.Node) -> Value | None:
+        """In coordinates, speeds, accelerations and unknown forces; None where it has none."""
+        if node not in self._values:
+            try:
+                self._values[node] = self.context.value(node)
+            except (RbpsymError, ZeroDivisionError):
+                self._values[node] = None
+        return self._values[node]
+
+    def rate(self, node: t.Node) -> Value | None:
+        """How what is summed up along the motion grows."""
+        key = t.Deriv(node, "t")
+        if key not in self._values:
+            try:
+                self._values[key] = self.context.on_motion(self.context.rate(node)) if self.context.grows(node) else None
+            except (RbpsymError, ZeroDivisionError):
+                self._values[key] = None
+        return self._values[key]
+
+    def step_of(self, read: t.Node) -> str:
+        """The id of the step that the line is; "" if it is none."""
+        if ids := self.printed.get(self.line(read)):
+            return ids[0]
+        rows = [row for row in relations(read) if set(row.ops) == {"="}]
+        return self._equal_row(rows[0]) if len(rows) == 1 else ""
+
+    def _equal_row(self, read: t.Chain) -> str:
+        """The step of which it is another form."""
+        ends, gap = (read.items[0], read.items[-1]), self._gap(read)
+        pairs = [(this, self.value(other)) for this, other in (ends, ends[::-1])] if ends[0] != ends[1] else []
+        rows = [(id, row.items[0], self.value(row.items[-1])) for id, row in self._rows]
+        named = (id for id, left, right in rows for this, other in pairs if this == left and is_same(other, right))
+        scaled = (id for id, its in self._gaps if gap is not None and self._is_multiple(gap, its))
+        valued = (id for id, _, right in rows for _, other in pairs[:1] if is_same(other, right))
+        found = list(named) or list(scaled) or list(valued if gap is None else ())
+        return min(found, key=lambda id: not self.steps[id].is_result, default="")
+
+    def _gap(self, row: t.Chain) -> Scalar | None:
+        """Left less right, where it is a number that does not vanish."""
+        left, right = self.value(row.items[0]), self.value(row.items[-1])
+        gap = left - right if isinstance(left, Scalar) and isinstance(right, Scalar) else NOTHING
+        return None if is_zero(gap) else gap
+
+    @cached_property
+    def _gaps(self) -> list[tuple[str, Scalar]]:
+        """Those of the steps."""
+        return [(id, gap) for id, row in self._rows if (gap := self._gap(row)) is not None and names_in(gap) - self._given]
+
+    @cached_property
+    def _given(self) -> frozenset[str]:
+        return frozenset(quantity.name for quantity in self.derivation.study.problem.parameters)
+
+    def _is_multiple(self, one: Scalar, other: Scalar) -> bool:
+        """Is it the other one times a constant?"""
+        return names_in(one) - self._given == names_in(other) - self._given and names_in(one / other) <= self._given
+
+    def holds(self, read: t.Node) -> Verdict:
+        """What the checks of steps find: the first proof, else what the last says."""
+        context, step = self.context, Step("line", "identity", read, "", "")
+        for check in CHECKS:
+            found = checks.guarded(lambda check=check: check(context, step))
+            if found.is_proved:
+                break
+        return found
+
+    def slip(self, read: t.Node) -> Slip:
+        """How a wrong line differs from a step."""
+        rows = [row for row in relations(read) if row.ops == ("=",)]
+        steps = [row for _, row in self._rows]
+        found = (slip(row, steps, valued) for row in rows for valued in (self.value, self.rate))
+        best = Slip()
+        for one in found:
+            if one.kind:
+                return one
+            best = max(best, one, key=lambda each: each.right)
+        return best
+
+
+def _ends(statement: t.Node) -> list[t.Chain]:
+    is_long = isinstance(statement, t.Chain) and len(statement.items) > 2 and set(statement.ops) == {"="}
+    return [t.equation(statement.items[0], statement.items[-1])] if is_long else []
+
+
+def is_same(one: Value | None, other: Value | None) -> bool:
+    """Are both known, and equal for every state?"""
+    return one is not None and type(one) is type(other) and (one == other or (isinstance(one, Scalar) and is_zero(one - other)))
+
+
+def sheets(derivation: Derivation, language: str) -> Mapping[str, Sheet]:
+    """The phases of a derivation by their names; the first is ""."""
+    found = {"": Sheet(derivation, language)}
+    for number, phase in enumerate(derivation.phases, 2):
+        found[phase.name] = Sheet(phase.derivation, language, f"phase{number}.", phase.begins)
+    return found
