@@ -247,7 +247,7 @@ LONG = 60  # terms, those above times those below
 
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
     closed = {name: done for name, (_, done) in works.items()}
-    image = image_of(world.study, moment.state)
+    image = image_of(moment.state)
     moved = world.study.begun if world.study.at_start else world.motion.moved
     try:
         found = [substitute(moved(substitute(value, closed)), image) for value in named]

@@ -88,7 +88,7 @@ def slipping(study: Study, state: State) -> Iterator[Demand]:
     """What slips has not changed its sense up to a state."""
     from rbpsym.ask.moments import image_of
 
-    image = image_of(study, state)
+    image = image_of(state)
     for slip in slips(study.system).values():
         there = short(substitute(slip, image))
         if there and not names_in(there) & study.system.scope.rates.keys():

@@ -388,7 +388,7 @@ MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
 }
 
 
-def image_of(study: Study, state: State) -> dict[str, Scalar]:
+def image_of(state: State) -> dict[str, Scalar]:
     """What stands for coordinates, speeds and time in a state."""
     found = {**state.places, **{f"{name}_dot": speed for name, speed in state.speeds.items()}}
     return found if state.time is None else {**found, "t": state.time}
@@ -396,4 +396,4 @@ def image_of(study: Study, state: State) -> dict[str, Scalar]:
 
 def value_in(study: Study, value: Scalar, state: State) -> Scalar:
     """What a value is in a state, accelerations and unknown forces too."""
-    return short(substitute(study.begun(value), image_of(study, state)))
+    return short(substitute(study.begun(value), image_of(state)))

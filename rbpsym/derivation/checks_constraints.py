@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, short, symbol, time_derivative
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
-from rbpsym.derivation.checks import agree, same, weakest
+from rbpsym.derivation.checks import agree, difference, first_proved, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import MOTION, law_rows
 from rbpsym.derivation.mass import angular_momentum, torque
@@ -127,17 +127,12 @@ def kept_until(context: Context, step: Step) -> Verdict:
 MOMENT = "time_since_the_start"
 
 
-def _gap(context: Context, step: Step) -> Scalar:
-    [(left, _, right)] = list(relations(step.statement))
-    return context.value(left) - context.value(right)
-
-
 def kept_condition(context: Context, step: Step) -> Verdict:
     """What is stated, times a positive constant, is a condition of the constraint (`data`: "constraint", "factor")."""
     context.use(MOTION)
-    system, stated = context.study.system, _gap(context, step) * step.data["factor"]
+    system, stated = context.study.system, difference(context, step.statement) * step.data["factor"]
     kept = (c.value for c in (*system.implicit, *system.speed_ties) if c.constraint == step.data["constraint"])
-    return next((found for value in kept if (found := same(context, value, stated)).is_proved), NOT_KNOWN)
+    return first_proved((same(context, value, stated) for value in kept), NOT_KNOWN)
 
 
 NOT_KNOWN = Verdict(UNDECIDED, reason="it is not among what is known at the start")
@@ -146,11 +141,11 @@ NOT_KNOWN = Verdict(UNDECIDED, reason="it is not among what is known at the star
 def rate_at_start(context: Context, step: Step) -> Verdict:
     """The derivative of that order of a condition, expanded from the start (`data`: "of", "order", "factor")."""
     context.use(step.data["of"])
-    value = _expanded(context, _gap(context, context.steps[step.data["of"]]))
+    value = _expanded(context, difference(context, context.steps[step.data["of"]].statement))
     for _ in range(step.data["order"]):
         value = derivative(value, MOMENT)
     found = substitute(value, {MOMENT: NOTHING})
-    return agree(context, found, _gap(context, step) * step.data["factor"], "motion")
+    return agree(context, found, difference(context, step.statement) * step.data["factor"], "motion")
 
 
 def _expanded(context: Context, value: Scalar) -> Scalar:
@@ -171,5 +166,5 @@ def law_at_start(context: Context, step: Step) -> Verdict:
     for left, _, right in relations(step.statement):
         gap = context.value(left) - context.value(right)
         verdicts = (agree(context, row, way, "motion") for row in rows for way in (gap, -gap))
-        found.append(next((verdict for verdict in verdicts if verdict.is_proved), NOT_KNOWN))
+        found.append(first_proved(verdicts, NOT_KNOWN))
     return weakest(found)

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, substitute, symbol, time_derivative
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.derivation.checks import agree, relations, same, weakest
+from rbpsym.derivation.checks import agree, premise_says, relations, right_side, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
 from rbpsym.derivation.checks_courses import at_time, comes_there, course_of, is_driven, left_then, moved_to, state_said
 from rbpsym.derivation.checks_places import UNSEEN, demanded, own_place, under, way_to
@@ -42,8 +42,7 @@ def slip(context: Context, step: Step) -> Verdict:
 
 def reached_then(context: Context, step: Step) -> Verdict:
     """At the stated time the slip has gone, or the coordinate has its value (`data`: "ending")."""
-    [(_, _, right)] = list(relations(step.statement))
-    return same(context, at_time(context.value(right), _left(context, step)), NOTHING)
+    return same(context, at_time(right_side(context, step), _left(context, step)), NOTHING)
 
 
 def first_then(context: Context, step: Step) -> Verdict:
@@ -105,9 +104,8 @@ def _left(context: Context, step: Step) -> Scalar:
 
 def reached_there(context: Context, step: Step) -> Verdict:
     """At the stated place the force vanishes, friction is at its limit, or the value is there (`data`: "ending", "name")."""
-    [(_, _, right)] = list(relations(step.statement))
     gap = _gap(context, step.data["ending"].phase)
-    return same(context, substitute(gap, {step.data["name"]: context.value(right)}), NOTHING)
+    return same(context, substitute(gap, {step.data["name"]: right_side(context, step)}), NOTHING)
 
 
 def first_there(context: Context, step: Step) -> Verdict:
@@ -242,11 +240,7 @@ def _stays(context: Context, state, name: str) -> Verdict:
 def said_of(context: Context, coordinate: str) -> Scalar | None:
     """The coordinate as a function of the time, as another step says it."""
     said = [step for step in context.steps.values() if step.rule == "course" and step.data["name"] == coordinate]
-    if not said:
-        return None
-    context.use(said[-1].id)
-    [(_, _, right)] = relations(said[-1].statement)
-    return context.value(right)
+    return premise_says(context, said[-1].id) if said else None
 
 
 def _seen(value: Scalar, places: Values, speeds: Values) -> Scalar:
@@ -293,8 +287,7 @@ def _closing(system: System, element: Element) -> Scalar:
 def energy_jump(context: Context, step: Step) -> Verdict:
     """The difference of the kinetic energies of both states, summed over the mass (`data`: "states")."""
     first, second = (_energy(*state) for state in step.data["states"])
-    [(_, _, right)] = list(relations(step.statement))
-    return same(context, first - second, context.value(right))
+    return same(context, first - second, right_side(context, step))
 
 
 def _energy(system: System, places: Values, speeds: Values) -> Scalar:

@@ -169,9 +169,7 @@ def _tried(study: Study, start: Scalar) -> Iterator[Numbers]:
         yield from ({**numbers, name: ends[0] + (ends[1] - ends[0]) * part} for part in NEAR_ENDS if None not in ends)
 
 
-def _conditions(
-    study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers
-) -> list[Demand] | None:
+def _conditions(study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers) -> list[Demand] | None:
     """Under which the place is the first; None where what has no root in closed form may vanish before."""
     there = short(substitute(way.square, {way.name: place}))
     comes = (way.ahead(place), _drive(study, way.name) * way.sense, there)

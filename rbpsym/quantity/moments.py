@@ -234,9 +234,7 @@ def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
 def _need(world: ProblemWorld, contact: str) -> FrictionNeed:
     needs = {item.constraint: item for item in world.study.friction_needs}
     if contact not in needs:
-        raise StatementError(
-            f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts")
-        )
+        raise StatementError(f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts"))
     return needs[contact]
 
 
