@@ -17,7 +17,7 @@ from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.system import Condition, System, at_point
+from rbpsym.mechanics.system import Condition, System, at_point, by_letters, in_state
 from rbpsym.notation.tree import relations
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Element
@@ -99,7 +99,7 @@ def momenta_kept(context: Context, step: Step) -> Verdict:
 
     def seen(system: System, speeds: dict[str, Scalar], about: Vector) -> Scalar:
         total = sum((angular_momentum(system, body, about) for body in jump.bodies), NOTHING)
-        return substitute(substitute(total, {f"{name}_dot": speed for name, speed in speeds.items()}), blow.state.places)
+        return in_state(total, blow.state.places, speeds)
 
     def pushed(about: Vector) -> Scalar:
         found = torque([force for force in blow.forces if force.on in jump.bodies], about)
@@ -115,7 +115,7 @@ def kept_until(context: Context, step: Step) -> Verdict:
     kept, ending = step.data["kept"], step.data["ending"]
     system, state = context.study.system, ending.state
     total = sum((angular_momentum(system, body, kept.where) for body in kept.bodies), NOTHING)
-    speeds = {f"{name}_dot": speed for name, speed in state.speeds.items()}
+    speeds = by_letters(state.speeds)
     end, slip = (
         substitute(short(substitute(value, speeds)), state.places)  # sin² + cos² of an angle before its long place
         for value in (total, slip_at(system, system.element(ending.phase.subject)))

@@ -27,7 +27,7 @@ from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.system import System
+from rbpsym.mechanics.system import System, by_letters, in_state
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, Phase
 
@@ -194,7 +194,7 @@ def _kept(context: Context, ending, what: str, name: str, stated: Scalar) -> Ver
     integral of the speed, that of the coordinate which moves being 1."""
     [mover], state, momenta = context.study.squares, ending.state, context.study.kept_momenta.values()
     found = [agree(context, context.rate_of(momentum), NOTHING, "motion") for momentum in momenta]
-    then = {f"{n}_dot": speed for n, speed in state.speeds.items()}
+    then = by_letters(state.speeds)
     if what == "speed":
         gaps = (substitute(substitute(p, then), state.places) - context.start(p) for p in momenta)
         return weakest([*found, *(same(context, gap, NOTHING) for gap in gaps), same(context, then[f"{name}_dot"], stated)])
@@ -233,8 +233,7 @@ def _stays(context: Context, state, name: str) -> Verdict:
     """Whether nothing moves a coordinate at rest there, if that is no place of rest of all."""
     if any(item.at.get(name) == state.places[name] for item in context.study.equilibria):
         return Verdict(PROVED, how="it is a place of rest")
-    still = {f"{n}_dot": speed for n, speed in state.speeds.items()}
-    return same(context, substitute(substitute(context.on_motion(symbol(f"{name}_ddot")), still), state.places), NOTHING)
+    return same(context, in_state(context.on_motion(symbol(f"{name}_ddot")), state.places, state.speeds), NOTHING)
 
 
 def said_of(context: Context, coordinate: str) -> Scalar | None:
@@ -243,18 +242,14 @@ def said_of(context: Context, coordinate: str) -> Scalar | None:
     return premise_says(context, said[-1].id) if said else None
 
 
-def _seen(value: Scalar, places: Values, speeds: Values) -> Scalar:
-    return substitute(substitute(value, {f"{name}_dot": v for name, v in speeds.items()}), places)
-
-
 def momentum_jump(context: Context, step: Step) -> Verdict:
     """The angular momentum about O, summed over the mass, grows by the torque of the impulses (`data`: "blow", "body")."""
     blow, body = step.data["blow"], step.data["body"]
     places = blow.state.places
-    after = _seen(angular_momentum(blow.after, body, ORIGIN), places, blow.began.speeds)
-    before = _seen(angular_momentum(blow.before, body, ORIGIN), places, blow.state.speeds)
+    after = in_state(angular_momentum(blow.after, body, ORIGIN), places, blow.began.speeds)
+    before = in_state(angular_momentum(blow.before, body, ORIGIN), places, blow.state.speeds)
     push = substitute(torque([f for f in blow.forces if f.on == body], ORIGIN), blow.began.impulses)
-    return same(context, after - before, _seen(push, places, blow.began.speeds))
+    return same(context, after - before, in_state(push, places, blow.began.speeds))
 
 
 def parting(context: Context, step: Step) -> Verdict:
@@ -263,8 +258,8 @@ def parting(context: Context, step: Step) -> Verdict:
     blow, element = step.data["blow"], step.data["element"]
     is_normal = step.data["name"] == element.name
     after, before = ((_approach if is_normal else slip_at)(system, element) for system in (blow.after, blow.before))
-    gone = scalar(element["restitution" if is_normal else "tangential"]) * _seen(before, blow.state.places, blow.state.speeds)
-    return same(context, _seen(after, blow.state.places, blow.began.speeds) + gone, NOTHING)
+    gone = scalar(element["restitution" if is_normal else "tangential"]) * in_state(before, blow.state.places, blow.state.speeds)
+    return same(context, in_state(after, blow.state.places, blow.began.speeds) + gone, NOTHING)
 
 
 def _approach(system: System, element: Element) -> Scalar:
@@ -291,4 +286,4 @@ def energy_jump(context: Context, step: Step) -> Verdict:
 
 
 def _energy(system: System, places: Values, speeds: Values) -> Scalar:
-    return _seen(sum((kinetic_energy(system, body) for body in system.bodies), NOTHING), places, speeds)
+    return in_state(sum((kinetic_energy(system, body) for body in system.bodies), NOTHING), places, speeds)

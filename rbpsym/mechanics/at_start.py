@@ -15,7 +15,7 @@ from rbpsym.mechanics.friction import FrictionNeed, friction_needs
 from rbpsym.mechanics.instant import Instant, has_start, start_of
 from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.study import MOST_PRODUCTS, Study
-from rbpsym.mechanics.system import Condition, System
+from rbpsym.mechanics.system import Condition, System, by_letters
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.statement.model import Problem
 
@@ -56,7 +56,7 @@ class StartStudy(Study):
         """Kinematics and forces, with the speeds at the start as the conditions make them."""
         if not has_start(self.problem):
             return self._free
-        scope, speeds = self._free.scope, {f"{name}_dot": value for name, value in self.instant.speeds.items()}
+        scope, speeds = self._free.scope, by_letters(self.instant.speeds)
         start = {name: speeds.get(name, value) for name, value in scope.start.items()}
         return replace(self._free, scope=replace(scope, start=start))
 
