@@ -13,9 +13,7 @@ Piece = tuple[t.Node, bool]  # a factor, and whether it moves
 SHORT = 15  # letters, numbers and functions of a sum that stands above the bar where nothing else does
 
 
-def fraction(
-    above: list[t.Node], below: list[t.Node], sums: list[Piece], lower: list[t.Node], functions: list[t.Node]
-) -> t.Node:
+def fraction(above: list[t.Node], below: list[t.Node], sums: list[Piece], lower: list[t.Node], functions: list[t.Node]) -> t.Node:
     """Factors and sums over factors and sums; functions and sums that move stand behind the bar."""
     inside = [node for node, moving in sums if not moving]
     outside = [node for node, moving in sums if moving]

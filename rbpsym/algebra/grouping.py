@@ -65,9 +65,7 @@ def _divided_by(m: Monomial, style: Style) -> list[str]:
     return [atoms.symbol_name(i) or "" for i, e in m if e < 0 and not moves(i, style)]
 
 
-def _over_one_bar(
-    coefficient: Coefficient, common: Monomial, rest: Poly, style: Style
-) -> tuple[Coefficient, Monomial, Poly]:
+def _over_one_bar(coefficient: Coefficient, common: Monomial, rest: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
     """The same with all parameters that divide a term of the rest taken out of it."""
     below = split(divisors(rest), style)[0]
     rest = rest.scaled(1, below)
@@ -130,9 +128,7 @@ def common_coefficient(poly: Poly, style: Style) -> Coefficient:
         return sign * content.numerator
     same = len({c.denominator for c in values}) == 1
     broken = all(c.denominator != 1 for c in values)
-    varies = style.whole or (
-        any(moves(i, style) for i in poly.atoms()) and not any(is_quadratic(m) for m in poly.terms)
-    )
+    varies = style.whole or (any(moves(i, style) for i in poly.atoms()) and not any(is_quadratic(m) for m in poly.terms))
     return tidy(sign * content) if same or style.whole or (broken and varies) else sign
 
 
@@ -273,7 +269,7 @@ def is_worth_factoring(poly: Poly, style: Style) -> bool:
     return len(poly) <= (MOST_FACTORED if plain else FEW)
 
 
-def best_factors(poly: Poly, style: Style) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]] | None:
+def best_factors(poly: Poly) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]] | None:
     """Factors of the sum as it is, or with one of sin², cos² replaced; None if it has none."""
     from rbpsym.algebra.ring import factors
 

@@ -65,9 +65,7 @@ def _presented(value: Scalar, style: Style, factor: bool) -> t.Node:
     return present_ratio(value.num, value.den, replace(style, whole=True), factor=factor)
 
 
-def present_ratio(
-    num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = False, as_ratio: bool = False
-) -> t.Node:
+def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = False, as_ratio: bool = False) -> t.Node:
     """num/den with the functions that divide out kept behind the fraction.
 
     What stands before the sums above and below is cancelled, the sums are kept as they are. With
@@ -104,9 +102,7 @@ def _below(den: Poly, style: Style, factor: bool) -> Pieces:
     return _groups(den, style, factor)
 
 
-def _without_fractions(
-    number: Coefficient, common: Monomial, den: Poly, style: Style
-) -> tuple[Coefficient, Monomial, Poly]:
+def _without_fractions(number: Coefficient, common: Monomial, den: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
     """Below a bar, a sum has no fractions of its own; masses and moments that add up may."""
     masses = all(c > 0 and len(m) == 1 for m, c in den.terms.items())
     if masses or is_inertia(den, style):
@@ -181,7 +177,7 @@ def _product(first: Pieces, second: Pieces) -> Pieces:
 
 def _group(poly: Poly, style: Style, factor: bool) -> Pieces:
     """One sum with its number and sign taken out, or its factors."""
-    found = best_factors(poly, style) if factor and is_worth_factoring(poly, style) else None
+    found = best_factors(poly) if factor and is_worth_factoring(poly, style) else None
     if found is not None:
         return _factor_pieces(*found, style)
     if factor and splits_by_parameters(poly, style):

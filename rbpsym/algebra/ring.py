@@ -42,9 +42,7 @@ def _rows(poly: Poly, order: Sequence[int]) -> list[Powers]:
 
 
 def _poly(terms: Iterable[tuple[Powers, Any]], order: Sequence[int]) -> Poly:
-    return Poly(
-        {tuple([(i, int(e)) for i, e in zip(order, powers, strict=True) if e]): number(c) for powers, c in terms}
-    )
+    return Poly({tuple([(i, int(e)) for i, e in zip(order, powers, strict=True) if e]): number(c) for powers, c in terms})
 
 
 def number(c: Any) -> Coefficient:

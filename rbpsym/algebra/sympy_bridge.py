@@ -80,10 +80,7 @@ def _expression(poly: Poly) -> Any:
     import sympy
 
     return sympy.Add(
-        *(
-            sympy.Mul(sympy.Rational(c.numerator, c.denominator), *(_atom(i) ** e for i, e in m))
-            for m, c in poly.terms.items()
-        )
+        *(sympy.Mul(sympy.Rational(c.numerator, c.denominator), *(_atom(i) ** e for i, e in m)) for m, c in poly.terms.items())
     )
 
 

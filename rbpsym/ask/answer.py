@@ -15,7 +15,7 @@ from rbpsym.ask.along import moving_in, of_one
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest
 from rbpsym.ask.in_time import at_time, time_of_swing
-from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, image_of, moment_of
+from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, moment_of
 from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
@@ -247,7 +247,7 @@ LONG = 60  # terms, those above times those below
 
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
     closed = {name: done for name, (_, done) in works.items()}
-    image = image_of(world.study, moment.state)
+    image = moment.state.image
     moved = world.study.begun if world.study.at_start else world.motion.moved
     try:
         found = [substitute(moved(substitute(value, closed)), image) for value in named]

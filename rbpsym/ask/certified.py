@@ -13,7 +13,7 @@ from rbpsym.algebra.present import present
 from rbpsym.ask import in_time
 from rbpsym.ask.begun import before, needed, resting_on
 from rbpsym.ask.lasting import asks
-from rbpsym.ask.moments import Asked, Moment, value_in
+from rbpsym.ask.moments import Asked, Moment
 from rbpsym.ask.question import Question, is_jump
 from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
 from rbpsym.derivation.chapters.impulses import hand_over
@@ -25,6 +25,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics import solutions
+from rbpsym.mechanics.arrivals import value_in
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.numbers import number, sample

@@ -13,7 +13,7 @@ from rbpsym.algebra.present import present
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
-from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time
+from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time, value_in
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, uniform_motion, value_reached
@@ -86,11 +86,8 @@ def regime(study: Study) -> list[Demand]:
 
 def slipping(study: Study, state: State) -> Iterator[Demand]:
     """What slips has not changed its sense up to a state."""
-    from rbpsym.ask.moments import image_of
-
-    image = image_of(study, state)
     for slip in slips(study.system).values():
-        there = short(substitute(slip, image))
+        there = short(substitute(slip, state.image))
         if there and not names_in(there) & study.system.scope.rates.keys():
             yield Demand(there, ">=")
 
@@ -151,8 +148,6 @@ def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand
 def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
     """What the same ask of the parameters at a moment and on the whole way to it, and what of that is not decided. Raises
     StatementError where they surely do not last so far."""
-    from rbpsym.ask.moments import value_in
-
     if moment.how in ("start", "rest"):
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))

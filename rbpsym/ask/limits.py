@@ -81,9 +81,7 @@ class Series:
 
 
 def _convolved(a: Sequence[Scalar], b: Sequence[Scalar]) -> tuple[Scalar, ...]:
-    return tuple(
-        short(sum((a[i] * b[k - i] for i in range(k + 1)), NOTHING)) for k in range(min(len(a), len(b)))
-    )
+    return tuple(short(sum((a[i] * b[k - i] for i in range(k + 1)), NOTHING)) for k in range(min(len(a), len(b))))
 
 
 def _inverse(found: Series) -> Series | None:

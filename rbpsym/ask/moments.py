@@ -20,7 +20,6 @@ from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.instant import has_start
@@ -386,14 +385,3 @@ MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
     "rest": _in_rest(True),
     "unstable": _in_rest(False),
 }
-
-
-def image_of(study: Study, state: State) -> dict[str, Scalar]:
-    """What stands for coordinates, speeds and time in a state."""
-    found = {**state.places, **{f"{name}_dot": speed for name, speed in state.speeds.items()}}
-    return found if state.time is None else {**found, "t": state.time}
-
-
-def value_in(study: Study, value: Scalar, state: State) -> Scalar:
-    """What a value is in a state, accelerations and unknown forces too."""
-    return short(substitute(study.begun(value), image_of(study, state)))

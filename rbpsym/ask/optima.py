@@ -173,11 +173,6 @@ def _lasting(world: Scene, name: str, found: Finding) -> Finding:
 BEYOND = "where it would be, the motion is not the one that is stated"
 
 
-def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:
-    """SYMBOL for which a quantity is least or greatest."""
-    return extremum(world, superlative, phrase, name, None, None, by_place=True)
-
-
 def _of_extreme(
     value: Scalar, name: str, given: Assumptions, sense: int, phrase: str, *, closed: bool, by_place: bool
 ) -> Finding:

@@ -60,10 +60,7 @@ ROWS: Rows = (
 # what is asked otherwise if the plain reading of it is refused
 RESORTS: Rows = (
     (rf"{_N} where (.+?) ((?:=|is|equals|vanishes) ?.*)", lambda w, name, *said: critical.which(w, None, name, " ".join(said))),
-    (
-        r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)",
-        lambda w, phrase: critical.which(w, None, _mover(w), f"{phrase} = 0"),
-    ),
+    (r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)", lambda w, phrase: critical.which(w, None, _mover(w), f"{phrase} = 0")),
     (r"(.+[-+*/].+)", made.made),
 )
 AFTER = re.compile(rf"(?:the )?({_BEST} .+) after (?:the )?(\w+)")

@@ -118,9 +118,7 @@ def near(world: Scene, phrase: str, name: str, text: str) -> Finding:
     return in_limit(world, phrase, name, text, as_term=True)
 
 
-def _limit(
-    value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str, *, as_term: bool
-) -> Finding:
+def _limit(value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str, *, as_term: bool) -> Finding:
     found = leading(value, name, to, given, side)
     if not depends_on(value, name):
         return Finding(values=(value,), **checked("no_change", value=value, names=(name,), best=value, given=given))

@@ -32,6 +32,29 @@ def weakest(verdicts: Iterable[Verdict]) -> Verdict:
     return found
 
 
+def first_proved(verdicts: Iterable[Verdict], otherwise: Verdict) -> Verdict:
+    """The first verdict that is PROVED, else the other one."""
+    return next((verdict for verdict in verdicts if verdict.is_proved), otherwise)
+
+
+def right_side(context: Context, step: Step) -> Scalar:
+    """The right side of the one relation that a step states."""
+    [(_, _, right)] = relations(step.statement)
+    return context.value(right)
+
+
+def premise_says(context: Context, id: str) -> Scalar:
+    """The right side of what a premise states."""
+    context.use(id)
+    return right_side(context, context.steps[id])
+
+
+def difference(context: Context, node: t.Node) -> Value:
+    """The left side of one relation minus its right side."""
+    [(left, _, right)] = relations(node)
+    return context.value(left) - context.value(right)
+
+
 def guarded(check: Callable[[], Verdict]) -> Verdict:
     """An error on the way is UNDECIDED with its reason, never PROVED."""
     try:
@@ -284,15 +307,10 @@ def _use_forces(context: Context, step: Step) -> None:
 
 def combination(context: Context, step: Step) -> Verdict:
     """left - right is the stated combination of the premises' (`data`: "terms": (factor, step) pairs)."""
-
-    def difference(node: t.Node) -> Value:
-        [(left, _, right)] = list(relations(node))
-        return context.value(left) - context.value(right)
-
-    total = difference(step.statement)
+    total = difference(context, step.statement)
     for factor, premise in step.data["terms"]:
         context.use(premise.id)
-        total = total - difference(premise.statement) * factor
+        total = total - difference(context, premise.statement) * factor
     return same(context, total, NOTHING)
 
 
@@ -330,8 +348,7 @@ def first_integral(context: Context, step: Step) -> Verdict:
     found = along_motion(context, step)
     if found.is_proved:
         return found
-    [(_, _, right)] = list(relations(step.statement))
-    name, square = step.data["name"], context.value(right)
+    name, square = step.data["name"], right_side(context, step)
     speed = f"{name}_dot"
     begin = context.start(square) - context.start(symbol(speed)) ** 2
     growth = context.rate_of(square) - symbol(speed) * symbol(f"{name}_ddot") * 2

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, short, symbol, time_derivative
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
-from rbpsym.derivation.checks import agree, same, weakest
+from rbpsym.derivation.checks import agree, difference, first_proved, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import MOTION, law_rows
 from rbpsym.derivation.mass import angular_momentum, torque
@@ -17,7 +17,7 @@ from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.system import Condition, System, at_point
+from rbpsym.mechanics.system import Condition, System, at_point, by_letters, in_state
 from rbpsym.notation.tree import relations
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Element
@@ -99,7 +99,7 @@ def momenta_kept(context: Context, step: Step) -> Verdict:
 
     def seen(system: System, speeds: dict[str, Scalar], about: Vector) -> Scalar:
         total = sum((angular_momentum(system, body, about) for body in jump.bodies), NOTHING)
-        return substitute(substitute(total, {f"{name}_dot": speed for name, speed in speeds.items()}), blow.state.places)
+        return in_state(total, blow.state.places, speeds)
 
     def pushed(about: Vector) -> Scalar:
         found = torque([force for force in blow.forces if force.on in jump.bodies], about)
@@ -115,7 +115,7 @@ def kept_until(context: Context, step: Step) -> Verdict:
     kept, ending = step.data["kept"], step.data["ending"]
     system, state = context.study.system, ending.state
     total = sum((angular_momentum(system, body, kept.where) for body in kept.bodies), NOTHING)
-    speeds = {f"{name}_dot": speed for name, speed in state.speeds.items()}
+    speeds = by_letters(state.speeds)
     end, slip = (
         substitute(short(substitute(value, speeds)), state.places)  # sin² + cos² of an angle before its long place
         for value in (total, slip_at(system, system.element(ending.phase.subject)))
@@ -127,17 +127,12 @@ def kept_until(context: Context, step: Step) -> Verdict:
 MOMENT = "time_since_the_start"
 
 
-def _gap(context: Context, step: Step) -> Scalar:
-    [(left, _, right)] = list(relations(step.statement))
-    return context.value(left) - context.value(right)
-
-
 def kept_condition(context: Context, step: Step) -> Verdict:
     """What is stated, times a positive constant, is a condition of the constraint (`data`: "constraint", "factor")."""
     context.use(MOTION)
-    system, stated = context.study.system, _gap(context, step) * step.data["factor"]
+    system, stated = context.study.system, difference(context, step.statement) * step.data["factor"]
     kept = (c.value for c in (*system.implicit, *system.speed_ties) if c.constraint == step.data["constraint"])
-    return next((found for value in kept if (found := same(context, value, stated)).is_proved), NOT_KNOWN)
+    return first_proved((same(context, value, stated) for value in kept), NOT_KNOWN)
 
 
 NOT_KNOWN = Verdict(UNDECIDED, reason="it is not among what is known at the start")
@@ -146,11 +141,11 @@ NOT_KNOWN = Verdict(UNDECIDED, reason="it is not among what is known at the star
 def rate_at_start(context: Context, step: Step) -> Verdict:
     """The derivative of that order of a condition, expanded from the start (`data`: "of", "order", "factor")."""
     context.use(step.data["of"])
-    value = _expanded(context, _gap(context, context.steps[step.data["of"]]))
+    value = _expanded(context, difference(context, context.steps[step.data["of"]].statement))
     for _ in range(step.data["order"]):
         value = derivative(value, MOMENT)
     found = substitute(value, {MOMENT: NOTHING})
-    return agree(context, found, _gap(context, step) * step.data["factor"], "motion")
+    return agree(context, found, difference(context, step.statement) * step.data["factor"], "motion")
 
 
 def _expanded(context: Context, value: Scalar) -> Scalar:
@@ -171,5 +166,5 @@ def law_at_start(context: Context, step: Step) -> Verdict:
     for left, _, right in relations(step.statement):
         gap = context.value(left) - context.value(right)
         verdicts = (agree(context, row, way, "motion") for row in rows for way in (gap, -gap))
-        found.append(next((verdict for verdict in verdicts if verdict.is_proved), NOT_KNOWN))
+        found.append(first_proved(verdicts, NOT_KNOWN))
     return weakest(found)

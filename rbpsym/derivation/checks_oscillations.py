@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import permutations, zip_longest
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, depends_on, derivative, substitute, symbol, total
-from rbpsym.derivation.checks import relations, same, weakest
+from rbpsym.derivation.checks import difference, first_proved, relations, right_side, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import short
 from rbpsym.derivation.expansion import Nearby, nearby
@@ -46,7 +46,7 @@ def forces_at_rest(context: Context, step: Step) -> Verdict:
     for left, _, right in relations(step.statement):
         stated = context.value(left) - context.value(right)
         verdicts = [same(context, stated, force) for force in forces]
-        found.append(next((v for v in verdicts if v.is_proved), verdicts[0]))
+        found.append(first_proved(verdicts, verdicts[0]))
     return weakest(found)
 
 
@@ -55,8 +55,7 @@ def force_vanishes(context: Context, step: Step) -> Verdict:
     the range; where the place is not said to be the only one, it is enough that the factor has a value (`data`: "balance").
     """
     item, [force] = step.data["balance"], _forces_at_rest(context)
-    [(left, _, right)] = list(relations(step.statement))
-    stated = context.value(right) - context.value(left)
+    stated = -difference(context, step.statement)
     there = substitute(force, {item.name: symbol(item.place)})
     plain = (neat(value, context.assumptions) for value in (there, stated))
     found = same(context, stated, there)
@@ -85,8 +84,7 @@ def series_in_balance(context: Context, step: Step) -> Verdict:
     The force vanishes there: the rate of change of the inertia adds nothing (`data`: "balance").
     """
     item, [force] = step.data["balance"], _forces_at_rest(context)
-    [(_, _, right)] = list(relations(step.statement))
-    stated, there = context.value(right), {item.name: symbol(item.place)}
+    stated, there = right_side(context, step), {item.name: symbol(item.place)}
     slope = derivative(stated, item.name)
     mass = substitute(context.study.dynamics.mass_matrix[0][0], there)
     pull = substitute(derivative(force, item.name), there)
@@ -214,11 +212,10 @@ def _shifted(near: Nearby, square: Scalar) -> Matrix:
 
 def secular(context: Context, step: Step) -> Verdict:
     """The left side is det(K - λ M), by permutations (`data`: "at"; no speeds occur)."""
-    [(left, _, right)] = list(relations(step.statement))
     near = near_place(context, step)
     undamped = [same(context, value, NOTHING) for row in near.drag for value in row]
     expected = _leibniz(_shifted(near, symbol(step.slots["letter"].name)))
-    return weakest([*undamped, same(context, context.value(left) - context.value(right), expected)])
+    return weakest([*undamped, same(context, difference(context, step.statement), expected)])
 
 
 def characteristic(context: Context, step: Step) -> Verdict:
@@ -270,9 +267,8 @@ def divides(context: Context, near: Nearby, powers: Sequence[Scalar]) -> Verdict
 
 def polynomial(context: Context, step: Step) -> Verdict:
     """The left side is det(M λ² + C λ + K) but for a factor that does not vanish and is free of λ (`data`: "at")."""
-    [(left, _, right)] = list(relations(step.statement))
     letter = step.slots["letter"].name
-    stated, whole = context.value(left) - context.value(right), singular(near_place(context, step), symbol(letter))
+    stated, whole = difference(context, step.statement), singular(near_place(context, step), symbol(letter))
     own, parts = coefficients(stated, letter), coefficients(whole, letter)
     if len(own) != len(parts):
         return same(context, whole, stated)
@@ -311,8 +307,7 @@ def critical(context: Context, step: Step) -> Verdict:
 
 def rate_of_mode(context: Context, step: Step) -> Verdict:
     """The stated rate is positive, and λ = -(rate) makes M λ² + C λ + K singular (`data`: "at")."""
-    [(_, _, right)] = list(relations(step.statement))
-    value = context.value(right)
+    value = right_side(context, step)
     found = same(context, singular(near_place(context, step), -value), NOTHING)
     return weakest([found, positive(context, step, value)])
 

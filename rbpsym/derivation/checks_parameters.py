@@ -13,7 +13,7 @@ from itertools import pairwise
 from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, is_zero, symbol
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
 from rbpsym.algebra.normal import normal
-from rbpsym.derivation.checks import relations
+from rbpsym.derivation.checks import first_proved, relations
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
@@ -39,8 +39,7 @@ def _told(context: Context, step: Step, values: Sequence[Scalar | None]) -> Verd
 
 
 def _any_of(verdicts: Iterable[Verdict]) -> Verdict:
-    found = undecided("what is stated is none of the values that were checked")
-    return next((verdict for verdict in verdicts if verdict.is_proved), found)
+    return first_proved(verdicts, undecided("what is stated is none of the values that were checked"))
 
 
 def place_told(context: Context, step: Step) -> Verdict:
@@ -123,7 +122,7 @@ def _degree(value: Scalar, name: str) -> int | None:
     return max(powers) - min(powers)
 
 
-def extreme_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sense: int) -> Verdict:
+def extreme_said(value: Scalar, best: Scalar, given: Assumptions, sense: int) -> Verdict:
     """Whether no value in the range lies beyond the best one."""
     ends = (value, best) if sense > 0 else (best, value)
     return compare(*ends, given, strict=False)
@@ -145,7 +144,7 @@ def valley_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sens
     sides = ((ends[0], NOTHING, -sense), (NOTHING, ends[1], sense))
     if None in ends or any(sign(core, given.with_range(name, low, high)).kind != KINDS[way] for low, high, way in sides):
         return undecided("that it is monotone is not seen on a second road")
-    return all_of(extreme_said(rooted(substitute(value, {name: end}), given), name, best, given, sense) for end in ends)
+    return all_of(extreme_said(rooted(substitute(value, {name: end}), given), best, given, sense) for end in ends)
 
 
 def _core(value: Scalar, given: Assumptions) -> Scalar:
@@ -276,7 +275,7 @@ def extreme_there(context: Context, step: Step) -> Verdict:
     place, best = step.data["place"], step.data["best"]
     found = end_said(value, name, given) if step.data["at_end"] else slope_said(value, name, place, given, sense)
     found = valley_said(value, name, best, given, sense) if step.data["at_end"] and not found.is_proved else found
-    return found if found.is_proved else extreme_said(value, name, best, given, sense)
+    return found if found.is_proved else extreme_said(value, best, given, sense)
 
 
 def tends_to(context: Context, step: Step) -> Verdict:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, substitute, symbol, time_derivative
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.derivation.checks import agree, relations, same, weakest
+from rbpsym.derivation.checks import agree, premise_says, relations, right_side, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
 from rbpsym.derivation.checks_courses import at_time, comes_there, course_of, is_driven, left_then, moved_to, state_said
 from rbpsym.derivation.checks_places import UNSEEN, demanded, own_place, under, way_to
@@ -27,7 +27,7 @@ from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.system import System
+from rbpsym.mechanics.system import System, by_letters, in_state
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, Phase
 
@@ -42,8 +42,7 @@ def slip(context: Context, step: Step) -> Verdict:
 
 def reached_then(context: Context, step: Step) -> Verdict:
     """At the stated time the slip has gone, or the coordinate has its value (`data`: "ending")."""
-    [(_, _, right)] = list(relations(step.statement))
-    return same(context, at_time(context.value(right), _left(context, step)), NOTHING)
+    return same(context, at_time(right_side(context, step), _left(context, step)), NOTHING)
 
 
 def first_then(context: Context, step: Step) -> Verdict:
@@ -105,9 +104,8 @@ def _left(context: Context, step: Step) -> Scalar:
 
 def reached_there(context: Context, step: Step) -> Verdict:
     """At the stated place the force vanishes, friction is at its limit, or the value is there (`data`: "ending", "name")."""
-    [(_, _, right)] = list(relations(step.statement))
     gap = _gap(context, step.data["ending"].phase)
-    return same(context, substitute(gap, {step.data["name"]: context.value(right)}), NOTHING)
+    return same(context, substitute(gap, {step.data["name"]: right_side(context, step)}), NOTHING)
 
 
 def first_there(context: Context, step: Step) -> Verdict:
@@ -196,7 +194,7 @@ def _kept(context: Context, ending, what: str, name: str, stated: Scalar) -> Ver
     integral of the speed, that of the coordinate which moves being 1."""
     [mover], state, momenta = context.study.squares, ending.state, context.study.kept_momenta.values()
     found = [agree(context, context.rate_of(momentum), NOTHING, "motion") for momentum in momenta]
-    then = {f"{n}_dot": speed for n, speed in state.speeds.items()}
+    then = by_letters(state.speeds)
     if what == "speed":
         gaps = (substitute(substitute(p, then), state.places) - context.start(p) for p in momenta)
         return weakest([*found, *(same(context, gap, NOTHING) for gap in gaps), same(context, then[f"{name}_dot"], stated)])
@@ -235,32 +233,23 @@ def _stays(context: Context, state, name: str) -> Verdict:
     """Whether nothing moves a coordinate at rest there, if that is no place of rest of all."""
     if any(item.at.get(name) == state.places[name] for item in context.study.equilibria):
         return Verdict(PROVED, how="it is a place of rest")
-    still = {f"{n}_dot": speed for n, speed in state.speeds.items()}
-    return same(context, substitute(substitute(context.on_motion(symbol(f"{name}_ddot")), still), state.places), NOTHING)
+    return same(context, in_state(context.on_motion(symbol(f"{name}_ddot")), state.places, state.speeds), NOTHING)
 
 
 def said_of(context: Context, coordinate: str) -> Scalar | None:
     """The coordinate as a function of the time, as another step says it."""
     said = [step for step in context.steps.values() if step.rule == "course" and step.data["name"] == coordinate]
-    if not said:
-        return None
-    context.use(said[-1].id)
-    [(_, _, right)] = relations(said[-1].statement)
-    return context.value(right)
-
-
-def _seen(value: Scalar, places: Values, speeds: Values) -> Scalar:
-    return substitute(substitute(value, {f"{name}_dot": v for name, v in speeds.items()}), places)
+    return premise_says(context, said[-1].id) if said else None
 
 
 def momentum_jump(context: Context, step: Step) -> Verdict:
     """The angular momentum about O, summed over the mass, grows by the torque of the impulses (`data`: "blow", "body")."""
     blow, body = step.data["blow"], step.data["body"]
     places = blow.state.places
-    after = _seen(angular_momentum(blow.after, body, ORIGIN), places, blow.began.speeds)
-    before = _seen(angular_momentum(blow.before, body, ORIGIN), places, blow.state.speeds)
+    after = in_state(angular_momentum(blow.after, body, ORIGIN), places, blow.began.speeds)
+    before = in_state(angular_momentum(blow.before, body, ORIGIN), places, blow.state.speeds)
     push = substitute(torque([f for f in blow.forces if f.on == body], ORIGIN), blow.began.impulses)
-    return same(context, after - before, _seen(push, places, blow.began.speeds))
+    return same(context, after - before, in_state(push, places, blow.began.speeds))
 
 
 def parting(context: Context, step: Step) -> Verdict:
@@ -269,8 +258,8 @@ def parting(context: Context, step: Step) -> Verdict:
     blow, element = step.data["blow"], step.data["element"]
     is_normal = step.data["name"] == element.name
     after, before = ((_approach if is_normal else slip_at)(system, element) for system in (blow.after, blow.before))
-    gone = scalar(element["restitution" if is_normal else "tangential"]) * _seen(before, blow.state.places, blow.state.speeds)
-    return same(context, _seen(after, blow.state.places, blow.began.speeds) + gone, NOTHING)
+    gone = scalar(element["restitution" if is_normal else "tangential"]) * in_state(before, blow.state.places, blow.state.speeds)
+    return same(context, in_state(after, blow.state.places, blow.began.speeds) + gone, NOTHING)
 
 
 def _approach(system: System, element: Element) -> Scalar:
@@ -293,9 +282,8 @@ def _closing(system: System, element: Element) -> Scalar:
 def energy_jump(context: Context, step: Step) -> Verdict:
     """The difference of the kinetic energies of both states, summed over the mass (`data`: "states")."""
     first, second = (_energy(*state) for state in step.data["states"])
-    [(_, _, right)] = list(relations(step.statement))
-    return same(context, first - second, context.value(right))
+    return same(context, first - second, right_side(context, step))
 
 
 def _energy(system: System, places: Values, speeds: Values) -> Scalar:
-    return _seen(sum((kinetic_energy(system, body) for body in system.bodies), NOTHING), places, speeds)
+    return in_state(sum((kinetic_energy(system, body) for body in system.bodies), NOTHING), places, speeds)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, atoms, generator, is_zero, symbol, time_derivative, without_roots_below
 from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
-from rbpsym.derivation.checks import relations, same, weakest
+from rbpsym.derivation.checks import first_proved, premise_says, relations, right_side, same, weakest
 from rbpsym.derivation.checks_phases import said_of
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import short
@@ -27,11 +27,7 @@ from rbpsym.mechanics.demands import Demand, assuming
 def _gained(context: Context, step: Step) -> Scalar:
     """The acceleration of the coordinate by the laws, or by the linear equation that is named (`data`: "name", "law")."""
     name, law = step.data["name"], step.data.get("law")
-    if not law:
-        return context.on_motion(symbol(f"{name}_ddot"))
-    context.use(law)
-    [(_, _, right)] = relations(context.steps[law].statement)
-    return context.value(right)
+    return premise_says(context, law) if law else context.on_motion(symbol(f"{name}_ddot"))
 
 
 def _with(value: Scalar, name: str, place: Scalar, speed: Scalar) -> Scalar:
@@ -86,8 +82,7 @@ def _tied(context: Context, step: Step, stated: Scalar) -> list[Verdict]:
 
 def reached(context: Context, step: Step) -> Verdict:
     """At the stated time the coordinate or speed has the value, and at none before (`data`: "subject", "value")."""
-    [(_, _, right)] = relations(step.statement)
-    subject, time = step.data["subject"], neat(context.value(right), context.assumptions)
+    subject, time = step.data["subject"], neat(right_side(context, step), context.assumptions)
     name = subject.removesuffix("_dot")
     system = context.study.system
     moving = system.dependent.get(name, symbol(name))
@@ -143,7 +138,7 @@ def positive(context: Context, step: Step, value: Scalar) -> Verdict:
     found = compare(NOTHING, value, _given(context, step), strict=False)
     ratios = (without_roots_below(value / context.value(node.items[0])) for node in step.obligations)
     alike = (compare(NOTHING, ratio, _given(context, step)) for ratio in ratios)
-    return found if found.is_proved else next((verdict for verdict in alike if verdict.is_proved), found)
+    return found if found.is_proved else first_proved(alike, found)
 
 
 def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdict:
@@ -182,8 +177,7 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
 
 def speed_along(context: Context, step: Step) -> Verdict:
     """dq̇/dq q̇ = q̈ with the stated q̇(q), which starts as the motion does, in that sense (`data`: "name", "way")."""
-    [(_, _, right)] = relations(step.statement)
-    name, value = step.data["name"], context.value(right)
+    name, value = step.data["name"], right_side(context, step)
     gained = _with(_gained(context, step), name, symbol(name), value)
     begin = substitute(value, {name: context.start(symbol(name))})
     first = context.start(symbol(f"{name}_dot"))
@@ -199,8 +193,7 @@ def swing(context: Context, step: Step) -> Verdict:
     """The place goes to and fro as q = q* + (2/n) asin(k s) with s = sin u, where (ds/dt)² = ϑ²(1 - s²)(1 - k² s²): that is
     q̇² with the stated k, ϑ and q*, and the time from s = 0 to 1 is K(k)/ϑ, which is to be a quarter of the period (`data`:
     "name", "quarters"). It begins at rest there or on its way."""
-    [(_, _, right)] = relations(step.statement)
-    name, value, rest, part = step.data["name"], context.value(right), context.value(step.slots["rest"]), step.data["part"]
+    name, value, rest, part = step.data["name"], right_side(context, step), context.value(step.slots["rest"]), step.data["part"]
     [index] = [index for index in value.atoms() if atoms.atom(index).kind == "elliptic_k"]
     modulus, rate = atoms.atom(index).arg, Scalar(generator(index)) * step.data["quarters"] / value
     letter = context.study.letters.free("s")
@@ -223,13 +216,12 @@ WHOLE = 4  # quarters of a period
 def feature(context: Context, step: Step) -> Verdict:
     """What is stated of the solution follows from the equation of motion (`data`: "name", "key", "law", "form",
     "steady")."""
-    [(_, _, right)] = relations(step.statement)
     form, name = step.data["form"], step.data["name"]
     place, speed = symbol(name), symbol(f"{name}_dot")
     stated = form.constant - form.stiffness * place - form.damping * speed - form.drag * speed * speed + form.drive
     stated += form.power / speed
     found = same(context, _gained(context, step), stated)
-    return weakest([found, *FEATURES[step.data["key"]](context, step, context.value(right))])
+    return weakest([found, *FEATURES[step.data["key"]](context, step, right_side(context, step))])
 
 
 def _positive(context: Context, *values: Scalar) -> list[Verdict]:

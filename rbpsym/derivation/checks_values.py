@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, is_zero, symbol, time_derivative
 from rbpsym.algebra.calculus import derivative, function, names_in, root, substitute
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.derivation.checks import relations, same, weakest
+from rbpsym.derivation.checks import first_proved, premise_says, relations, right_side, same, weakest
 from rbpsym.derivation.checks_phases import seen_then
 from rbpsym.derivation.checks_places import under
 from rbpsym.derivation.context import Context
@@ -24,7 +24,7 @@ def _on_motion(context: Context, step: Step, value: Scalar) -> Scalar:
     done = {}
     for name, id in step.data["works"].items():
         if name in names_in(value):
-            done[name] = _said(context, id)
+            done[name] = premise_says(context, id)
     return context.on_motion(substitute(value, done))
 
 
@@ -55,10 +55,10 @@ def value_along(context: Context, step: Step) -> Verdict:
             found += [same(context, rate, NOTHING), same(context, context.start(whole), stated)]
             continue
         gap = _on_motion(context, step, step.data["of"][left.name]) - stated
-        said_so = {f"{name}_dot": _said(context, f"speed_at.{name}") for name in step.data["speeds"]}
+        said_so = {f"{name}_dot": premise_says(context, f"speed_at.{name}") for name in step.data["speeds"]}
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
         gap = substitute(substitute(gap, said_so), speeds)
-        gap = substitute(gap, {n: _said(context, f"place_at.{n}") for n in step.data.get("places", ())})
+        gap = substitute(gap, {n: premise_says(context, f"place_at.{n}") for n in step.data.get("places", ())})
         is_seen = not is_zero(gap)
         found.append(same(context, without_even_roots(context.along(gap) if is_seen else gap), NOTHING))
     return weakest(found)
@@ -67,13 +67,12 @@ def value_along(context: Context, step: Step) -> Verdict:
 def followed(context: Context, step: Step) -> Verdict:
     """The stated function of another coordinate has the rate that the coordinate has, and begins as it does: by the speed
     that another step gives, or the other one's accelerations and first speeds are in that constant ratio (`data`: "name")."""
-    [(_, _, right)] = relations(step.statement)
-    name, value = step.data["name"], context.value(right)
+    name, value = step.data["name"], right_side(context, step)
     begins = [same(context, context.start(value), context.start(symbol(name)))]
     [other] = names_in(value) & {*context.study.system.independent} or {name}  # one that stays where it is: of itself
     slope, rates = derivative(value, other), [symbol(f"{other}_dot"), symbol(f"{name}_dot")]
     if f"speed_at.{name}" in context.steps:
-        return weakest([*begins, same(context, _said(context, f"speed_at.{name}"), slope * rates[0])])
+        return weakest([*begins, same(context, premise_says(context, f"speed_at.{name}"), slope * rates[0])])
     gains = [context.on_motion(symbol(f"{n}_ddot")) for n in (other, name)]
     pairs = [(slope * first, second) for first, second in (gains, map(context.start, rates))]
     constant = same(context, derivative(slope, other), NOTHING)
@@ -83,19 +82,11 @@ def followed(context: Context, step: Step) -> Verdict:
 def kept_speed(context: Context, step: Step) -> Verdict:
     """The stated speed is one of those with which the momenta that other steps say are kept are what they were at the start
     (`data`: "speed", "speeds", "momenta")."""
-    [(_, _, right)] = relations(step.statement)
-    found = [same(context, context.value(right), step.data["speeds"][step.data["speed"]])]
+    found = [same(context, right_side(context, step), step.data["speeds"][step.data["speed"]])]
     for id in step.data["momenta"]:
-        momentum = _said(context, id)
+        momentum = premise_says(context, id)
         found.append(same(context, substitute(momentum, step.data["speeds"]), context.start(momentum)))
     return weakest(found)
-
-
-def _said(context: Context, id: str) -> Scalar:
-    """The value that another step gives."""
-    context.use(id)
-    [(_, _, right)] = relations(context.steps[id].statement)
-    return context.value(right)
 
 
 def _sets_out(context: Context, name: str, way: int, said: list[Scalar]) -> Verdict:
@@ -104,7 +95,7 @@ def _sets_out(context: Context, name: str, way: int, said: list[Scalar]) -> Verd
     push = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
     found = compare(NOTHING, push * way, context.assumptions, strict=False)
     alike = (compare(NOTHING, push * way / value, context.assumptions) for value in said)
-    return found if found.is_proved else next((verdict for verdict in alike if verdict.is_proved), found)
+    return found if found.is_proved else first_proved(alike, found)
 
 
 def direction(context: Context, step: Step) -> Verdict:
@@ -124,7 +115,7 @@ def direction(context: Context, step: Step) -> Verdict:
             told = context.value(right) - turn
             ends = ((slope * side, function("atan", slope) * side) for side in (1, -1))
             found = [weakest([same(context, end, y / x), same(context, told, angle)]) for end, angle in ends]
-            return next((verdict for verdict in found if verdict.is_proved), found[0])
+            return first_proved(found, found[0])
     return undecided("on which side the vector points is not decided")
 
 
@@ -159,14 +150,13 @@ def _is_told(context: Context, value: Scalar, id: str, turned: str) -> Verdict:
     sides = [*(row[0] for row in rows if isinstance(row[0], t.Num)), *(row[2] for row in rows)]  # 0 = F says that F vanishes
     said = [told_as(context.value(side), turned) for side in sides]
     found = [same(context, TURNED[turned](value), each) for each in said]
-    return next((verdict for verdict in found if verdict.is_proved), found[-1])
+    return first_proved(found, found[-1])
 
 
 def steady_place(context: Context, step: Step) -> Verdict:
     """At the stated place, and at rest there, the acceleration vanishes (`data`: "name", "speeds", the steps that give the
     speeds of the others, "place")."""
-    [(_, _, right)] = relations(step.statement)
-    place = context.value(right)
+    place = right_side(context, step)
     there = substitute(_gain(context, step), {step.data["name"]: place})
     return weakest([same(context, there, NOTHING), same(context, place, step.data["place"])])
 
@@ -185,11 +175,7 @@ def steady_frequency(context: Context, step: Step) -> Verdict:
 
 def _gain(context: Context, step: Step) -> Scalar:
     """The acceleration at rest with what the other steps say of the other speeds, as a function of the place."""
-    said = {}
-    for id in step.data["speeds"]:
-        context.use(id)
-        [(left, _, right)] = relations(context.steps[id].statement)
-        said[left.name] = context.value(right)
+    said = {f"{id.removeprefix('speed_at.')}_dot": premise_says(context, id) for id in step.data["speeds"]}
     name = step.data["name"]
     gained = substitute(context.on_motion(symbol(f"{name}_ddot")), said)
     return substitute(gained, {f"{name}_dot": NOTHING})

@@ -131,9 +131,7 @@ def certify(context: Context, step: Step) -> Certificate:
     return found
 
 
-def examined(
-    context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False
-) -> tuple[Certificate, set[str]]:
+def examined(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False) -> tuple[Certificate, set[str]]:
     """The certificate of the step with these premises, and which of them were used; a `hasty` one holds by numbers."""
     view = seen_by(context, step, premises, hasty=hasty)
     checks = RULES[step.rule]

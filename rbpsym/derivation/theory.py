@@ -177,11 +177,7 @@ def _momentum(w: Writer) -> None:
 
 
 def _torque(w: Writer) -> None:
-    w.add(
-        "newton",
-        t.equation(t.Vec("F_net"), t.Deriv(t.Vec("P_cm")), t.mul(t.Sym("M"), t.Vec("A_cm"))),
-        premises=["linear"],
-    )
+    w.add("newton", t.equation(t.Vec("F_net"), t.Deriv(t.Vec("P_cm")), t.mul(t.Sym("M"), t.Vec("A_cm"))), premises=["linear"])
     arm = t.Vec("R_cm")
     w.add(
         "torque",

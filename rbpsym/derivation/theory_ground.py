@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, substitute, symbol, value
+from rbpsym.algebra import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, space_derivative, symbol, value
+from rbpsym.algebra.calculus import substitute
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.notation import tree as t
 
@@ -41,11 +42,9 @@ def plane_vector(x: str, y: str) -> Space:
     return Space(cartesian(symbol(x), symbol(y)))
 
 
-def speed_of(vector: Space, rates: Mapping[str, Scalar] = RATES) -> Space:
+def speed_of(vector: Space) -> Space:
     """d/dt of a vector."""
-    from rbpsym.algebra.evaluate import space_derivative
-
-    return space_derivative(vector, Scope(rates=rates))
+    return space_derivative(vector, Scope(rates=RATES))
 
 
 R, r, s = plane_vector("X", "Y"), plane_vector("xi", "eta"), plane_vector("s_x", "s_y")

@@ -139,11 +139,7 @@ KNOWN = {
         (root(lift(2)) / 2, Fraction(1, 4)),
         (root(lift(3)) / 2, Fraction(1, 3)),
     ),
-    "atan": (
-        (UNITY, Fraction(1, 4)),
-        (root(lift(3)) / 3, Fraction(1, 6)),
-        (root(lift(3)), Fraction(1, 3)),
-    ),
+    "atan": ((UNITY, Fraction(1, 4)), (root(lift(3)) / 3, Fraction(1, 6)), (root(lift(3)), Fraction(1, 3))),
 }
 
 

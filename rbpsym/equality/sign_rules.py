@@ -233,10 +233,7 @@ def _is_linear(poly: Poly) -> bool:
     return all(sum(abs(exponent) for _, exponent in m) < 2 for m in poly.terms)
 
 
-QUICK: tuple[Rule, ...] = (
-    (_by_terms, "all terms have this sign"),
-    (_by_number, "it is a number"),
-)
+QUICK: tuple[Rule, ...] = ((_by_terms, "all terms have this sign"), (_by_number, "it is a number"))
 RULES: tuple[Rule, ...] = (
     (_by_content, "a common factor is taken out"),
     (_by_root, "squares are compared"),

@@ -22,7 +22,7 @@ from rbpsym.mechanics.numbers import Numbers, floating, sample, samples
 from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import System
+from rbpsym.mechanics.system import System, by_letters
 from rbpsym.statement.model import Phase
 from rbpsym.statement.scope import CLOCK
 
@@ -36,6 +36,16 @@ class State:
     places: Mapping[str, Scalar]
     speeds: Mapping[str, Scalar]
     valid: tuple[Demand, ...] = ()
+
+    @property
+    def image(self) -> dict[str, Scalar]:
+        """What stands for coordinates, speeds and time."""
+        return {**self.places, **by_letters(self.speeds), **({} if self.time is None else {"t": self.time})}
+
+
+def value_in(study: Study, value: Scalar, state: State) -> Scalar:
+    """What a value is in a state, accelerations and unknown forces too."""
+    return short(substitute(study.begun(value), state.image))
 
 
 def at_start(study: Study, phase: Phase | None = None) -> State:
@@ -169,9 +179,7 @@ def _tried(study: Study, start: Scalar) -> Iterator[Numbers]:
         yield from ({**numbers, name: ends[0] + (ends[1] - ends[0]) * part} for part in NEAR_ENDS if None not in ends)
 
 
-def _conditions(
-    study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers
-) -> list[Demand] | None:
+def _conditions(study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers) -> list[Demand] | None:
     """Under which the place is the first; None where what has no root in closed form may vanish before."""
     there = short(substitute(way.square, {way.name: place}))
     comes = (way.ahead(place), _drive(study, way.name) * way.sense, there)

@@ -139,9 +139,7 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
     rates = {name: dependent.get(f"{name}_dot", speed) for name, speed in speeds.items()}
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in names}
-    start |= {
-        f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent
-    }
+    start |= {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent}
     return Scope(rates=rates, start=start), independent
 
 
@@ -162,9 +160,7 @@ def _moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
     center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
     velocity = vector_rate(center, scope)
     omega = time_derivative(pose.angle, scope)
-    return BodyState(
-        name, own, pose, center, velocity, omega, vector_rate(velocity, scope), time_derivative(omega, scope)
-    )
+    return BodyState(name, own, pose, center, velocity, omega, vector_rate(velocity, scope), time_derivative(omega, scope))
 
 
 def vector_rate(vector: Vector, scope: Scope) -> Vector:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 from rbpsym.algebra import Scalar, apart, at_most, kept, substitute
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError
-from rbpsym.mechanics import events, friction, motion, oscillation, rest
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS
+from rbpsym.mechanics.events import Losses
+from rbpsym.mechanics.friction import FrictionNeed, friction_needs
 from rbpsym.mechanics.instant import Instant, has_start, start_of
+from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.study import MOST_PRODUCTS, Study
-from rbpsym.mechanics.system import Condition, System
+from rbpsym.mechanics.system import Condition, System, by_letters
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.statement.model import Problem
 
@@ -47,17 +49,14 @@ def _is_lost(study: Study) -> bool:
 class StartStudy(Study):
     """All coordinates are free in its system; of the motion, only its start is known (`instant`)."""
 
-    @property
-    def at_start(self) -> bool:
-        """Only the start is told."""
-        return True
+    at_start = True  # only the start is told
 
     @kept
     def system(self) -> System:
         """Kinematics and forces, with the speeds at the start as the conditions make them."""
         if not has_start(self.problem):
             return self._free
-        scope, speeds = self._free.scope, {f"{name}_dot": value for name, value in self.instant.speeds.items()}
+        scope, speeds = self._free.scope, by_letters(self.instant.speeds)
         start = {name: speeds.get(name, value) for name, value in scope.start.items()}
         return replace(self._free, scope=replace(scope, start=start))
 
@@ -93,52 +92,14 @@ class StartStudy(Study):
         """The value with accelerations and unknown forces replaced by what they are at the start."""
         return substitute(substitute(value, self.instant.reactions), self.instant.accelerations)
 
-    @property
-    def first_integral(self) -> Scalar | None:
-        """None is looked for."""
-        return None
-
-    @property
-    def squares(self) -> Mapping[str, Scalar]:
-        """None are known."""
-        return {}
-
-    @property
-    def reactions_along_motion(self) -> Mapping[str, Scalar] | None:
-        """None are known."""
-        return None
-
-    @property
-    def works(self) -> tuple[motion.ForceWork, ...]:
-        """None are known."""
-        return ()
-
-    @property
-    def equilibria(self) -> tuple[oscillation.Equilibrium, ...]:
-        """None are looked for."""
-        return ()
-
-    @property
-    def rest(self) -> rest.Rest:
-        """Nowhere is looked."""
-        return rest.Rest(complete=None, reason=ONLY_THERE)
-
-    @property
-    def open_balance(self) -> rest.Balance | None:
-        """None is looked for."""
-        return None
-
-    @property
-    def ended(self) -> events.Losses:
-        """None are looked for."""
-        return events.Losses(complete=None, reason=ONLY_THERE)
-
-    @property
-    def sides(self) -> tuple:
-        """What becomes of the forces is not known."""
-        return ()
+    # what is not looked for, and not known
+    first_integral = reactions_along_motion = open_balance = None
+    squares = MappingProxyType({})
+    works = equilibria = sides = ()
+    rest = Rest(complete=None, reason=ONLY_THERE)
+    ended = Losses(complete=None, reason=ONLY_THERE)
 
     @kept
-    def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:
+    def friction_needs(self) -> tuple[FrictionNeed, ...]:
         """How much static friction the contacts need at the start."""
-        return friction.friction_needs(self.system, self.instant.reactions, self.assumptions)
+        return friction_needs(self.system, self.instant.reactions, self.assumptions)

@@ -68,9 +68,7 @@ def compiled_rates(study: Study, numbers: Mapping[str, float], others: Sequence[
     return rates
 
 
-def compiled_values(
-    study: Study, values: Sequence[Scalar], numbers: Mapping[str, float], others: Sequence[str] = ()
-) -> Compiled:
+def compiled_values(study: Study, values: Sequence[Scalar], numbers: Mapping[str, float], others: Sequence[str] = ()) -> Compiled:
     """f(t, y, *values) → a numpy array of the values, each an array where t and the parts of y are arrays.
 
     y and the arguments behind it are those of `compiled_rates`, which raises the same errors.

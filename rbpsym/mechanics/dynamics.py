@@ -131,10 +131,7 @@ def _workless(system: System, ideal: Mapping[str, bool]) -> dict[str, bool]:
     if not system.has_clock:
         return dict(ideal)
     still = dict.fromkeys(system.speeds, NOTHING)
-    carried = {
-        name: (state.velocity.substitute(still), substitute(state.omega, still))
-        for name, state in system.bodies.items()
-    }
+    carried = {name: (state.velocity.substitute(still), substitute(state.omega, still)) for name, state in system.bodies.items()}
     return {name: fine and is_zero(_carried_power(system, carried, name)) for name, fine in ideal.items()}
 
 

@@ -69,9 +69,7 @@ def _pivot(rows: list[Row], unknowns: Sequence[str]) -> tuple[int, str] | None:
 
 
 def _size(part: Scalar) -> int:
-    return (
-        10 * len(part.num) + sum(len(m) for m in part.num.terms) + (100 * len(part.den) if part.den is not ONE else 0)
-    )
+    return (10 * len(part.num) + sum(len(m) for m in part.num.terms) + (100 * len(part.den) if part.den is not ONE else 0))
 
 
 def _eliminated(row: Row, pivot: Row, name: str) -> Row:
@@ -85,9 +83,7 @@ def _eliminated(row: Row, pivot: Row, name: str) -> Row:
     return _cleaned(result)
 
 
-def _back_substituted(
-    done: list[tuple[str, Row]], unknowns: Sequence[str], rows: list[Row], keep_free: bool
-) -> Solution:
+def _back_substituted(done: list[tuple[str, Row]], unknowns: Sequence[str], rows: list[Row], keep_free: bool) -> Solution:
     values: dict[str, Scalar] = {}
     solved = {name for name, _ in done}
     undetermined = {name for name in unknowns if name not in solved}

@@ -36,6 +36,7 @@ from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.roots import factors_in
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import by_letters
 from rbpsym.statement.model import Element, Phase
 from rbpsym.statement.scope import CLOCK
 
@@ -57,7 +58,7 @@ def slip_ends(study: Study, phase: Phase) -> State:
         return _at_rest(study, phase, slip)
     gain = short(substitute(time_derivative(slip, study.system.scope), _uniform(study, phase)))
     start = at_start(study)
-    first = short(substitute(slip, {f"{n}_dot": v for n, v in start.speeds.items()} | dict(start.places)))
+    first = short(substitute(slip, by_letters(start.speeds) | dict(start.places)))
     if is_zero(first):
         raise StatementError(
             f"the phase “{phase.name}” begins when “{phase.subject}” stops slipping, and it does not slip any more before",

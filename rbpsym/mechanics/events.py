@@ -130,9 +130,7 @@ def ways(system: System, dynamics: Dynamics, name: str, square: Scalar, given: A
     return [Way(name, start[name], side, square, found) for side, found in asked.items() if found is not None]
 
 
-def ways_of(
-    system: System, dynamics: Dynamics, value: Scalar, squares: Mapping[str, Scalar], given: Assumptions
-) -> list[Way]:
+def ways_of(system: System, dynamics: Dynamics, value: Scalar, squares: Mapping[str, Scalar], given: Assumptions) -> list[Way]:
     """The ways that are surely taken by the only coordinate of which a value is a function; none if there are several."""
     names = {n for n in (*system.coordinates, "t") if depends_on(value, n)}
     if len(names) != 1 or system.implicit or not names <= squares.keys() & system.scope.start.keys():
@@ -253,9 +251,7 @@ def _turns(place: Scalar) -> Fraction:
     return abs(Fraction(place.num.terms.get(((atoms.PI, 1),), 0)))
 
 
-def _asked(
-    way: Way, place: Scalar, force: Scalar, held: list[Scalar], given: Assumptions
-) -> tuple[Demand, ...] | None:
+def _asked(way: Way, place: Scalar, force: Scalar, held: list[Scalar], given: Assumptions) -> tuple[Demand, ...] | None:
     """Under which conditions a force goes through zero at a place to which the motion comes; None if it does not.
 
     Raises ZeroDivisionError where something has no value there.

@@ -93,9 +93,7 @@ class FrictionNeed:
     holds: bool | None
 
 
-def friction_needs(
-    system: System, reactions: Mapping[str, Scalar], assumptions: Assumptions
-) -> tuple[FrictionNeed, ...]:
+def friction_needs(system: System, reactions: Mapping[str, Scalar], assumptions: Assumptions) -> tuple[FrictionNeed, ...]:
     """For every contact that static friction holds, from the unknown forces as functions of the state."""
     held = [e for e in system.problem.constraints if "limit" in e.values and e["friction"] in reactions]
     return tuple(_need(e, reactions, assumptions) for e in held if reactions[e.name])

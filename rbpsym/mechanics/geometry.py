@@ -31,9 +31,7 @@ def pair(nodes) -> Vector:
     return cartesian(scalar(nodes[0]), scalar(nodes[1]))
 
 
-def position(
-    ref: PointRef, bodies: Mapping[str, Body], inertias: Mapping[str, Inertia], poses: Mapping[str, Pose]
-) -> Vector:
+def position(ref: PointRef, bodies: Mapping[str, Body], inertias: Mapping[str, Inertia], poses: Mapping[str, Pose]) -> Vector:
     """Position in space of any point."""
     if ref.body is None:
         return pair(ref.at)

@@ -17,7 +17,7 @@ from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry, pair, start_numbers
 from rbpsym.mechanics.strings import pulls
-from rbpsym.mechanics.system import Force, System
+from rbpsym.mechanics.system import Force, System, in_state
 from rbpsym.statement.model import Element, PointRef
 
 Values = Mapping[str, Scalar]
@@ -44,7 +44,7 @@ class Moment:
 
     def old(self, value: Scalar) -> Scalar:
         """A value of the system before, in numbers of the start."""
-        return substitute(substitute(value, {f"{n}_dot": v for n, v in self.speeds.items()}), self.places)
+        return in_state(value, self.places, self.speeds)
 
     def new(self, value: Scalar) -> Scalar:
         """A value of the system after; its speeds stay as unknowns."""

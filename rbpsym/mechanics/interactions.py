@@ -88,15 +88,7 @@ def _ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]
     first, second = element["between"]
     ends = ((first, second, pull), (second, first, -pull))
     return tuple(
-        Force(
-            element.name,
-            ref.body,
-            other.body or "ground",
-            setting.where(ref),
-            vector,
-            law=element.kind,
-            where=ref.label,
-        )
+        Force(element.name, ref.body, other.body or "ground", setting.where(ref), vector, law=element.kind, where=ref.label)
         for ref, other, vector in ends
         if ref.body is not None
     )
@@ -141,9 +133,7 @@ def _pull_energy(element: Element, setting: Setting) -> Scalar | None:
 def _couples(element: Element, first: str, second: str, on_second: Scalar, setting: Setting) -> tuple[Force, ...]:
     pairs = ((second, first, on_second), (first, second, -on_second))
     return tuple(
-        Force(
-            element.name, name, other, setting.states[name].center, ORIGIN, couple, law=element.kind, where=f"{name}.cm"
-        )
+        Force(element.name, name, other, setting.states[name].center, ORIGIN, couple, law=element.kind, where=f"{name}.cm")
         for name, other, couple in pairs
         if name in setting.states
     )
@@ -190,15 +180,7 @@ def _applied(element: Element, setting: Setting) -> Vector:
 def _applied_force(element: Element, setting: Setting) -> tuple[Force, ...]:
     ref = element["on"]
     return (
-        Force(
-            element.name,
-            ref.body,
-            "agent",
-            setting.where(ref),
-            _applied(element, setting),
-            law=element.kind,
-            where=ref.label,
-        ),
+        Force(element.name, ref.body, "agent", setting.where(ref), _applied(element, setting), law=element.kind, where=ref.label),
     )
 
 

@@ -22,7 +22,7 @@ from rbpsym.mechanics.geometry import components
 from rbpsym.mechanics.impulse import Moment, body_rows, impulsive, parting, restitutions
 from rbpsym.mechanics.placing import origins
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import Force, System
+from rbpsym.mechanics.system import Force, System, by_letters
 from rbpsym.statement.model import Element
 
 
@@ -204,7 +204,7 @@ def _fixed_places(study: Study) -> Iterator[tuple[str, Vector]]:
 def until_no_slip(study: Study, slip: Scalar, end: State) -> tuple[Kept, ...]:
     """The angular momenta that, with a slip that has gone, give all speeds at the end of a phase; () if they do not."""
     wanted, start = study.system.speeds, at_start(study)
-    begun = {f"{name}_dot": speed for name, speed in start.speeds.items()}
+    begun = by_letters(start.speeds)
     rows, chosen = [substitute(slip, end.places)], []
     known = solve_linear(rows, wanted, keep_free=True)
     for kept in angular_momenta(study):

@@ -68,9 +68,7 @@ def check_collision(study: Study, element: Element, state: State) -> None:
     gap = _where(study.system, element["points"][1]) - _where(study.system, element["points"][0])
     reach = sum((_radius(study.system, ref) for ref in element["points"]), NOTHING)
     if min(_at(study, apart.dot(apart), known) for apart in (gap, gap - along * reach)) > CLOSE**2:
-        raise _wrong(
-            element, "is between points that do not meet at that moment", "check the points, the start, or the event."
-        )
+        raise _wrong(element, "is between points that do not meet at that moment", "check the points, the start, or the event.")
     first, second = (_velocity(study.system, ref) for ref in element["points"])
     if _at(study, along.dot(second - first), known) > -CLOSE:
         raise _wrong(

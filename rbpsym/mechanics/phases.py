@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra import NOTHING, Scalar, Style, depends_on, is_zero, names_in, substitute, symbol
+from rbpsym.algebra import NOTHING, Scalar, Style, depends_on, is_zero, names_in, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
@@ -26,7 +26,7 @@ from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike
 from rbpsym.mechanics.phase_checks import check_bounce, check_collision, check_in_place, check_still_slipping, with_senses
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import System
+from rbpsym.mechanics.system import System, in_state
 from rbpsym.notation.tree import Node, Sym, add
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.scope import CLOCK
@@ -188,9 +188,7 @@ def _taken(study: Study, end: State) -> Scalar | None:
     if study.potential is None or study.system.has_clock:
         return None
     total, start = sum(study.kinetic, study.potential), at_start(study)
-    first, last = (
-        substitute(substitute(total, {f"{n}_dot": v for n, v in state.speeds.items()}), state.places) for state in (start, end)
-    )
+    first, last = (in_state(total, state.places, state.speeds) for state in (start, end))
     return short(without_even_roots(first - last))
 
 
@@ -214,5 +212,4 @@ def _started(problem: Problem, style: Style, places: Mapping[str, Scalar], speed
 
 
 def _kinetic(system: System, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Scalar:
-    total = sum(energy.kinetic_energy(system), NOTHING)
-    return substitute(substitute(total, {f"{n}_dot": v for n, v in speeds.items()}), places)
+    return in_state(sum(energy.kinetic_energy(system), NOTHING), places, speeds)

@@ -28,9 +28,7 @@ class Side:
     valid: tuple[Demand, ...] = ()
 
 
-def sides(
-    constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions
-) -> tuple[Side, ...]:
+def sides(constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions) -> tuple[Side, ...]:
     """All one-sided forces, from their values along the motion as far as these are known."""
     names = [name for element in constraints for name in pushes(element) if name in known]
     slips = any(element.values.get("limit") is not None for element in constraints)

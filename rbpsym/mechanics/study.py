@@ -154,9 +154,7 @@ class Study:
         """An angle that gives the slope of a line by its tangent lies below a right angle."""
         lines = [e["line"] for e in self.problem.constraints if e.values.get("line") is not None]
         nodes = (node for line in lines for part in (line.a, line.b, line.c) for node in walk(part))
-        slopes = {
-            node.arg.name for node in nodes if isinstance(node, Fn) and node.name == "tan" and isinstance(node.arg, Sym)
-        }
+        slopes = {node.arg.name for node in nodes if isinstance(node, Fn) and node.name == "tan" and isinstance(node.arg, Sym)}
         signs = {q.name: q.sign for q in self.problem.parameters if q.name in slopes}
         return {name: (NOTHING if sign == "positive" else -PI / 2, PI / 2) for name, sign in signs.items()}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Scope, Vector, kept, time_derivative
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Scope, Vector, kept, substitute, time_derivative
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.paths import tensions
@@ -176,3 +176,13 @@ def at_point(state: BodyState | Pose, local: tuple[Scalar, Scalar]) -> Vector:
     """Position in space of a point given in the body frame."""
     pose = state.pose if isinstance(state, BodyState) else state
     return pose.origin + rotated(*local, pose.angle)
+
+
+def by_letters(speeds: Mapping[str, Scalar]) -> dict[str, Scalar]:
+    """The speeds of coordinates by their letters, of q by that of q̇."""
+    return {f"{name}_dot": speed for name, speed in speeds.items()}
+
+
+def in_state(value: Scalar, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Scalar:
+    """A value with the speeds of coordinates, and then their places, put in."""
+    return substitute(substitute(value, by_letters(speeds)), places)

@@ -114,12 +114,12 @@ def _habit(study: Study, kind: str, bodies: tuple[str, ...], where: Vector) -> f
     if kind == "force":
         slanted = any(not is_zero(where.cross(s.velocity)) and not is_zero(where.dot(s.velocity)) for s in states)
         return SLANTED * slanted + (ONLY_SHIFTED if not any(state.omega for state in states) else 0.0)
-    if kind != "fixed" or all(_keeps_distance(study, state, where) for state in states):
+    if kind != "fixed" or all(_keeps_distance(state, where) for state in states):
         return 0.0
     return ABOUT_NO_AXIS
 
 
-def _keeps_distance(study: Study, state: BodyState, point: Vector) -> bool:
+def _keeps_distance(state: BodyState, point: Vector) -> bool:
     """Does the centre of mass stay at one distance from a fixed point?"""
     arm = state.center - point
     return is_zero(arm.dot(state.velocity))
@@ -206,13 +206,13 @@ def _search(study: Study) -> Plan | None:
     candidates = all_balances(study)
     trivial = [b for b in candidates if b.unknowns]
     for size in range(len(wanted), min(len(wanted) + MOST_EXTRA, LONGEST) + 1):
-        found = _cheapest(study, trivial[:MOST_CANDIDATES], size, wanted)
+        found = _cheapest(trivial[:MOST_CANDIDATES], size, wanted)
         if found is not None:
             return found
     return None
 
 
-def _cheapest(study: Study, candidates: list[Balance], size: int, wanted: tuple[str, ...]) -> Plan | None:
+def _cheapest(candidates: list[Balance], size: int, wanted: tuple[str, ...]) -> Plan | None:
     sets = [c for c in combinations(candidates, size) if may_close(c, size, wanted)]
     for chosen in sorted(sets, key=lambda c: sum(b.cost for b in c)):
         unknowns = tuple(sorted(frozenset().union(*(b.unknowns for b in chosen))))

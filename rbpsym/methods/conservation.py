@@ -244,15 +244,7 @@ def _acceleration(draft: Draft, kept: Scalar) -> Mapping[str, Scalar] | None:
     slope, rest = derivative(inner, f"{name}_ddot"), substitute(inner, {f"{name}_ddot": NOTHING})
     inside = t.add(draft.show_brief(slope * symbol(f"{name}_ddot")), *([draft.show(rest, factor=True)] if rest else []))
     statement = t.equation(t.Deriv(t.Sym(draft.free("E", "tot"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
-    draft.add(
-        "energy.rate",
-        "balance",
-        statement,
-        "energy.rate",
-        premises=["energy"],
-        source=StepRef("energy"),
-        speed=speed,
-    )
+    draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"), speed=speed)
     value = short(-(rest / slope))
     shown = isolated_again(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
     draft.add(

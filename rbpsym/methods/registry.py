@@ -10,6 +10,4 @@ from rbpsym.methods import conservation, newton_euler, torque, work_energy
 
 Method = Callable[[Draft], Mapping[str, Scalar] | None]
 
-METHODS: Mapping[str, Method] = {
-    module.NAME: module.write for module in (torque, newton_euler, work_energy, conservation)
-}
+METHODS: Mapping[str, Method] = {module.NAME: module.write for module in (torque, newton_euler, work_energy, conservation)}

@@ -92,9 +92,7 @@ def _subscript(draft: Draft, balance: Balance) -> str:
 def _net_torque(draft: Draft, balance: Balance) -> Step:
     """The net torque on the set, force by force."""
     forces = outer_forces(draft.study.system, balance.bodies)
-    name = draft.free(
-        f"tau_{_subscript(draft, balance)}" if not draft.is_single else f"tau_{_point(draft, balance).name}"
-    )
+    name = draft.free(f"tau_{_subscript(draft, balance)}" if not draft.is_single else f"tau_{_point(draft, balance).name}")
     parts = [short(f.torque(balance.where)) for f in forces]
     shown = t.add(*positive_first([draft.show(part) for part in parts if part]))
     draft.context.vectors[name] = Space(z=balance.right)

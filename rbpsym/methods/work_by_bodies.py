@@ -101,7 +101,7 @@ def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]
         t.equation(t.add(*unknown, *(since_start(draft, work) for work in known)), show_gained(draft, growth)),
         "work.alone",
         premises=draft.those(
-            *(f"work.{i.force}.{i.on}" for i in draft.study.works if i.on == body), *_theorems(draft, body)
+            *(f"work.{i.force}.{i.on}" for i in draft.study.works if i.on == body), f"theorem.T.{body}", f"theorem.theta.{body}"
         ),
         body=BodyRef(body),
         works=[letters[k] for k in acting],
@@ -121,10 +121,6 @@ def _shown(draft: Draft, growth: Scalar) -> t.Node:
     """The inertias of the bodies side by side, unless that is far too long."""
     plain, brief = draft.show(growth), show_gained(draft, growth)
     return brief if length(brief) <= FAR_SHORTER * length(plain) else plain
-
-
-def _theorems(draft: Draft, body: str) -> list[str]:
-    return [f"theorem.{half}.{body}" for half in ("T", "theta")]
 
 
 def _sum(draft: Draft, parts: Parts, steps: list[Step], letters: Mapping[str, t.Sym]) -> None:

@@ -66,9 +66,7 @@ def write(draft: Draft, these: Together) -> None:
 
 def _forces(draft: Draft, items: tuple[ForceWork, ...]) -> list[Force]:
     names = [(item.force, item.on) for item in items]
-    return sorted(
-        (f for f in draft.study.system.forces if (f.name, f.on) in names), key=lambda f: names.index((f.name, f.on))
-    )
+    return sorted((f for f in draft.study.system.forces if (f.name, f.on) in names), key=lambda f: names.index((f.name, f.on)))
 
 
 def _push(draft: Draft, these: Together) -> Vector:
@@ -88,7 +86,7 @@ def _translation(draft: Draft, these: Together, work: t.Sym) -> list[str]:
     path = t.PathIntegral(t.Group(t.add(*nodes)), t.Vec(draft.of_body("R", these.name)))
     kinetic = _kinetic(draft, these, "translational")
     changes = _changes(draft, these, "translational")
-    parts = _integral(draft, these, [_along(draft, these, item) for item in these.ideal])
+    parts = _integral(draft, these, [item.translational.parts.get(these.coordinate, NOTHING) for item in these.ideal])
     spelled = _by_components(draft, these, forces)
     between = [spelled] if length(spelled) <= LONGEST else []
     items = [letter, path, *between, t.add(parts, *changes), t.add(work, *changes), kinetic]
@@ -114,14 +112,6 @@ def _slots(draft: Draft, these: Together, work: t.Sym) -> dict[str, Any]:
         "body": BodyRef(these.name),
         "ideal": [force_node(draft, force) for force in _forces(draft, these.ideal)],
     }
-
-
-def _along(draft: Draft, these: Together, item: ForceWork) -> Scalar:
-    return item.translational.parts.get(these.coordinate, NOTHING)
-
-
-def _turning(draft: Draft, these: Together, item: ForceWork) -> Scalar:
-    return item.rotational.parts.get(these.coordinate, NOTHING)
 
 
 def _by_components(draft: Draft, these: Together, forces: list[Force]) -> t.Node:
@@ -181,7 +171,7 @@ def _rotation(draft: Draft, these: Together, work: t.Sym) -> list[str]:
     turn = sum((torque_about_center(f, these.state) for f in draft.study.system.forces), NOTHING)
     draft.context.works[letter.name] = turn * these.state.omega
     changes = _changes(draft, these, "rotational")
-    parts = _integral(draft, these, [_turning(draft, these, item) for item in these.ideal])
+    parts = _integral(draft, these, [item.rotational.parts.get(these.coordinate, NOTHING) for item in these.ideal])
     slots = _slots(draft, these, work)
     other = t.add(t.neg(work), *changes)
     statement = t.equation(letter, t.add(parts, *changes), other)

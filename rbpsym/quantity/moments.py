@@ -19,6 +19,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.system import by_letters
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
 from rbpsym.quantity.oscillations import PHRASES as OSCILLATIONS
@@ -196,7 +197,7 @@ def just_before(world: ProblemWorld, phrase: str, name: str) -> Bound:
     """PHRASE just before PHASE: at the end of the phase before it."""
     place, stage = _stage(world, name)
     earlier, state = world.phase(place - 1), stage.began.before
-    image = {**state.places, **{f"{n}_dot": v for n, v in state.speeds.items()}}
+    image = {**state.places, **by_letters(state.speeds)}
     return _still(earlier, mapped(earlier.bound(phrase), lambda v: carried(earlier, v), image), phrase)
 
 
@@ -234,9 +235,7 @@ def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
 def _need(world: ProblemWorld, contact: str) -> FrictionNeed:
     needs = {item.constraint: item for item in world.study.friction_needs}
     if contact not in needs:
-        raise StatementError(
-            f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts")
-        )
+        raise StatementError(f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts"))
     return needs[contact]
 
 

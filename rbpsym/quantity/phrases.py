@@ -178,9 +178,7 @@ def _potential(world: ProblemWorld, name: str | None) -> Bound:
     found = potentials(world.study.system)
     values = [found.get(name)] if name else list(found.values())
     if any(value is None for value in values):
-        raise StatementError(
-            "there is no such potential energy", instead=did_you_mean(name or "", found, "interactions")
-        )
+        raise StatementError("there is no such potential energy", instead=did_you_mean(name or "", found, "interactions"))
     return number(sum(values, NOTHING))
 
 

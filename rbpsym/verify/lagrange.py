@@ -32,7 +32,7 @@ from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.interactions import stretch
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import System, rotated
+from rbpsym.mechanics.system import System, by_letters, rotated
 from rbpsym.statement.model import Element, PointRef
 
 
@@ -317,7 +317,7 @@ def start_verdict(study: Study) -> Verdict:
     """The same where only the start is told: there Lagrange's expressions, along all variations that the conditions allow,
     vanish in the sum."""
     system, found = study.system, study.instant
-    speeds = {f"{name}_dot": value for name, value in found.speeds.items()}
+    speeds = by_letters(found.speeds)
     there, moves = {**found.places, **speeds, **found.accelerations}, {n: symbol(f"variation_of_{n}") for n in system.coordinates}
     held = [(c.value, "") for c in system.implicit] + [(c.value, "_dot") for c in system.speed_ties]
     rows = [total(derivative(value, f"{n}{tail}") * move for n, move in moves.items()) for value, tail in held]

@@ -43,7 +43,7 @@ def write(draft: Draft) -> None:
     ties = (*draft.study.ties, *draft.study.system.speed_ties) if draft.study.at_start else ()
     kept = {condition.constraint for condition in ties}  # their rates are told of the start alone
     for element in draft.study.problem.constraints:
-        _geometric(draft, element, given)
+        _geometric(draft, element)
         _kept_angle(draft, element)
         if element.name not in kept:
             SPEEDS.get(element.kind, _nothing)(draft, element, given)
@@ -72,7 +72,7 @@ def _nothing(draft: Draft, element: Element, given: Given) -> None:
 # --- places
 
 
-def _geometric(draft: Draft, element: Element, given: Given) -> None:
+def _geometric(draft: Draft, element: Element) -> None:
     rows = [*meeting_rows(draft, element), *line_rows(draft, element), *distance_rows(draft, element)]
     rows += _driven_rows(draft, element)
     rows = rows or _moving_line_rows(draft, element)
@@ -255,9 +255,7 @@ def _named(letter: t.Node | None) -> PhraseRef:
 def _where(element: Element, by: str | None, normal: Vector) -> PhraseRef:
     """On a line or a circle, inside or outside, of another body or fixed."""
     if element.values.get("line") is not None:
-        return (
-            PhraseRef("kinematics.on.body", {"by": BodyRef(by)}) if by else PhraseRef(f"kinematics.on.{_slope(normal)}")
-        )
+        return (PhraseRef("kinematics.on.body", {"by": BodyRef(by)}) if by else PhraseRef(f"kinematics.on.{_slope(normal)}"))
     stated = element.values.get("side")  # a guide has none
     side = stated if stated in ("inside", "outside") else "body"
     return PhraseRef(f"kinematics.on.{side}", {"by": BodyRef(by) if by else PhraseRef("kinematics.circle")})

@@ -230,11 +230,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
 
 def ground(draft: Draft, *names: str) -> list[str]:
     """The laws, the starts and the ranges of coordinates, on which it rests what may happen along the motion."""
-    found = [
-        "law.motion",
-        *(f"start.{n}" for n in names),
-        *(id for id in draft.context.facts if id.startswith("range.")),
-    ]
+    found = ["law.motion", *(f"start.{n}" for n in names), *(id for id in draft.context.facts if id.startswith("range."))]
     return [id for id in found if id in draft.context.facts]
 
 

@@ -46,11 +46,7 @@ def _polynomial(draft: Draft, item: Equilibrium, place: int) -> None:
     if linear.zeros:
         factors.insert(0, _power(letter, linear.zeros))
     shown = t.mul(*(t.Group(f) if isinstance(f, t.Add) and len(factors) > 1 else f for f in factors))
-    told = {
-        "level": STANDARD if length(shown) <= LONGEST else FULL,
-        "premises": [f"linear.{place}"],
-        "is_result": False,
-    }
+    told = {"level": STANDARD if length(shown) <= LONGEST else FULL, "premises": [f"linear.{place}"], "is_result": False}
     growth, id = t.Fn("exp", t.mul(letter, t.Sym("t"))), f"characteristic.{place}"
     _add(draft, item, id, "polynomial", t.equation(shown, t.ZERO), "polynomial", letter=letter, growth=growth, **told)
 

@@ -18,7 +18,7 @@ from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.jumps import Kept, until_no_slip
-from rbpsym.mechanics.system import Force
+from rbpsym.mechanics.system import Force, by_letters, in_state
 from rbpsym.notation import tree as t
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Phase
@@ -199,8 +199,7 @@ def _energy(draft: Draft, ending: Ending) -> None:
 
 def kinetic(draft: Draft, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Scalar:
     """The kinetic energy of the draft's system in a state."""
-    total = sum(draft.study.kinetic, NOTHING)
-    return short(substitute(substitute(total, {f"{n}_dot": v for n, v in speeds.items()}), places))
+    return short(in_state(sum(draft.study.kinetic, NOTHING), places, speeds))
 
 
 def is_plain(value: Scalar) -> bool:
@@ -268,7 +267,7 @@ def _those(key: str, forces: tuple[Force, ...], point: t.Node) -> PhraseRef:
 def _unchanged(draft: Draft, ending: Ending, value: Scalar) -> t.Node:
     """L at the end = L at the start, positive where both are negative."""
     value = -value if isinstance(draft.show(value), t.Neg) else value
-    begun = {f"{name}_dot": speed for name, speed in at_start(draft.study).speeds.items()}
+    begun = by_letters(at_start(draft.study).speeds)
     return t.equation(draft.show(_then(draft, ending, value)), draft.show(substitute(value, begun)))
 
 

@@ -238,10 +238,7 @@ def _lost(draft: Draft, blow: Blow) -> None:
     value, before = blow.began.energy_lost, kinetic(draft, blow.state.places, blow.state.speeds)
     first = draft.define(draft.free("K"), before)
     second = draft.define(draft.free("K_prime"), new_value(draft, blow, sum(kinetic_energy(blow.after), NOTHING)))
-    states = (
-        (blow.before, blow.state.places, blow.state.speeds),
-        (blow.after, blow.state.places, blow.began.speeds),
-    )
+    states = ((blow.before, blow.state.places, blow.state.speeds), (blow.after, blow.state.places, blow.began.speeds))
     gained = sign(value, draft.study.assumptions).kind == "negative"
     draft.add(
         "energy.lost",

@@ -43,9 +43,7 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
     formula = t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body)))
     if state.moment and state.omega:
         formula = t.add(formula, t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))))
-    statement = t.equation(
-        t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin)
-    )
+    statement = t.equation(t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin))
     draft.add(
         f"momentum.{body}.{label}",
         "angular_momentum",

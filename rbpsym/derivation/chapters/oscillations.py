@@ -88,7 +88,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
         damping = short(item.linear.damping[0][0] / item.inertia[0][0])
     shown = with_shorter(draft, _frequency(draft, item, square), square)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
-    pull = _linear(draft, shown[-1], deviation)
+    pull = _linear(shown[-1], deviation)
     drag = t.neg(t.mul(draft.show(damping, factor=True), t.Sym(f"{name}_dot"))) if damping else t.ZERO
     draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", t.add(pull, drag)),
               f"{phrase}_damped" if damping and item.stable else phrase, place=there,
@@ -135,6 +135,6 @@ def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:
     return draft.show(square, factor=True)
 
 
-def _linear(draft: Draft, shown: t.Node, deviation: t.Node) -> t.Node:
+def _linear(shown: t.Node, deviation: t.Node) -> t.Node:
     around = t.Group(deviation) if isinstance(deviation, t.Add) else deviation
     return t.neg(t.mul(shown, around))
