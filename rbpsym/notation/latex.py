@@ -53,14 +53,17 @@ def _row_pair(pair: tuple[b.Box, b.Box]) -> str:
     return f"{left} &{right}".lstrip()
 
 
+_FORMS = {
+    "space": r" \, ", "times": " ", "under": "%(base)s_{%(under)s}", "fraction": r"\frac{%(num)s}{%(den)s}",
+    "radical": r"\sqrt{%(body)s}",
+}  # fmt: skip
+
+
 class _Latex(Printer):
     """LaTeX."""
 
     signs = _SIGNS
-    forms = {
-        "space": r" \, ", "times": " ", "under": "%(base)s_{%(under)s}", "fraction": r"\frac{%(num)s}{%(den)s}",
-        "radical": r"\sqrt{%(body)s}",
-    }  # fmt: skip
+    forms = _FORMS
 
     def phrase(self, box: b.Phrase) -> str:
         return rf"\text{{{_escaped(box.text)}}}"

@@ -64,14 +64,17 @@ def _in_row(before: b.Box | None, box: b.Box, after: b.Box | None) -> str:
     return render(box) + (_THIN if beside or behind else "")
 
 
+_FORMS = {
+    "space": _THIN, "times": "<mo>\u2062</mo>", "big": "<mo>%(sign)s</mo>", "function": "<mi>%(name)s</mi>",
+    "under": "<munder>%(base)s%(under)s</munder>", "fraction": "<mfrac>%(num)s%(den)s</mfrac>",
+    "radical": "<msqrt>%(body)s</msqrt>",
+}  # fmt: skip
+
+
 class _MathML(Printer):
     """MathML: exactly one element a box."""
 
-    forms = {
-        "space": _THIN, "times": "<mo>\u2062</mo>", "big": "<mo>%(sign)s</mo>", "function": "<mi>%(name)s</mi>",
-        "under": "<munder>%(base)s%(under)s</munder>", "fraction": "<mfrac>%(num)s%(den)s</mfrac>",
-        "radical": "<msqrt>%(body)s</msqrt>",
-    }  # fmt: skip
+    forms = _FORMS
 
     def phrase(self, box: b.Phrase) -> str:
         words = escape(box.text.replace(" ", "\u00a0"))

@@ -89,16 +89,19 @@ def _ends_body(item: b.Box) -> bool:
     return isinstance(item, b.Operator) and (item.kind == "relation" or item.sign in _ENDS)
 
 
+_FORMS = {
+    "under": "<m:limLow><m:e>%(base)s</m:e><m:lim>%(under)s</m:lim></m:limLow>",
+    "fraction": "<m:f><m:num>%(num)s</m:num><m:den>%(den)s</m:den></m:f>",
+    "radical": '<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>%(body)s</m:e></m:rad>',
+    "applied": "<m:func><m:fName>%(head)s</m:fName><m:e>%(arg)s</m:e></m:func>",
+    "fence": '<m:d><m:dPr><m:begChr m:val="%(opening)s"/><m:endChr m:val="%(closing)s"/></m:dPr><m:e>%(body)s</m:e></m:d>',
+}
+
+
 class _Omml(Printer):
     """Office MathML: elements side by side."""
 
-    forms = {
-        "under": "<m:limLow><m:e>%(base)s</m:e><m:lim>%(under)s</m:lim></m:limLow>",
-        "fraction": "<m:f><m:num>%(num)s</m:num><m:den>%(den)s</m:den></m:f>",
-        "radical": '<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>%(body)s</m:e></m:rad>',
-        "applied": "<m:func><m:fName>%(head)s</m:fName><m:e>%(arg)s</m:e></m:func>",
-        "fence": '<m:d><m:dPr><m:begChr m:val="%(opening)s"/><m:endChr m:val="%(closing)s"/></m:dPr><m:e>%(body)s</m:e></m:d>',
-    }
+    forms = _FORMS
 
     def operator(self, box: b.Operator) -> str:
         return run(_SIGNS.get(box.sign, box.sign))

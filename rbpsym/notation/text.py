@@ -67,13 +67,16 @@ def _is(letter: str, kind: str) -> bool:
     return decomposition(letter).startswith(kind)
 
 
+_FORMS = {
+    "phrase": "%(text)s", "space": " ", "under": "%(base)s(%(under)s)", "fence": "%(opening)s%(body)s%(closing)s",
+}  # fmt: skip
+
+
 class _Text(Printer):
     """Unicode."""
 
     mode = "text"
-    forms = {
-        "phrase": "%(text)s", "space": " ", "under": "%(base)s(%(under)s)", "fence": "%(opening)s%(body)s%(closing)s",
-    }  # fmt: skip
+    forms = _FORMS
 
     def letter(self, box: b.Letter) -> str:
         return script(box.text) if box.style == "script" else box.text

@@ -40,13 +40,16 @@ _FENCES: dict[str, Callable[[str], str]] = {
 }  # fmt: skip
 
 
+_FORMS = {
+    "space": "thin", "under": "%(base)s_(%(under)s)", "fraction": "frac(%(num)s, %(den)s)", "radical": "sqrt(%(body)s)",
+    "applied": "%(head)s %(arg)s",
+}  # fmt: skip
+
+
 class _Typst(Printer):
     """Typst math."""
 
-    forms = {
-        "space": "thin", "under": "%(base)s_(%(under)s)", "fraction": "frac(%(num)s, %(den)s)", "radical": "sqrt(%(body)s)",
-        "applied": "%(head)s %(arg)s",
-    }  # fmt: skip
+    forms = _FORMS
 
     def operator(self, box: b.Operator) -> str:
         return _SIGNS.get(box.sign, box.sign)

@@ -225,7 +225,7 @@ class Checker:
 
     def _fix(self, latex: str, place: int, relation: t.Chain, repaired: t.Chain, claim: Claim) -> str:
         """The formula with one relation repaired, if that relation is proved as it is read again."""
-        from rbpsym.verify.diagnosis_text import corrected
+        from rbpsym.verify.diagnosis_edits import corrected
 
         words = self.reading(glossary(claim.setting.symbols), claim.setting)
         written = corrected(latex, relation, repaired, {name: latex for latex, (name, _) in words.names.items()})
