@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 
 from rbpsym.algebra import Space
 from rbpsym.algebra.present import present
@@ -13,7 +14,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_grammar import DEGREE
-from rbpsym.notation.places import put, sites
+from rbpsym.notation.places import Path, put, sites
 from rbpsym.notation.text import to_text
 from rbpsym.verify.claims_ground import Ground, Question
 from rbpsym.verify.claims_integrals import valued
@@ -22,7 +23,29 @@ from rbpsym.verify.claims_model import Claim
 _FAR = re.compile(r"\b(where|when|until|in|frequency|period|time|start|unknown|constant|defined|smallest|largest)\b")
 LARGEST = 12  # number that is tried in place of another
 MOST = 20  # other symbols that are tried
-Edit = tuple[t.Chain, str, Ground]  # the repaired relation, what was changed, and with what it is read
+TURNS = ("sin", "cos", "tan")
+Change = tuple[t.Node, str]  # what stands in place of a part, and what was changed in words
+Rule = Callable[[t.Chain], Iterator["Repair"]]
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """A relation with one thing changed, what was changed in words, and with what it is read, if not with what it was."""
+
+    relation: t.Chain
+    words: str
+    ground: Ground | None = None
+
+
+def anywhere(change: Callable[[Path, t.Node], Iterator[Change]], ground: Ground | None = None) -> Rule:
+    """The repairs that a change makes of each part of a relation in turn."""
+
+    def repairs(relation: t.Chain) -> Iterator[Repair]:
+        for path, node in sites(relation):
+            for new, words in change(path, node):
+                yield Repair(put(relation, path, new), words, ground)
+
+    return repairs
 
 
 def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
@@ -38,44 +61,37 @@ def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
     return replace(ground, bounds=bounds), phrases
 
 
-def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Edit]:
+def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
     """All of them, the likeliest first."""
     wide, phrases = known(claim, ground)
-    yield from _degrees(relation, wide)
-    yield from _numbers(relation, wide)
-    yield from _angles(relation, wide)
-    yield from _others(relation, wide, phrases)
-    yield from _lost(relation, wide, phrases)
+    for change in (_degrees, _numbers, _angles, partial(_others, phrases), partial(_lost, phrases)):
+        yield from anywhere(change, wide)(relation)
     yield from _missing(relation, wide, phrases)
 
 
-def _degrees(relation: t.Chain, ground: Ground) -> Iterator[Edit]:
-    for path, node in sites(relation):
-        if isinstance(node, t.Num) and path and (path[-1][0] == "arg" or path[-1][0] == "items"):
-            yield put(relation, path, t.mul(node, DEGREE)), f"{to_text(node)} is in degrees", ground
+def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, t.Num) and path and path[-1][0] in ("arg", "items"):
+        yield t.mul(node, DEGREE), f"{to_text(node)} is in degrees"
 
 
-def _numbers(relation: t.Chain, ground: Ground) -> Iterator[Edit]:
+def _numbers(path: Path, node: t.Node) -> Iterator[Change]:
     """Another small number, wherever one stands."""
-    for path, node in sites(relation):
-        for other in range(1, LARGEST + 1) if isinstance(node, t.Num) and isinstance(node.value, int) else ():
-            if other != node.value:
-                yield put(relation, path, t.Num(other)), f"{other} in place of {to_text(node)}", ground
+    for other in range(1, LARGEST + 1) if isinstance(node, t.Num) and isinstance(node.value, int) else ():
+        if other != node.value:
+            yield t.Num(other), f"{other} in place of {to_text(node)}"
 
 
-def _angles(relation: t.Chain, ground: Ground) -> Iterator[Edit]:
+def _angles(path: Path, node: t.Node) -> Iterator[Change]:
     """Twice or half the angle; a root that is too much, or missing."""
-    for path, node in sites(relation):
-        if isinstance(node, t.Fn) and node.name in ("sin", "cos", "tan"):
-            for factor in (t.TWO, t.HALF):
-                yield put(relation, path, t.Fn(node.name, t.mul(factor, node.arg))), f"the angle of {node.name}", ground
-        if isinstance(node, t.Sqrt):
-            yield put(relation, path, t.Group(node.arg)), "the root is too much", ground
-        if path and path[-1][0] in ("items", "num", "den"):
-            yield put(relation, path, t.Sqrt(node)), "a root is missing", ground
+    if isinstance(node, t.Fn) and node.name in TURNS:
+        yield from ((t.Fn(node.name, t.mul(factor, node.arg)), f"the angle of {node.name}") for factor in (t.TWO, t.HALF))
+    if isinstance(node, t.Sqrt):
+        yield t.Group(node.arg), "the root is too much"
+    if path and path[-1][0] in ("items", "num", "den"):
+        yield t.Sqrt(node), "a root is missing"
 
 
-def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iterator[Edit]:
+def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iterator[Repair]:
     """The one term by which the sides differ."""
     named = {phrase: name for name, phrase in phrases.items()}
     question = Question(ground)
@@ -87,7 +103,8 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
         if any(isinstance(part, t.Add) for part in t.walk(term)) or not t.names(term) - {"pi"} <= named.keys():
             continue
         term = renamed(term, named)
-        yield t.Chain((relation.items[0], t.add(relation.items[1], term)), ("=",)), f"the term {to_text(term)} is missing", ground
+        repaired = t.Chain((relation.items[0], t.add(relation.items[1], term)), ("=",))
+        yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
 
 
 def renamed(node: t.Node, names: dict[str, str]) -> t.Node:
@@ -98,27 +115,24 @@ def renamed(node: t.Node, names: dict[str, str]) -> t.Node:
     return node
 
 
-def _others(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iterator[Edit]:
+def _others(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
     """A symbol that the formula does not hold in place of one that it does: a dot, an index, a length, a mass."""
-    for path, node in sites(relation):
-        for name in phrases if isinstance(node, t.Sym) else ():
-            if name != node.name:
-                yield put(relation, path, t.Sym(name)), f"{to_text(t.Sym(name))} in place of {to_text(node)}", ground
+    for name in phrases if isinstance(node, t.Sym) else ():
+        if name != node.name:
+            yield t.Sym(name), f"{to_text(t.Sym(name))} in place of {to_text(node)}"
 
 
-def _lost(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iterator[Edit]:
+def _lost(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
     """A factor that is missing or too much in one term."""
-    for path, node in sites(relation):
-        if not path or path[-1][0] not in ("terms", "items", "num", "den", "arg") or node == t.ZERO:
-            continue
-        for name in phrases:
-            symbol = t.Sym(name)
-            yield put(relation, path, t.mul(node, symbol)), f"the factor {to_text(symbol)} is missing", ground
-            if name in t.names(node):
-                yield put(relation, path, t.Div(node, symbol)), f"the factor {to_text(symbol)} is too much", ground
+    if not path or path[-1][0] not in ("terms", "items", "num", "den", "arg") or node == t.ZERO:
+        return
+    for symbol in map(t.Sym, phrases):
+        yield t.mul(node, symbol), f"the factor {to_text(symbol)} is missing"
+        if symbol.name in t.names(node):
+            yield t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
 
 
-# --- A repaired relation in the author's own LaTeX: what was not changed stays as it is printed
+# --- a repaired relation in the author's own LaTeX: what was not changed stays as it is printed
 
 
 def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping[str, str]) -> str:
