@@ -105,9 +105,9 @@ def verdict_words(verdict: Verdict) -> Inlines:
     return (Strong(word), *words(f": {told}" if told else ""))
 
 
-def step_blocks(step: Step, label: str = "") -> tuple[Block, ...]:
+def step_blocks(step: Step) -> tuple[Block, ...]:
     """The formula of a step, and what became of its check."""
-    shown = Display(step.statement, label, False, step.is_result)
+    shown = Display(step.statement, "", False, step.is_result)
     return (shown,) if step.certificate is None else (shown, Paragraph(checked(step)))
 
 

@@ -126,7 +126,7 @@ def compared_figure(first: Derivation, second: Derivation, coordinate: str, said
     except NotApplicable:
         return
     titles = {key: said.title(one.study.problem.title) for key, one in (("first", first), ("second", second))}
-    yield panels_figure("compared", panels, said.say("comparison.figure", **titles), pair[0], said)
+    yield panels_figure("compared", panels, said.say("comparison.figure", **titles), said)
     yield Paragraph(numbers(pair[0], said))
 
 

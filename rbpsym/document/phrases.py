@@ -154,9 +154,9 @@ def text_of(inlines: d.Inlines, key: str) -> str:
     return "".join(inline.text for inline in inlines)
 
 
-def has_phrase(key: str, language: str = "en", folder: Path | None = None) -> bool:
+def has_phrase(key: str, language: str = "en") -> bool:
     """Is there a phrase (or one with variants) under this key?"""
-    table = phrases(language, folder)
+    table = phrases(language, None)
     return key in table or any(name.startswith(f"{key}.") for name in table)
 
 

@@ -166,10 +166,10 @@ class Checker:
         expected = self._is_expected(claim, result)
         return replace(result, expected=expected, seconds=time.perf_counter() - begun)
 
-    def check_safely(self, claim: Claim, printed: Printed | None = None) -> Result:
+    def check_safely(self, claim: Claim) -> Result:
         """The result of a claim; a formula that can't be read is a result too."""
         try:
-            return self.check(claim, printed)
+            return self.check(claim)
         except RbpsymError as error:
             return unread(claim, str(error))
 
