@@ -34,7 +34,7 @@ _PUBLIC = {
     "notes": "rbpsym.document.notes",
     "course_notes": "rbpsym.document.notes",
     "writer": "rbpsym.document.writers",
-    "speak": "rbpsym.document.speaking",
+    "speak": "rbpsym.document.looks",
     "grade": "rbpsym.teaching.grading.marking",
     "grade_answer": "rbpsym.teaching.grading.answer",
     "grade_number": "rbpsym.teaching.grading.answer",

@@ -111,9 +111,7 @@ def command(
     certificates.store()
     found = selected(found, only)
     if baseline:
-        if anew:
-            written(baseline, findings.as_baseline(found))
-        found = findings.without_known(found, baseline)
+        found = findings.without_known(found, baseline, anew)
     tell = reports.as_json if as_json else reports.as_table
     click.echo(tell(found, failures), nl=False)
     if fix:

@@ -43,11 +43,15 @@ def as_baseline(found: CheckRun) -> str:
     return '{"version": 1, "findings": [\n' + ",\n".join(rows) + "\n]}\n"
 
 
-def without_known(found: CheckRun, path: Path) -> CheckRun:
-    """The run with each finding of a baseline marked as known, which is as expected. Raises ReadError for what is no baseline."""
-    from rbpsym.commands.check import CheckRun
+def without_known(found: CheckRun, path: Path, anew: bool) -> CheckRun:
+    """The run with each finding of a baseline (which is written first if `anew`) marked as known, which is as expected.
+
+    Raises ReadError for what is no baseline."""
+    from rbpsym.commands.check import CheckRun, written
     from rbpsym.statement.files import text_in
 
+    if anew:
+        written(path, as_baseline(found))
     try:
         rows = json.loads(text_in(path, MOST_BYTES, "the baseline"))["findings"]
         left = Counter((str(row["file"]), str(row["formula"]), str(row["verdict"])) for row in rows)

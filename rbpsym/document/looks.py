@@ -13,8 +13,7 @@ from rbpsym.document.notes import notation_of, shown_steps, words_of
 from rbpsym.document.notes_checks import checks_section, results_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.numbering import numbered
-from rbpsym.document.phrases import has_phrase, phrase
-from rbpsym.document.speaking import spoken
+from rbpsym.document.phrases import has_phrase, phrase, phrases
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers import html, latex
 from rbpsym.document.writers.page import body, page_for
@@ -25,6 +24,29 @@ from rbpsym.notation.latex import to_latex
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
+
+# --- the language in which values show themselves in a notebook: English, until `speak` names another
+
+
+_CHOSEN = {"language": "en"}  # what a notebook chose: values know nothing of the language of their reader
+
+
+def speak(language: str) -> None:
+    """Let values show themselves in a language from now on. Raises DocumentError if there are no phrases in it.
+
+    >>> speak("en")
+    """
+    phrases(language)
+    _CHOSEN["language"] = language
+
+
+def spoken() -> str:
+    """The language that was chosen."""
+    return _CHOSEN["language"]
+
+
+# ---
+
 
 Bundle = dict[str, str]
 
@@ -83,9 +105,9 @@ def verdict_words(verdict: Verdict) -> Inlines:
     return (Strong(word), *words(f": {told}" if told else ""))
 
 
-def step_blocks(step: Step, label: str = "") -> tuple[Block, ...]:
+def step_blocks(step: Step) -> tuple[Block, ...]:
     """The formula of a step, and what became of its check."""
-    shown = Display(step.statement, label, False, step.is_result)
+    shown = Display(step.statement, "", False, step.is_result)
     return (shown,) if step.certificate is None else (shown, Paragraph(checked(step)))
 
 

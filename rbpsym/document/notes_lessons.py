@@ -2,16 +2,98 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
+import numpy as np
+
 from rbpsym.derivation.step import Derivation, Lesson, Step
-from rbpsym.document.figures.plane_motion import FIGURES
+from rbpsym.document.figures.placing import placed
+from rbpsym.document.figures.scene import Circle, Label, Line, Point, Scene, direction, polar
 from rbpsym.document.model import Block, FigureBlock, Inlines, Paragraph, Section
+from rbpsym.document.moving import require_motion
 from rbpsym.document.phrases import plain
+from rbpsym.document.plots.following import leg
+from rbpsym.document.plots.motion import Journey, PlottedMotion, legs
+from rbpsym.document.plots.panel import Panel, PlotCurve
+from rbpsym.document.plots.scales import Scales, scales
+from rbpsym.document.plots.subjects import column, dimension_of, over_time
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
-from rbpsym.verify.comparison import common_coordinate
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import Notation
+from rbpsym.quantities import TIME
+from rbpsym.verify.comparison import common_coordinate, indexed
+
+# --- two motions in one plot: a coordinate that both problems have, and its rate, from the same start with the same numbers
+
+
+def motions(first: Derivation, second: Derivation) -> tuple[PlottedMotion, PlottedMotion]:
+    """Both with the numbers of the first, as far as it has them, and for the same time. Raises NotApplicable."""
+    for one in (first, second):
+        require_motion(one.study)
+    if first.phases or second.phases:
+        raise NotApplicable("a motion in phases is not put beside another")
+    found, own = (scales(one.study.problem) for one in (first, second))
+    numbers = (found, Scales({**own.numbers, **found.numbers}, found.base))
+    pairs = list(zip((first, second), numbers, strict=True))
+    end = max(next(legs(one, scale)).moments[-1] for one, scale in pairs)
+    one, other = (PlottedMotion(one, scale, Journey((leg(one, scale.numbers, end),))) for one, scale in pairs)
+    return one, other
+
+
+def beside(pair: tuple[PlottedMotion, PlottedMotion], name: str) -> Iterator[Panel]:
+    """The coordinate over the time, and its rate, each with the number of the problem."""
+    first = pair[0]
+    length = dimension_of(first, name)
+    ways = [one.real if one.loss else one.whole for one in pair]
+    node, times, own = over_time(first, max(ways, key=lambda way: np.nanmax(way.times)))
+    for suffix, dimension in (("", length), ("_dot", length / TIME)):
+        scale = first.scales.of(dimension)
+        letters = (t.Sym(indexed(name + suffix, first.derivation.study, k)) for k in (1, 2))
+        columns = (column(way, name + suffix, scale) for way in ways)
+        known = [np.interp(times, way.times / own.size, values, right=np.nan) for way, values in zip(ways, columns, strict=True)]
+        yield Panel(node, times, tuple(map(PlotCurve, letters, known)), own, scale)
+
+
+# --- the figure of the general theory: a point of a body seen from the origin and from the centre of mass, r' = R + r
+
+
+ORIGIN, CENTRE, SIZE = (0.0, 0.0), (3.4, 1.5), 1.25  # cm
+PLACE = polar(CENTRE, 0.95, 1.15)  # of the point of the body
+AXES = {"x": (1.5, 0.0), "y": (0.0, 1.2)}
+POINTS = 72
+
+
+def split_of_place(notation: Notation) -> Scene:
+    """Axes at O, a body with its centre of mass, a point of it, and the three vectors between these."""
+    angles = [2 * math.pi * k / POINTS for k in range(POINTS)]
+    outline = tuple(polar(CENTRE, SIZE * (1 + 0.16 * math.cos(2 * a - 0.7) + 0.07 * math.sin(3 * a)), a) for a in angles)
+    vectors = (
+        (ORIGIN, CENTRE, "R_cm", "curve 1", -1),
+        (CENTRE, PLACE, "r", "velocity", -1),
+        (ORIGIN, PLACE, "r_prime", "force", 1),
+    )
+    items = [Line(outline, "body", closed=True), *(Line((ORIGIN, end), "axis", heads="end") for end in AXES.values())]
+    items += [Line((start, end), style, heads="end") for start, end, _, style, _ in vectors]
+    items += [Circle(point, 0.0, "dot") for point in (ORIGIN, CENTRE, PLACE)]
+    labels = [Label(t.Sym(name), end, direction(ORIGIN, end)) for name, end in AXES.items()]
+    labels += [_beside(start, end, name, side) for start, end, name, _, side in vectors]
+    labels += [Label(t.Sym("O"), ORIGIN, -2.4), Label("cm", CENTRE, -1.0), Label(t.Sym("p"), PLACE, 0.8)]
+    return placed(Scene(tuple(items), tuple(labels)), notation)
+
+
+def _beside(start: Point, end: Point, name: str, side: int) -> Label:
+    """The name of a vector beside its middle: at its left (1) or right (-1)."""
+    middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+    return Label(t.Vec(name), middle, direction(start, end) + side * math.pi / 2)
+
+
+FIGURES = {"plane-motion": split_of_place}
+
+
+# ---
 
 
 def lesson_sections(lesson: Lesson, about: Derivation | None, language: str, prefix: str) -> list[Section]:
@@ -37,8 +119,6 @@ def _drawn(lesson: Lesson, said: Words) -> Iterator[Block]:
 def compared_figure(first: Derivation, second: Derivation, coordinate: str, said: Words) -> Iterator[Block]:
     """Both motions in one plot, where both can be followed."""
     from rbpsym.document.notes_plots import numbers, panels_figure  # with numpy, which is slow to load
-    from rbpsym.document.plots.compared import beside, motions
-
     name = common_coordinate((first.study, second.study), coordinate)
     try:
         pair = motions(first, second)
@@ -46,7 +126,7 @@ def compared_figure(first: Derivation, second: Derivation, coordinate: str, said
     except NotApplicable:
         return
     titles = {key: said.title(one.study.problem.title) for key, one in (("first", first), ("second", second))}
-    yield panels_figure("compared", panels, said.say("comparison.figure", **titles), pair[0], said)
+    yield panels_figure("compared", panels, said.say("comparison.figure", **titles), said)
     yield Paragraph(numbers(pair[0], said))
 
 

@@ -148,7 +148,7 @@ def plot_figures(moving: PlottedMotion, said: Words, wanted: Sequence[str] = ALL
         groups.append((tuple(dict.fromkeys(name for name, _ in row)), [panel for _, panel in row]))
     for number, (names, panels) in enumerate(groups):
         words = caption(moving, names, panels, said, is_first=number == 0)
-        yield panels_figure(label_of(names, groups, number), panels, words, moving, said)
+        yield panels_figure(label_of(names, groups, number), panels, words, said)
 
 
 def is_split(panel: Panel) -> bool:
@@ -192,7 +192,7 @@ def kind_of_loss(moving: PlottedMotion) -> str:
     return "slack" if element.kind == "string" else "lost"
 
 
-def panels_figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: PlottedMotion, said: Words) -> FigureBlock:
+def panels_figure(name: str, panels: Sequence[Panel], caption: Inlines, said: Words) -> FigureBlock:
     """Panels side by side."""
     notation = said.notation
     alt = " ".join(described(panel, notation, said) for panel in panels)

@@ -15,12 +15,20 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
 from rbpsym.document.notes import notation_of
 from rbpsym.errors import StatementError
-from rbpsym.face.asking import SymbolicAnswer, in_sympy
 from rbpsym.face.late import sympy
-from rbpsym.face.parts import AngularMomentum, Halves, Linearization, together
+from rbpsym.face.parts import (
+    AngularMomentum,
+    Halves,
+    Linearization,
+    Space,
+    StepRelation,
+    SymbolicAnswer,
+    in_sympy,
+    relations_of,
+    space,
+    together,
+)
 from rbpsym.face.reading import CLOCK, name_of, tree_of
-from rbpsym.face.space import Space, space
-from rbpsym.face.steps import StepRelation, relations_of
 from rbpsym.face.writing import Alphabet, alphabet
 from rbpsym.mechanics import compiled, energy, motion, numbers, oscillation, placing
 from rbpsym.mechanics.study import Study

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any
 
 from rbpsym.algebra import Scalar, names_in
@@ -59,7 +58,7 @@ class Alphabet:
 
     def write(self, node: t.Node) -> sympy.Expr:
         """The formula."""
-        return _table()[type(node)](node, self)
+        return TABLE[type(node)](node, self)
 
     def relations(self, statement: t.Node) -> tuple[sympy.Basic, ...]:
         """What a statement asserts, relation by relation."""
@@ -88,54 +87,41 @@ def alphabet(study: Study, context: Context | None = None) -> Alphabet:
     return Alphabet(constants | known, frozenset(c.name for c in study.problem.coordinates), frozenset(moving))
 
 
-@cache
-def _table() -> Mapping[type[t.Node], Callable[[Any, Alphabet], Any]]:
-    """How each kind of node is written, that stands in steps of problems."""
-    dot, cross, body = sympy.Function("Dot"), sympy.Function("Cross", commutative=False), sympy.Function("BodyIntegral")
+def _power(node: t.Pow, names: Alphabet) -> sympy.Expr:
+    base = names.write(node.base)
+    return base ** names.write(node.exponent) if base.is_commutative else _dot(base, base)
 
-    def power(node: t.Pow, names: Alphabet) -> sympy.Expr:
-        base = names.write(node.base)
-        return base ** names.write(node.exponent) if base.is_commutative else dot(base, base)
 
-    def integral(node: t.Integral, names: Alphabet) -> sympy.Expr:
-        inner, ends = names.over(node.var), (names.write(node.lower), names.write(node.upper))
-        return sympy.Integral(inner.write(node.integrand), (inner.scalar(node.var), *ends))
+def _dot(left: sympy.Expr, right: sympy.Expr) -> sympy.Expr:
+    return sympy.Function("Dot")(left, right)
 
-    def along(node: t.PathIntegral, names: Alphabet) -> sympy.Expr:
-        clock, force = names.scalar(CLOCK), names.write(node.integrand)
-        rate = sympy.Derivative(names.write(node.path), clock)
-        return sympy.Integral(dot(force, rate) if node.product == "dot" else force * rate, (clock, 0, clock))
 
-    def change(node: t.Delta, names: Alphabet) -> sympy.Expr:
-        now = names.write(node.arg)
-        return now - sympy.Subs(now, names.scalar(CLOCK), 0)
+def _cross(left: sympy.Expr, right: sympy.Expr) -> sympy.Expr:
+    return sympy.Function("Cross", commutative=False)(left, right)
 
-    def product(node: t.Node, names: Alphabet) -> sympy.Expr:
-        return sympy.Mul(*_factors(node, names, 1))
 
-    return {
-        t.Num: lambda node, names: sympy.Rational(node.value.numerator, node.value.denominator),
-        t.Sym: lambda node, names: names.scalar(node.name),
-        t.Vec: lambda node, names: names.vector(node.name),
-        t.Unit: lambda node, names: sympy.Symbol(f"unit_{node.axis}", commutative=False),
-        t.Add: lambda node, names: sympy.Add(*map(names.write, node.terms)),
-        t.Neg: product,
-        t.Mul: product,
-        t.Div: product,
-        t.Pow: power,
-        t.Sqrt: lambda node, names: sympy.sqrt(names.write(node.arg)),
-        t.Fn: lambda node, names: getattr(sympy, node.name)(names.write(node.arg)),
-        t.Abs: lambda node, names: sympy.Abs(names.write(node.arg)),
-        t.Group: lambda node, names: names.write(node.arg),
-        t.Cross: lambda node, names: cross(names.write(node.left), names.write(node.right)),
-        t.Dot: lambda node, names: dot(names.write(node.left), names.write(node.right)),
-        t.Deriv: lambda node, names: sympy.Derivative(names.write(node.of), (names.scalar(node.wrt), node.order)),
-        t.Integral: integral,
-        t.BodyIntegral: lambda node, names: body(names.write(node.integrand), sympy.Symbol(node.body)),
-        t.PathIntegral: along,
-        t.Delta: change,
-        t.At: lambda node, names: sympy.Subs(names.write(node.arg), names.scalar(CLOCK), 0),
-    }
+def _integral(node: t.Integral, names: Alphabet) -> sympy.Expr:
+    inner, ends = names.over(node.var), (names.write(node.lower), names.write(node.upper))
+    return sympy.Integral(inner.write(node.integrand), (inner.scalar(node.var), *ends))
+
+
+def _over_body(node: t.BodyIntegral, names: Alphabet) -> sympy.Expr:
+    return sympy.Function("BodyIntegral")(names.write(node.integrand), sympy.Symbol(node.body))
+
+
+def _along(node: t.PathIntegral, names: Alphabet) -> sympy.Expr:
+    clock, force = names.scalar(CLOCK), names.write(node.integrand)
+    rate = sympy.Derivative(names.write(node.path), clock)
+    return sympy.Integral(_dot(force, rate) if node.product == "dot" else force * rate, (clock, 0, clock))
+
+
+def _change(node: t.Delta, names: Alphabet) -> sympy.Expr:
+    now = names.write(node.arg)
+    return now - sympy.Subs(now, names.scalar(CLOCK), 0)
+
+
+def _product(node: t.Node, names: Alphabet) -> sympy.Expr:
+    return sympy.Mul(*_factors(node, names, 1))
 
 
 def _factors(node: t.Node, names: Alphabet, sign: int) -> list[Any]:
@@ -147,3 +133,29 @@ def _factors(node: t.Node, names: Alphabet, sign: int) -> list[Any]:
     if isinstance(node, t.Div):
         return [*_factors(node.num, names, sign), *_factors(node.den, names, -sign)]
     return [names.write(node) ** sign]
+
+
+# how each kind of node is written, that stands in steps of problems
+TABLE: dict[type[t.Node], Callable[[Any, Alphabet], Any]] = {
+    t.Num: lambda node, names: sympy.Rational(node.value.numerator, node.value.denominator),
+    t.Sym: lambda node, names: names.scalar(node.name),
+    t.Vec: lambda node, names: names.vector(node.name),
+    t.Unit: lambda node, names: sympy.Symbol(f"unit_{node.axis}", commutative=False),
+    t.Add: lambda node, names: sympy.Add(*map(names.write, node.terms)),
+    t.Neg: _product,
+    t.Mul: _product,
+    t.Div: _product,
+    t.Pow: _power,
+    t.Sqrt: lambda node, names: sympy.sqrt(names.write(node.arg)),
+    t.Fn: lambda node, names: getattr(sympy, node.name)(names.write(node.arg)),
+    t.Abs: lambda node, names: sympy.Abs(names.write(node.arg)),
+    t.Group: lambda node, names: names.write(node.arg),
+    t.Cross: lambda node, names: _cross(names.write(node.left), names.write(node.right)),
+    t.Dot: lambda node, names: _dot(names.write(node.left), names.write(node.right)),
+    t.Deriv: lambda node, names: sympy.Derivative(names.write(node.of), (names.scalar(node.wrt), node.order)),
+    t.Integral: _integral,
+    t.BodyIntegral: _over_body,
+    t.PathIntegral: _along,
+    t.Delta: _change,
+    t.At: lambda node, names: sympy.Subs(names.write(node.arg), names.scalar(CLOCK), 0),
+}

@@ -23,9 +23,9 @@ _LETTERS = {"∂": r"\partial", "ı": r"\imath", "ȷ": r"\jmath"}
 _ACCENTS = {"bold": "boldsymbol"}
 
 
-def to_latex(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
-    """The LaTeX of a formula, for math mode; `aligned` breaks a chain into aligned rows."""
-    return render.formula(node, notation, aligned)
+def to_latex(node: Node, notation: Notation = DEFAULT) -> str:
+    """The LaTeX of a formula, for math mode; a system in aligned rows."""
+    return render.formula(node, notation)
 
 
 def _escaped(text: str) -> str:
@@ -53,19 +53,20 @@ def _row_pair(pair: tuple[b.Box, b.Box]) -> str:
     return f"{left} &{right}".lstrip()
 
 
+_FORMS = {
+    "space": r" \, ", "times": " ", "under": "%(base)s_{%(under)s}", "fraction": r"\frac{%(num)s}{%(den)s}",
+    "radical": r"\sqrt{%(body)s}",
+}  # fmt: skip
+
+
 class _Latex(Printer):
     """LaTeX."""
 
     signs = _SIGNS
+    forms = _FORMS
 
     def phrase(self, box: b.Phrase) -> str:
         return rf"\text{{{_escaped(box.text)}}}"
-
-    def space(self, box: b.Space) -> str:
-        return r" \, "
-
-    def times(self, box: b.Times) -> str:
-        return " "
 
     def accent(self, box: b.Accent) -> str:
         return rf"\{_ACCENTS.get(box.kind, box.kind)}{{{self(box.body)}}}"
@@ -76,15 +77,6 @@ class _Latex(Printer):
         raised = "^" + _braced(self(sup)) if sup else ""
         gap = " " if isinstance(box.base, b.Big) else ""
         return self(box.base) + sub + "'" * primes + raised + gap
-
-    def under(self, box: b.Under) -> str:
-        return f"{self(box.base)}_{{{self(box.under)}}}"
-
-    def fraction(self, box: b.Fraction) -> str:
-        return rf"\frac{{{self(box.num)}}}{{{self(box.den)}}}"
-
-    def radical(self, box: b.Radical) -> str:
-        return rf"\sqrt{{{self(box.body)}}}"
 
     def fence(self, box: b.Fence) -> str:
         body = self(box.body)

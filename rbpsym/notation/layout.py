@@ -11,7 +11,7 @@ from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.setting import ATOM, CROSS, PRODUCT, SUM, Style, attach_sup, draw, draws, fenced, glyph_box, wrapped
-from rbpsym.notation.tree import Node, System
+from rbpsym.notation.tree import Node
 
 # --- boxes of derivatives, integrals, brackets, changes and limits
 
@@ -175,9 +175,9 @@ def layout(node: t.Node, notation: Notation = DEFAULT, mode: str = "display") ->
 
 
 @lru_cache(maxsize=4096)
-def layout_rows(node: t.Node, notation: Notation = DEFAULT, mode: str = "display") -> b.Rows:
+def layout_rows(node: t.Node, notation: Notation = DEFAULT) -> b.Rows:
     """A chain `a = b = c`, or a system, as rows that are aligned at their relation signs."""
-    return aligned(node, Style(notation, mode))
+    return aligned(node, Style(notation))
 
 
 # --- what all printers of formulas share: the walk over boxes, and what most of them print alike
@@ -188,22 +188,29 @@ COMMANDS = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arcco
 
 
 class Printer:
-    """A format of formulas: called with a box, it prints it by the method that has the name of its kind.
+    """A format of formulas: called with a box, it prints it by the form, or the method, that has the name of its kind.
 
-    `signs` are those that the format writes in another way.
+    `forms` hold %(name)s for the print of each part; `signs` are those that the format writes in another way.
     """
 
     mode = "display"
+    forms: Mapping[str, str] = {}
     signs: Mapping[str, str] = {}
 
     def __call__(self, box: b.Box) -> str:
         """The print of a box."""
-        return getattr(self, type(box).__name__.lower())(box)
+        kind = type(box).__name__.lower()
+        form = self.forms.get(kind)
+        return getattr(self, kind)(box) if form is None else form % self.parts(box)
 
-    def formula(self, node: Node, notation: Notation, aligned: bool) -> str:
-        """The print of a formula; a system, or a chain that is to be aligned, in rows."""
-        lay = layout_rows if aligned or isinstance(node, System) else layout
-        return self(lay(node, notation, self.mode))
+    def parts(self, box: b.Box) -> dict[str, object]:
+        """The parts of a box by name, boxes printed."""
+        held = {name: getattr(box, name) for name in box.__slots__}
+        return {name: self(part) if isinstance(part, b.Box) else part for name, part in held.items()}
+
+    def formula(self, node: Node, notation: Notation) -> str:
+        """The print of a formula."""
+        return self(layout(node, notation, self.mode))
 
     def letter(self, box: b.Letter) -> str:
         """A letter in its style."""

@@ -84,18 +84,6 @@ def _pow(node: t.Pow) -> tuple[str, int]:
     return f"{_wrap(node.base, _ATOM)}**{_wrap(node.exponent, _ATOM)}", _POWER
 
 
-def _sqrt(node: t.Sqrt) -> tuple[str, int]:
-    return _call("sqrt", node.arg)
-
-
-def _fn(node: t.Fn) -> tuple[str, int]:
-    return _call(_FUNCTIONS.get(node.name, node.name), node.arg)
-
-
-def _abs(node: t.Abs) -> tuple[str, int]:
-    return _call("abs", node.arg)
-
-
 def _group(node: t.Group) -> tuple[str, int]:
     return f"({to_machine(node.arg)})", _ATOM
 
@@ -103,10 +91,6 @@ def _group(node: t.Group) -> tuple[str, int]:
 def _call(name: str, *parts: t.Node | str | int) -> tuple[str, int]:
     written = (to_machine(part) if isinstance(part, t.Node) else str(part) for part in parts)
     return f"{name}({', '.join(written)})", _ATOM
-
-
-def _unit(node: t.Unit) -> tuple[str, int]:
-    return f"unit_{node.axis}", _ATOM
 
 
 def _deriv(node: t.Deriv) -> tuple[str, int]:
@@ -135,7 +119,8 @@ def _system(node: t.System) -> tuple[str, int]:
 
 
 TABLE: dict[type, Callable[..., tuple[str, int]]] = {
-    t.Num: _num, t.Sym: _name, t.Vec: _name, t.Unit: _unit, t.Add: _add, t.Neg: _neg,
-    t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Sqrt: _sqrt, t.Fn: _fn, t.Abs: _abs,
+    t.Num: _num, t.Sym: _name, t.Vec: _name, t.Add: _add, t.Neg: _neg, t.Mul: _mul, t.Div: _div, t.Pow: _pow,
+    t.Unit: lambda node: (f"unit_{node.axis}", _ATOM), t.Sqrt: lambda node: _call("sqrt", node.arg),
+    t.Fn: lambda node: _call(_FUNCTIONS.get(node.name, node.name), node.arg), t.Abs: lambda node: _call("abs", node.arg),
     t.Group: _group, t.Deriv: _deriv, t.PathIntegral: _path, t.Word: _word, t.Chain: _chain, t.System: _system,
 }  # fmt: skip

@@ -19,11 +19,9 @@ _ACCENTS = {
 _SIGNS = {"·": "⋅"}
 
 
-def to_mathml(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False, display: bool = False) -> str:
-    """A `<math>` element; `aligned` breaks a chain into rows, `display` sets it on its own line."""
-    body = render.formula(node, notation, aligned)
-    block = ' display="block"' if display else ""
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{block}>{body}</math>'
+def to_mathml(node: Node, notation: Notation = DEFAULT) -> str:
+    """A `<math>` element."""
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML">{render.formula(node, notation)}</math>'
 
 
 _OPERATORS = {
@@ -66,8 +64,17 @@ def _in_row(before: b.Box | None, box: b.Box, after: b.Box | None) -> str:
     return render(box) + (_THIN if beside or behind else "")
 
 
+_FORMS = {
+    "space": _THIN, "times": "<mo>\u2062</mo>", "big": "<mo>%(sign)s</mo>", "function": "<mi>%(name)s</mi>",
+    "under": "<munder>%(base)s%(under)s</munder>", "fraction": "<mfrac>%(num)s%(den)s</mfrac>",
+    "radical": "<msqrt>%(body)s</msqrt>",
+}  # fmt: skip
+
+
 class _MathML(Printer):
     """MathML: exactly one element a box."""
+
+    forms = _FORMS
 
     def phrase(self, box: b.Phrase) -> str:
         words = escape(box.text.replace(" ", "\u00a0"))
@@ -75,15 +82,6 @@ class _MathML(Printer):
 
     def operator(self, box: b.Operator) -> str:
         return _OPERATORS[box.kind].format(escape(_SIGNS.get(box.sign, box.sign)))
-
-    def big(self, box: b.Big) -> str:
-        return f"<mo>{box.sign}</mo>"
-
-    def space(self, box: b.Space) -> str:
-        return _THIN
-
-    def times(self, box: b.Times) -> str:
-        return "<mo>\u2062</mo>"
 
     def accent(self, box: b.Accent) -> str:
         if box.kind == "bold" and isinstance(box.body, b.Letter):
@@ -105,22 +103,10 @@ class _MathML(Printer):
         raised = _beside_slant(box.base, self(sup)) if sup and not primes else self(sup) if sup else ""
         return f"<{name}>{base}{self(box.sub) if box.sub else ''}{raised}</{name}>"
 
-    def under(self, box: b.Under) -> str:
-        return f"<munder>{self(box.base)}{self(box.under)}</munder>"
-
-    def fraction(self, box: b.Fraction) -> str:
-        return f"<mfrac>{self(box.num)}{self(box.den)}</mfrac>"
-
-    def radical(self, box: b.Radical) -> str:
-        return f"<msqrt>{self(box.body)}</msqrt>"
-
     def fence(self, box: b.Fence) -> str:
         left = _delimiter(box.opening, "prefix", tall=box.tall)
         right = _delimiter(box.closing, "postfix", tall=box.tall)
         return f"<mrow>{left}{self(box.body)}{right}</mrow>"
-
-    def function(self, box: b.Function) -> str:
-        return f"<mi>{box.name}</mi>"
 
     def applied(self, box: b.Applied) -> str:
         gap = "" if isinstance(box.arg, b.Fence) else _THIN

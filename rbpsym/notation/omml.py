@@ -22,9 +22,9 @@ _SIGNS = {"·": "⋅"}
 _ENDS = frozenset("+−")
 
 
-def to_omml(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
-    """An `m:oMath` element; `aligned` breaks a chain into rows that meet at their relation signs."""
-    return formula(render.formula(node, notation, aligned))
+def to_omml(node: Node, notation: Notation = DEFAULT) -> str:
+    """An `m:oMath` element."""
+    return formula(render.formula(node, notation))
 
 
 def formula(content: str) -> str:
@@ -89,8 +89,19 @@ def _ends_body(item: b.Box) -> bool:
     return isinstance(item, b.Operator) and (item.kind == "relation" or item.sign in _ENDS)
 
 
+_FORMS = {
+    "under": "<m:limLow><m:e>%(base)s</m:e><m:lim>%(under)s</m:lim></m:limLow>",
+    "fraction": "<m:f><m:num>%(num)s</m:num><m:den>%(den)s</m:den></m:f>",
+    "radical": '<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>%(body)s</m:e></m:rad>',
+    "applied": "<m:func><m:fName>%(head)s</m:fName><m:e>%(arg)s</m:e></m:func>",
+    "fence": '<m:d><m:dPr><m:begChr m:val="%(opening)s"/><m:endChr m:val="%(closing)s"/></m:dPr><m:e>%(body)s</m:e></m:d>',
+}
+
+
 class _Omml(Printer):
     """Office MathML: elements side by side."""
+
+    forms = _FORMS
 
     def operator(self, box: b.Operator) -> str:
         return run(_SIGNS.get(box.sign, box.sign))
@@ -125,22 +136,6 @@ class _Omml(Printer):
         name = _SCRIPTS[bool(sub), bool(sup)]
         base = self(box.base)
         return f"<m:{name}><m:e>{base}</m:e>{sub}{sup}</m:{name}>" if name else base
-
-    def under(self, box: b.Under) -> str:
-        return f"<m:limLow><m:e>{self(box.base)}</m:e><m:lim>{self(box.under)}</m:lim></m:limLow>"
-
-    def fraction(self, box: b.Fraction) -> str:
-        return f"<m:f><m:num>{self(box.num)}</m:num><m:den>{self(box.den)}</m:den></m:f>"
-
-    def radical(self, box: b.Radical) -> str:
-        return f'<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>{self(box.body)}</m:e></m:rad>'
-
-    def fence(self, box: b.Fence) -> str:
-        signs = f'<m:begChr m:val="{box.opening}"/><m:endChr m:val="{box.closing}"/>'
-        return f"<m:d><m:dPr>{signs}</m:dPr><m:e>{self(box.body)}</m:e></m:d>"
-
-    def applied(self, box: b.Applied) -> str:
-        return f"<m:func><m:fName>{self(box.head)}</m:fName><m:e>{self(box.arg)}</m:e></m:func>"
 
     def row(self, box: b.Row) -> str:
         return _side_by_side(box.items)

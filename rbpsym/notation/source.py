@@ -130,9 +130,9 @@ class Cursor(Generic[T]):
         """Is the next token an operator with one of these texts?"""
         return self.token.kind == kind and self.token.text in texts
 
-    def accept(self, *texts: str, kind: str = "operator") -> bool:
-        """Pass the next token if it is one of these; was it?"""
-        found = self.sees(*texts, kind=kind)
+    def accept(self, *texts: str) -> bool:
+        """Pass the next operator if it is one of these; was it?"""
+        found = self.sees(*texts)
         self.position += found
         return found
 

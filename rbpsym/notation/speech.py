@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction as Rational
 from types import MappingProxyType
+from typing import Any
 
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, letter_name
@@ -65,7 +66,10 @@ def to_speech(node: t.Node, notation: Notation = DEFAULT) -> str:
 
 def spoken(node: t.Node, voice: Voice) -> str:
     """The words of a formula."""
-    return TABLE[type(node)](node, voice)
+    if type(node) not in PHRASES:
+        return TABLE[type(node)](node, voice)
+    key, fills = PHRASES[type(node)]
+    return voice.say(key, *(fill(getattr(node, name), voice) for name, fill in fills.items()))
 
 
 def _closed(node: t.Node, voice: Voice) -> str:
@@ -84,10 +88,6 @@ def _num(node: t.Num, voice: Voice) -> str:
     return f"{voice.say('minus')} {text}" if value < 0 else text
 
 
-def _sym(node: t.Sym, voice: Voice) -> str:
-    return glyph_words(voice.notation.glyph(node.name), voice)
-
-
 def glyph_words(glyph: Glyph, voice: Voice) -> str:
     """The words of a drawn name: "theta sub 1 double dot"."""
     text = letter_name(glyph.base)
@@ -100,14 +100,6 @@ def glyph_words(glyph: Glyph, voice: Voice) -> str:
     for mark in (glyph.accent, f"dot{glyph.dots}", *["prime"] * glyph.primes):
         text = voice.say(mark, text) if mark in voice.words else text
     return voice.say("change", text) if glyph.prefix else text
-
-
-def _vec(node: t.Vec, voice: Voice) -> str:
-    return voice.say("vector", glyph_words(voice.notation.glyph(node.name), voice))
-
-
-def _unit(node: t.Unit, voice: Voice) -> str:
-    return voice.say("unit", {"x": "i", "y": "j", "z": "k"}[node.axis])
 
 
 def _add(node: t.Add, voice: Voice) -> str:
@@ -150,31 +142,18 @@ def _pow(node: t.Pow, voice: Voice) -> str:
     return voice.say(key, base, spoken(node.exponent, voice))
 
 
-def _fn(node: t.Fn, voice: Voice) -> str:
-    return voice.say("of", voice.say(node.name), _closed(node.arg, voice))
-
-
 def _group(node: t.Group, voice: Voice) -> str:
     return f"{voice.say('open')} {spoken(node.arg, voice)} {voice.say('close')}"
 
 
-def _product_of(key: str) -> Callable[[t.Cross | t.Dot, Voice], str]:
-    def say(node: t.Cross | t.Dot, voice: Voice) -> str:
-        return f"{_closed(node.left, voice)} {voice.say(key)} {_closed(node.right, voice)}"
-
-    return say
+def _product(node: t.Cross | t.Dot, key: str, voice: Voice) -> str:
+    return f"{_closed(node.left, voice)} {voice.say(key)} {_closed(node.right, voice)}"
 
 
 def _deriv(node: t.Deriv, voice: Voice) -> str:
     key = "partial" if node.partial else {1: "deriv", 2: "second"}.get(node.order, "nth")
     wrt = glyph_words(voice.notation.glyph(node.wrt), voice)
     return voice.say(key, _closed(node.of, voice), wrt, node.order)
-
-
-def _integral(node: t.Integral, voice: Voice) -> str:
-    ends = (spoken(node.lower, voice), spoken(node.upper, voice))
-    var = glyph_words(voice.notation.glyph(node.var), voice)
-    return voice.say("integral", *ends, _closed(node.integrand, voice), var)
 
 
 def _body_integral(node: t.BodyIntegral, voice: Voice) -> str:
@@ -191,22 +170,6 @@ def _path_integral(node: t.PathIntegral, voice: Voice) -> str:
     return voice.say("path", _closed(node.integrand, voice), voice.say(sign), spoken(node.path, voice))
 
 
-def _sum(node: t.Sum, voice: Voice) -> str:
-    index = glyph_words(voice.notation.glyph(node.index), voice)
-    return voice.say("sum", index, _closed(node.term, voice))
-
-
-def _bracket(node: t.Bracket, voice: Voice) -> str:
-    var = glyph_words(voice.notation.glyph(node.var), voice)
-    ends = (spoken(node.lower, voice), spoken(node.upper, voice))
-    return voice.say("bracket", _closed(node.arg, voice), var, *ends)
-
-
-def _limit(node: t.Limit, voice: Voice) -> str:
-    var = glyph_words(voice.notation.glyph(node.var), voice)
-    return voice.say("limit", var, spoken(node.to, voice), _closed(node.arg, voice))
-
-
 def _chain(node: t.Chain, voice: Voice) -> str:
     texts = [spoken(node.items[0], voice)]
     for op, item in zip(node.ops, node.items[1:], strict=True):
@@ -218,17 +181,25 @@ def _system(node: t.System, voice: Voice) -> str:
     return voice.say("and").join(spoken(row, voice) for row in node.rows)
 
 
+# what a node is in words: the key of a phrase and how each of its places is filled
+PLAIN, CLOSED, NAMED = spoken, _closed, lambda name, voice: glyph_words(voice.notation.glyph(name), voice)
+Fill = Callable[[Any, Voice], str]
+PHRASES: Mapping[type, tuple[str, Mapping[str, Fill]]] = {
+    t.Integral: ("integral", {"lower": PLAIN, "upper": PLAIN, "integrand": CLOSED, "var": NAMED}),
+    t.Sum: ("sum", {"index": NAMED, "term": CLOSED}),
+    t.Bracket: ("bracket", {"arg": CLOSED, "var": NAMED, "lower": PLAIN, "upper": PLAIN}),
+    t.Limit: ("limit", {"var": NAMED, "to": PLAIN, "arg": CLOSED}),
+    t.At: ("at", {"arg": CLOSED, "condition": PLAIN}),
+    t.Fn: ("of", {"name": lambda name, voice: voice.say(name), "arg": CLOSED}),
+    t.Vec: ("vector", {"name": NAMED}),
+    t.Unit: ("unit", {"axis": lambda axis, voice: {"x": "i", "y": "j", "z": "k"}[axis]}),
+    **{kind: (key, {"arg": CLOSED}) for kind, key in ((t.Sqrt, "sqrt"), (t.Abs, "abs"), (t.Delta, "delta"))},
+}
+
 TABLE: dict[type, Callable[..., str]] = {
-    t.Num: _num, t.Sym: _sym, t.Vec: _vec, t.Unit: _unit, t.Add: _add, t.Neg: _neg,
-    t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Fn: _fn, t.Group: _group,
-    t.Cross: _product_of("cross"), t.Dot: _product_of("dot"), t.Deriv: _deriv,
-    t.Integral: _integral, t.BodyIntegral: _body_integral, t.PathIntegral: _path_integral,
-    t.Sum: _sum, t.Bracket: _bracket, t.Limit: _limit, t.Chain: _chain, t.System: _system,
-    t.Sqrt: lambda node, voice: voice.say("sqrt", _closed(node.arg, voice)),
-    t.Abs: lambda node, voice: voice.say("abs", _closed(node.arg, voice)),
-    t.Delta: lambda node, voice: voice.say("delta", _closed(node.arg, voice)),
-    t.At: lambda node, voice: voice.say(
-        "at", _closed(node.arg, voice), spoken(node.condition, voice)
-    ),
+    t.Num: _num, t.Sym: lambda node, voice: NAMED(node.name, voice), t.Add: _add, t.Neg: _neg,
+    t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Group: _group, t.Deriv: _deriv,
+    t.Cross: lambda node, voice: _product(node, "cross", voice), t.Dot: lambda node, voice: _product(node, "dot", voice),
+    t.BodyIntegral: _body_integral, t.PathIntegral: _path_integral, t.Chain: _chain, t.System: _system,
     t.Word: lambda node, voice: node.text,
 }  # fmt: skip

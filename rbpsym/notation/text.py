@@ -23,9 +23,9 @@ _COMBINING = {
 _DOTTED = {"ı": "i", "ȷ": "j"}
 
 
-def to_text(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
-    """The formula in one line; a system (or, if `aligned`, a chain) in one line a row."""
-    return render.formula(node, notation, aligned)
+def to_text(node: Node, notation: Notation = DEFAULT) -> str:
+    """The formula in one line; a system in one line a row."""
+    return render.formula(node, notation)
 
 
 def _attached(mark: str, text: str, small: Callable[[str], str | None]) -> str:
@@ -67,19 +67,19 @@ def _is(letter: str, kind: str) -> bool:
     return decomposition(letter).startswith(kind)
 
 
+_FORMS = {
+    "phrase": "%(text)s", "space": " ", "under": "%(base)s(%(under)s)", "fence": "%(opening)s%(body)s%(closing)s",
+}  # fmt: skip
+
+
 class _Text(Printer):
     """Unicode."""
 
     mode = "text"
+    forms = _FORMS
 
     def letter(self, box: b.Letter) -> str:
         return script(box.text) if box.style == "script" else box.text
-
-    def phrase(self, box: b.Phrase) -> str:
-        return box.text
-
-    def space(self, box: b.Space) -> str:
-        return " "
 
     def accent(self, box: b.Accent) -> str:
         if box.kind == "bold" and isinstance(box.body, b.Letter):
@@ -94,15 +94,9 @@ class _Text(Printer):
         gap = " " if isinstance(box.base, b.Big) else ""
         return self(box.base) + "′" * primes + sub + raised + gap
 
-    def under(self, box: b.Under) -> str:
-        return f"{self(box.base)}({self(box.under)})"
-
     def radical(self, box: b.Radical) -> str:
         body = self(box.body)
         return f"√{body}" if len(body) == 1 or body.isdigit() else f"√({body})"
-
-    def fence(self, box: b.Fence) -> str:
-        return f"{box.opening}{self(box.body)}{box.closing}"
 
     def applied(self, box: b.Applied) -> str:
         gap = "" if isinstance(box.arg, b.Fence) else " "

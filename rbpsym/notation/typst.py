@@ -21,9 +21,9 @@ _ACCENTS = {
 _LETTERS = {"ı": "dotless.i", "ȷ": "dotless.j"}
 
 
-def to_typst(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
-    """The Typst math of a formula; `aligned` breaks a chain into aligned rows."""
-    return render.formula(node, notation, aligned)
+def to_typst(node: Node, notation: Notation = DEFAULT) -> str:
+    """The Typst math of a formula; a system in aligned rows."""
+    return render.formula(node, notation)
 
 
 def _quoted(text: str) -> str:
@@ -40,17 +40,22 @@ _FENCES: dict[str, Callable[[str], str]] = {
 }  # fmt: skip
 
 
+_FORMS = {
+    "space": "thin", "under": "%(base)s_(%(under)s)", "fraction": "frac(%(num)s, %(den)s)", "radical": "sqrt(%(body)s)",
+    "applied": "%(head)s %(arg)s",
+}  # fmt: skip
+
+
 class _Typst(Printer):
     """Typst math."""
+
+    forms = _FORMS
 
     def operator(self, box: b.Operator) -> str:
         return _SIGNS.get(box.sign, box.sign)
 
     def phrase(self, box: b.Phrase) -> str:
         return _quoted(box.text)
-
-    def space(self, box: b.Space) -> str:
-        return "thin"
 
     def accent(self, box: b.Accent) -> str:
         return f"{_ACCENTS.get(box.kind, box.kind)}({self(box.body)})"
@@ -59,15 +64,6 @@ class _Typst(Printer):
         primes, sup = b.split_primes(box.sup)
         sub = "_" + _grouped(self(box.sub)) if box.sub else ""
         return self(box.base) + "'" * primes + sub + ("^" + _grouped(self(sup)) if sup else "")
-
-    def under(self, box: b.Under) -> str:
-        return f"{self(box.base)}_({self(box.under)})"
-
-    def fraction(self, box: b.Fraction) -> str:
-        return f"frac({self(box.num)}, {self(box.den)})"
-
-    def radical(self, box: b.Radical) -> str:
-        return f"sqrt({self(box.body)})"
 
     def fence(self, box: b.Fence) -> str:
         if box.opening and not box.closing:
@@ -78,9 +74,6 @@ class _Typst(Printer):
 
     def function(self, box: b.Function) -> str:
         return box.name if box.name in COMMANDS else f"op({_quoted(box.name)})"
-
-    def applied(self, box: b.Applied) -> str:
-        return f"{self(box.head)} {self(box.arg)}"
 
     def row(self, box: b.Row) -> str:
         text = " ".join(text for item in box.items if (text := self(item)))

@@ -29,7 +29,7 @@ def check_problem(problem: Problem, table: Table) -> None:
 def check_unknowns(problem: Problem, table: Table) -> None:
     """Refuse names of unknown forces that can't be; also for the problem of a later phase."""
     _unknowns_differ(problem, table)
-    _unknown_names(problem, table)
+    _unknown_names(problem)
     _beside(problem)
 
 
@@ -95,7 +95,7 @@ def _unknowns_differ(problem: Problem, table: Table) -> None:
                             table.table("constraints", "constraints"), element.name)  # fmt: skip
 
 
-def _unknown_names(problem: Problem, table: Table) -> None:
+def _unknown_names(problem: Problem) -> None:
     """A couple's name is the author's own; the others derive from a name that was checked."""
     for element in problem.constraints:
         for name in unknowns_of(element):

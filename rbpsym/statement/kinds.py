@@ -7,9 +7,12 @@ all read these tables; the mechanics of a kind stands in `mechanics` under the s
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import starmap
+from types import MappingProxyType
+from typing import TypeVar
 
-from rbpsym.quantities import Dimension
+from rbpsym.quantities import DIMENSIONS, Dimension
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +45,7 @@ class ElementKind:
     """A kind of shape, interaction or constraint: name, meaning, keys, other names for it.
 
     `unknowns` are the forces and couples that a constraint brings in: templates over the
-    element's `name` and its fields ("{name}_x", "{couple}") with their dimensions. `read_as`: the kind
-    as a special case of which it is read.
+    element's `name` and its fields ("{name}_x", "{couple}") with their dimensions.
     """
 
     name: str
@@ -51,7 +53,6 @@ class ElementKind:
     fields: tuple[Field, ...] = ()
     aliases: tuple[str, ...] = ()
     unknowns: tuple[tuple[str, Dimension], ...] = ()
-    read_as: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,9 +87,64 @@ class ShapeKind(ElementKind):
         return tuple(name for name, _, _ in self.points)
 
 
-def registry(*kinds: ElementKind) -> dict[str, ElementKind]:
-    """The kinds by name, in order."""
-    return {kind.name: kind for kind in kinds}
+K = TypeVar("K", bound=ElementKind)
+
+
+def field(name: str, text: str) -> Field:
+    """The field that a text describes: what it is, its sign, of what it may be made, its default: what it means.
+
+    >>> field("radius", "length, positive, of time = r: its radius") == Field(
+    ...     "radius", "expression", "its radius", DIMENSIONS["length"], "r", may_use="time", sign="positive")
+    True
+    """
+    head, meaning = text.split(": ", 1)
+    head, has_default, default = head.partition(" = ")
+    what, *marks = head.split(", ")
+    what, _, variable = what.partition(" in ")
+    kind, _, of = ("expression", "", what) if what in DIMENSIONS else what.partition(" of ")
+    told = {mark.partition(" ")[0]: mark.partition(" ")[2] for mark in marks}
+    return Field(
+        name,
+        "choice" if kind == "one" else kind,
+        meaning,
+        DIMENSIONS.get(of),
+        ("" if "optional" in told else None) if not has_default else default.split(" | ") if kind == "pair" else default,
+        tuple(of.split(" | ")) if kind == "one" else (),
+        told.get("of", "parameters"),
+        next((sign for sign in SIGNS if sign in told), ""),
+        tuple((own, DIMENSIONS[of_own.rstrip(")")]) for own, _, of_own in [variable.partition(" (")] if own),
+    )
+
+
+SIGNS = ("positive", "nonnegative")
+
+
+def element(meaning: str, *aliases: str, unknowns: Mapping[str, str] = MappingProxyType({}), **fields: str) -> ElementKind:
+    """A kind of interaction or constraint; `fields` and the dimensions of `unknowns` as texts."""
+    own = tuple((name, DIMENSIONS[dimension]) for name, dimension in unknowns.items())
+    return ElementKind("", meaning, tuple(starmap(field, fields.items())), aliases, own)
+
+
+def shape(
+    meaning: str,
+    *aliases: str,
+    points: str,
+    spread: ElementText | None = None,
+    size: str = "",
+    density: tuple[tuple[str, str], ...] = (),
+    has_angle: bool = True,
+    **fields: str,
+) -> ShapeKind:
+    """A kind of shape; `points` as a text: “center 0 0, end length/2 0”, `spread` its mass element."""
+    places = tuple((name, x, y) for name, x, y in map(str.split, points.split(", ")))
+    own = tuple(starmap(field, fields.items()))
+    return ShapeKind("", meaning, own, aliases, (), spread, size, places, density, has_angle)
+
+
+def registry(**kinds: K) -> dict[str, K]:
+    """The kinds by name, in order; "_" stands for the "-" of a name."""
+    names = {name: name.replace("_", "-") for name in kinds}
+    return {names[name]: replace(kind, name=names[name]) for name, kind in kinds.items()}
 
 
 def known_names(kinds: Mapping[str, ElementKind]) -> dict[str, str]:

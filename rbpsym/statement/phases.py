@@ -15,19 +15,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from rbpsym.notation.tree import ONE, Node
-from rbpsym.quantities import DIMENSIONS, NUMBER, TIME
+from rbpsym.quantities import TIME
 from rbpsym.statement.checks import unknowns_of
-from rbpsym.statement.constraints import CONSTRAINTS, MEETING, SLIPS
+from rbpsym.statement.constraints import CONSTRAINTS, MEETING
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
 from rbpsym.statement.finish import finish
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import ElementKind, Field, registry
+from rbpsym.statement.kinds import ElementKind, element, registry
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.premises import Declared, sign_of, surely_above
 from rbpsym.statement.scope import read_expression
 from rbpsym.statement.source import Table, did_you_mean, kind_of
 
-_IMPULSE = DIMENSIONS["impulse"]
+RESTITUTION = {"restitution": "number = 1: speed of parting over speed of approach"}
 
 EVENTS: dict[str, str] = {
     "at once": "the phase begins at the start of the one before: a blow, a point suddenly held",
@@ -40,56 +40,31 @@ EVENTS: dict[str, str] = {
     "begins": "the contact, string or bounce “of”, which the phase brings, begins: a body lands, a string goes taut",
 }
 
-IMPULSES: dict[str, ElementKind] = registry(
-    ElementKind(
-        "blow",
+IMPULSES = registry(
+    blow=element(
         "a given impulse at a point",
-        (
-            Field("on", "point", "the point of a body that is struck"),
-            Field("impulse", "pair", "its components in space", _IMPULSE),
-        ),
+        on="point: the point of a body that is struck",
+        impulse="pair of impulse: its components in space",
     ),
-    ElementKind(
-        "collision",
+    collision=element(
         "two points of two bodies collide without friction; the unknown impulse pushes the second along the direction",
-        (
-            Field("points", "points", "the two points that meet; of a round body its center will do"),
-            Field("along", "pair", "unit vector of the normal, from the first to the second body", NUMBER),
-            Field("restitution", "expression", "speed of parting over speed of approach", NUMBER, default="1"),
-        ),
-        unknowns=(("{name}", _IMPULSE),),
+        unknowns={"{name}": "impulse"},
+        points="points: the two points that meet; of a round body its center will do",
+        along="pair of number: unit vector of the normal, from the first to the second body",
+        **RESTITUTION,
     ),
-    ElementKind(
-        "bounce",
+    bounce=element(
         "a body meets a line or a circle, or a string between two points goes taut, for an instant; with friction, if there "
         "is some",
-        (
-            *MEETING,
-            Field("restitution", "expression", "speed of parting over speed of approach", NUMBER, default="1"),
-            Field(
-                "coefficient",
-                "expression",
-                "coefficient of friction: that of its impulse over the normal one; absent: smooth, or as much as is needed",
-                NUMBER,
-                default="",
-                sign="nonnegative",
-            ),
-            replace(
-                SLIPS,
-                meaning="the sense in which it slips as long as they touch, seen with the normal upwards: forward is to the "
-                "right; auto: as just before; none: it does not slip as they part",
-                choices=(*SLIPS.choices, "none"),
-            ),
-            Field(
-                "tangential",
-                "expression",
-                "where it does not slip: speed of slip just after over that just before, which is opposite",
-                NUMBER,
-                default="0",
-            ),
-            Field("friction", "name", "name of the impulse of friction", default="f_{name}"),
-        ),
-        unknowns=(("{name}", _IMPULSE),),
+        unknowns={"{name}": "impulse"},
+        **MEETING,
+        **RESTITUTION,
+        coefficient="number, nonnegative, optional: coefficient of friction: that of its impulse over the normal one; absent: "
+        "smooth, or as much as is needed",
+        slip="one of auto | forward | backward | none = auto: the sense in which it slips as long as they touch, seen with the "
+        "normal upwards: forward is to the right; auto: as just before; none: it does not slip as they part",
+        tangential="number = 0: where it does not slip: speed of slip just after over that just before, which is opposite",
+        friction="name = f_{name}: name of the impulse of friction",
     ),
 )
 

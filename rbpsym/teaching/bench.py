@@ -196,7 +196,7 @@ def known_names(bench: ProblemBench, scenery: Scenery) -> set[str]:
     return set(scenery.ranges) | ({scenery.coordinate} if scenery.coordinate else set())
 
 
-def asked_unit(bench: ProblemBench, target: Target) -> str:
+def asked_unit(target: Target) -> str:
     """The unit of a target as a number."""
     dimension = target.reading.dimension if target.reading else target.dimension
     name = target.unit_name if not target.reading else target.reading.unit_name

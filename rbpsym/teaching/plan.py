@@ -29,7 +29,7 @@ from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, evaluator
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.distractors import pool
 from rbpsym.teaching.model import Item, Part, Student, Worksheet
-from rbpsym.teaching.papers.statement import given_table, statement_blocks
+from rbpsym.teaching.papers.solution import given_table, statement_blocks
 from rbpsym.teaching.ranges import NumberRange
 from rbpsym.teaching.sheet import Sheet, SheetPart, is_sheet, sheet_of
 from rbpsym.teaching.situations import Scenery, Situation, scenery

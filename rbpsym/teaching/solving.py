@@ -178,7 +178,7 @@ def _number_formula(bench: b.ProblemBench, target: Target) -> t.Node:
 def measure_of(bench: b.ProblemBench, target: Target, value: float) -> Measure:
     """The number of a target as it is printed (`value` in SI units, before it is read off)."""
     value = target.reading.number(value) if target.reading else value
-    return measured(value, b.asked_unit(bench, target), b.ASKED_DIGITS)
+    return measured(value, b.asked_unit(target), b.ASKED_DIGITS)
 
 
 # --- how a later answer follows from earlier ones, for errors carried forward

@@ -166,10 +166,10 @@ class Checker:
         expected = self._is_expected(claim, result)
         return replace(result, expected=expected, seconds=time.perf_counter() - begun)
 
-    def check_safely(self, claim: Claim, printed: Printed | None = None) -> Result:
+    def check_safely(self, claim: Claim) -> Result:
         """The result of a claim; a formula that can't be read is a result too."""
         try:
-            return self.check(claim, printed)
+            return self.check(claim)
         except RbpsymError as error:
             return unread(claim, str(error))
 
@@ -225,7 +225,7 @@ class Checker:
 
     def _fix(self, latex: str, place: int, relation: t.Chain, repaired: t.Chain, claim: Claim) -> str:
         """The formula with one relation repaired, if that relation is proved as it is read again."""
-        from rbpsym.verify.diagnosis_text import corrected
+        from rbpsym.verify.diagnosis_edits import corrected
 
         words = self.reading(glossary(claim.setting.symbols), claim.setting)
         written = corrected(latex, relation, repaired, {name: latex for latex, (name, _) in words.names.items()})

@@ -198,10 +198,6 @@ def _torque(world: TheoryWorld, about_center: bool) -> Bound:
     return axial(sum((r.cross(f).z for r, f in zip(levers, world.forces, strict=True)), NOTHING))
 
 
-def _of_elements(world: TheoryWorld, value: Space, points: tuple[Space, ...]) -> Bound:
-    return replace(plane(value), points=points)
-
-
 def _kinetic(world: TheoryWorld, part: str) -> Scalar:
     push, turn = MASS * world.velocity.dot(world.velocity) / 2, MOMENT * OMEGA * OMEGA / 2
     return {"translational": push, "rotational": turn, "both": push + turn}[part]
@@ -235,8 +231,8 @@ PHRASES: Mapping[str, object] = {
     "velocity of the centre of mass": lambda w: plane(w.velocity),
     "acceleration of the centre of mass": lambda w: plane(w.acceleration),
     "linear momentum": lambda w: plane(w.velocity * MASS),
-    "position of a mass element": lambda w: _of_elements(w, w.place + ELEMENT, w.arms),
-    "position of a mass element from the centre of mass": lambda w: _of_elements(w, ELEMENT, w.levers),
+    "position of a mass element": lambda w: replace(plane(w.place + ELEMENT), points=w.arms),
+    "position of a mass element from the centre of mass": lambda w: replace(plane(ELEMENT), points=w.levers),
     "position of a point of the body": lambda w: plane(w.arms[0]),
     "position of another point of the body": lambda w: plane(w.arms[1]),
     "velocity of a mass element": lambda w: plane(_velocity_of_element(w)),

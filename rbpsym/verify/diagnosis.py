@@ -7,7 +7,7 @@ Floating-point numbers choose which of them are decided; only one that is PROVED
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -24,7 +24,7 @@ from rbpsym.verify.claims_check import decide
 from rbpsym.verify.claims_ground import Ground, Question, holds_unknowns
 from rbpsym.verify.claims_integrals import prepared
 from rbpsym.verify.claims_model import Claim, Outcome
-from rbpsym.verify.diagnosis_edits import edits
+from rbpsym.verify.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits
 from rbpsym.verify.diagnosis_numbers import TOLERANCE, samples
 
 
@@ -45,15 +45,6 @@ FACTORS = tuple(Fraction(n, d) for n, d in (
     (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (6, 1), (1, 6), (8, 1), (1, 8), (5, 1),
     (1, 5), (12, 1), (1, 12), (-2, 1), (-1, 2),
 ))  # fmt: skip
-
-
-@dataclass(frozen=True, slots=True)
-class Repair:
-    """A relation with one thing changed, and what was changed in words."""
-
-    relation: t.Chain
-    words: str
-    ground: Ground | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,8 +118,7 @@ def _repairs(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair
         yield from rule(relation)
     yield from _moments(relation, ground)
     yield from _pivots(relation, claim, ground)
-    for repaired, words, wide in edits(relation, claim, ground):
-        yield Repair(repaired, words, wide)
+    yield from edits(relation, claim, ground)
 
 
 def _signs(relation: t.Chain) -> Iterator[Repair]:
@@ -136,11 +126,9 @@ def _signs(relation: t.Chain) -> Iterator[Repair]:
         yield Repair(put(relation, path, t.neg(node)), f"sign of {to_text(node)}")
 
 
-def _products(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in sites(relation):
-        if isinstance(node, t.Cross):
-            turned = replace(node, left=node.right, right=node.left)
-            yield Repair(put(relation, path, turned), "order of the vector product")
+def _products(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, t.Cross):
+        yield replace(node, left=node.right, right=node.left), "order of the vector product"
 
 
 def _extra(relation: t.Chain) -> Iterator[Repair]:
@@ -166,23 +154,20 @@ def _times(factor: Fraction, node: t.Node) -> t.Node:
     return t.mul(t.Num(factor), node)
 
 
-def _functions(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in sites(relation):
-        for other in ("sin", "cos", "tan") if isinstance(node, t.Fn) else ():
-            if node.name in ("sin", "cos", "tan") and other != node.name:
-                yield Repair(put(relation, path, replace(node, name=other)), f"{other} in place of {node.name}")
+def _functions(path: Path, node: t.Node) -> Iterator[Change]:
+    for other in TURNS if isinstance(node, t.Fn) and node.name in TURNS else ():
+        if other != node.name:
+            yield replace(node, name=other), f"{other} in place of {node.name}"
 
 
-def _exponents(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in sites(relation):
-        if is_in_exponent(path):
-            continue
-        if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
-            for step in (-1, 1):
-                new = t.power(node.base, node.exponent.value + step)
-                yield Repair(put(relation, path, new), f"exponent of {to_text(node.base)}")
-        elif isinstance(node, t.Sym) and (not path or path[-1][0] != "base"):
-            yield Repair(put(relation, path, t.Pow(node, t.TWO)), f"exponent of {to_text(node)}")
+def _exponents(path: Path, node: t.Node) -> Iterator[Change]:
+    if is_in_exponent(path):
+        return
+    if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
+        for step in (-1, 1):
+            yield t.power(node.base, node.exponent.value + step), f"exponent of {to_text(node.base)}"
+    elif isinstance(node, t.Sym) and (not path or path[-1][0] != "base"):
+        yield t.Pow(node, t.TWO), f"exponent of {to_text(node)}"
 
 
 def _symbols(relation: t.Chain) -> Iterator[Repair]:
@@ -196,9 +181,7 @@ def _symbols(relation: t.Chain) -> Iterator[Repair]:
                     yield Repair(put(relation, path, t.Sym(other)), words)
     for one in names:
         for other in (name for name in names if name > one):
-            yield Repair(
-                _exchanged(relation, one, other), f"{to_text(t.Sym(one))} and {to_text(t.Sym(other))} exchanged"
-            )
+            yield Repair(_exchanged(relation, one, other), f"{to_text(t.Sym(one))} and {to_text(t.Sym(other))} exchanged")
 
 
 def _exchanged(relation: t.Chain, one: str, other: str) -> t.Chain:
@@ -209,22 +192,18 @@ def _exchanged(relation: t.Chain, one: str, other: str) -> t.Chain:
     return relation
 
 
-def _limits(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in sites(relation):
-        if isinstance(node, (t.Integral, t.Bracket)):
-            turned = replace(node, lower=node.upper, upper=node.lower)
-            yield Repair(put(relation, path, turned), "limits of the integral exchanged")
+def _limits(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, (t.Integral, t.Bracket)):
+        yield replace(node, lower=node.upper, upper=node.lower), "limits of the integral exchanged"
 
 
-def _turned(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in sites(relation):
-        if isinstance(node, t.Div):
-            turned = replace(node, num=node.den, den=node.num, span=None)
-            yield Repair(put(relation, path, turned), f"the fraction {to_text(node)} is upside down")
+def _turned(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, t.Div):
+        yield replace(node, num=node.den, den=node.num, span=None), f"the fraction {to_text(node)} is upside down"
 
 
-RULES: tuple[Callable[[t.Chain], Iterator[Repair]], ...] = (
-    _products, _signs, _functions, _factors, _extra, _exponents, _limits, _turned, _symbols,
+RULES: tuple[Rule, ...] = (
+    anywhere(_products), _signs, anywhere(_functions), _factors, _extra, *map(anywhere, (_exponents, _limits, _turned)), _symbols,
 )  # fmt: skip
 
 
@@ -241,9 +220,8 @@ def _moments(relation: t.Chain, ground: Ground) -> Iterator[Repair]:
         }
         inertia, omega, alpha = names
         own = _with_phrases(ground, names)
-        words = f"I_cm{tail}"
-        yield from _with_terms(relation, t.Sym(inertia), (omega, alpha), words, own)
-        yield from _with_moment(relation, t.Sym(inertia), words, own)
+        yield from _with_terms(relation, t.Sym(inertia), (omega, alpha), own)
+        yield from _with_moment(relation, t.Sym(inertia), f"I_cm{tail}", own)
 
 
 def _with_phrases(ground: Ground, names: dict[str, str]) -> Ground:
@@ -252,9 +230,7 @@ def _with_phrases(ground: Ground, names: dict[str, str]) -> Ground:
     return replace(ground, bounds={**bounds, **ground.bounds})
 
 
-def _with_terms(
-    relation: t.Chain, inertia: t.Sym, speeds: tuple[str, str], words: str, ground: Ground
-) -> Iterator[Repair]:
+def _with_terms(relation: t.Chain, inertia: t.Sym, speeds: tuple[str, str], ground: Ground) -> Iterator[Repair]:
     """I ω, I α, ½ I ω² added to the right side."""
     left, right = relation.items
     parts = [t.mul(inertia, kind(name)) for name in speeds for kind in (t.Vec, t.Sym)]
@@ -265,11 +241,12 @@ def _with_terms(
 
 
 def _with_moment(relation: t.Chain, moment: t.Sym, words: str, ground: Ground) -> Iterator[Repair]:
-    for path, node in sites(relation):
-        is_place = isinstance(node, (t.Add, t.Mul, t.Sym)) and bool(path) and not is_in_exponent(path)
-        if is_place:
-            yield Repair(put(relation, path, t.Add((node, moment))), f"{words} is missing", ground)
-            yield Repair(put(relation, path, t.Add((node, t.Neg(moment)))), f"{words} is too much", ground)
+    def change(path: Path, node: t.Node) -> Iterator[Change]:
+        if isinstance(node, (t.Add, t.Mul, t.Sym)) and path and not is_in_exponent(path):
+            yield t.Add((node, moment)), f"{words} is missing"
+            yield t.Add((node, t.Neg(moment))), f"{words} is too much"
+
+    return anywhere(change, ground)(relation)
 
 
 def _pivots(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:

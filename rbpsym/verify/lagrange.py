@@ -310,7 +310,9 @@ def _verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> l
     values = _along_variations(system, _with_friction(system, dynamics, lagrange_expressions(system)))
     found = [_vanishes(value, assumptions) for value in _tied_speeds(system)]
     found += [_vanishes(_defect(system, dynamics, value, k), assumptions) for k, value in enumerate(values)]
-    return found + _solution_verdicts(system, dynamics, assumptions) or [proved("nothing moves")]
+    if dynamics.accelerations is None:  # M q̈ = f has one solution only if det M is not 0: shown at one point
+        found.append(regular_verdict(dynamics.mass_matrix))
+    return found or [proved("nothing moves")]
 
 
 def start_verdict(study: Study) -> Verdict:
@@ -354,10 +356,3 @@ def _defect(system: System, dynamics: Dynamics, value: Scalar, row: int) -> Scal
 def _newton_row(names: Sequence[str], dynamics: Dynamics, row: int) -> Scalar:
     entries = zip(dynamics.mass_matrix[row], names, strict=True)
     return sum((entry * symbol(name) for entry, name in entries), -dynamics.forcing[row])
-
-
-def _solution_verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> list[Verdict]:
-    """Where M q̈ = f stays unsolved, it has one solution only if det M is not 0: shown at one point."""
-    if dynamics.accelerations is not None:
-        return []
-    return [regular_verdict(dynamics.mass_matrix)]

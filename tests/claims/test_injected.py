@@ -13,7 +13,7 @@ from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Outcome, Printed
 from rbpsym.verify.claims_run import Worlds
 from rbpsym.verify.diagnosis import diagnosis
-from rbpsym.verify.diagnosis_text import corrected
+from rbpsym.verify.diagnosis_edits import corrected
 from tests.claims.injected import injected
 
 FOLDER = library_folder() / "claims"

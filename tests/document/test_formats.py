@@ -26,12 +26,11 @@ from rbpsym.document.notes import course_notes
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.pictures import pictures
 from rbpsym.document.writers import WRITERS, files, writer
-from rbpsym.document.writers.digest import digest
 from rbpsym.document.writers.latex import LATEX
 from rbpsym.document.writers.markdown import in_cell, in_markdown
 from rbpsym.document.writers.page import page_for
 from rbpsym.document.writers.pdf import compiled, write_pdf
-from rbpsym.document.writers.slides import COLUMN, FULL, frames, height, write_slides
+from rbpsym.document.writers.slides import COLUMN, FULL, digest, frames, height, write_slides
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files

@@ -9,11 +9,10 @@ import pytest
 
 from rbpsym.derive import derive
 from rbpsym.document.language import part_of
-from rbpsym.document.looks import looks
+from rbpsym.document.looks import looks, speak
 from rbpsym.document.model import DocumentError
 from rbpsym.document.notes import notes
 from rbpsym.document.phrases import grammar, phrases, plain
-from rbpsym.document.speaking import speak
 from rbpsym.document.writers import writer
 from rbpsym.notation.speech import WORDS
 from rbpsym.notation.tree import Fn, Sym

@@ -17,7 +17,7 @@ from rbpsym.notation.mathml import to_mathml
 from rbpsym.notation.omml import to_omml
 from rbpsym.notation.speech import to_speech
 from rbpsym.notation.text import to_text
-from rbpsym.notation.tree import Add, Div, Fn, Group, Mul, Node, Num, Pow, Sqrt, Sym, Vec, equation
+from rbpsym.notation.tree import Add, Div, Fn, Group, Mul, Node, Num, Pow, Sqrt, Sym, System, Vec, equation
 from rbpsym.notation.typst import to_typst
 from tests.notation.samples import SAMPLES
 
@@ -66,7 +66,7 @@ def _ways(kind: str, write: Callable[..., str], name: str, node: Node) -> dict[s
     """As it is; in another notation, and aligned, where that differs."""
     plain = write(node)
     others = {} if kind in ("machine", "speech") else {"other notation": write(node, OTHER)}
-    others |= {"aligned": write(node, aligned=True)} if kind in ALIGNED else {}
+    others |= {"aligned": write(System((node,)))} if kind in ALIGNED else {}
     return {name: plain} | {f"{name}, {how}": text for how, text in others.items() if text != plain}
 
 

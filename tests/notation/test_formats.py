@@ -8,7 +8,7 @@ import typst
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.mathml import to_mathml
 from rbpsym.notation.speech import WORDS, to_speech
-from rbpsym.notation.tree import Sym
+from rbpsym.notation.tree import Sym, System
 from rbpsym.notation.typst import to_typst
 from tests.notation.paper import NAMES
 from tests.notation.samples import CALCULUS, SAMPLES, SCALARS
@@ -20,8 +20,7 @@ CORE = frozenset(
 
 def test_typst_compiles_every_sample():
     notations = (Notation(), Notation(vector="bold", differential="upright", decimal=","))
-    formulas = [to_typst(tree, style, aligned=wide) for tree in SAMPLES.values()
-                for style in notations for wide in (False, True)]  # fmt: skip
+    formulas = [to_typst(way, style) for tree in SAMPLES.values() for style in notations for way in (tree, System((tree,)))]
     formulas += [to_typst(Sym(name)) for name in NAMES]
     page = "\n".join(f"$ {formula} $" for formula in formulas)
     assert typst.compile(page.encode()).startswith(b"%PDF")
@@ -29,8 +28,8 @@ def test_typst_compiles_every_sample():
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_mathml_is_core(name):
-    for options in ({}, {"aligned": True, "display": True}):
-        root = ElementTree.fromstring(to_mathml(SAMPLES[name], **options))
+    for tree in (SAMPLES[name], System((SAMPLES[name],))):
+        root = ElementTree.fromstring(to_mathml(tree))
         assert {part.tag.split("}")[1] for part in root.iter()} <= CORE
         assert len(root) == 1
 

@@ -5,6 +5,7 @@ import pytest
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.text import to_text
+from rbpsym.notation.tree import System
 from tests.notation.samples import CALCULUS, RELATIONS, SCALARS, VECTORS
 
 SYMBOLS = "m M g ell R theta theta_0 theta_1 theta_2 omega t x y k".split()
@@ -82,7 +83,7 @@ def test_vectors_are_set():
 
 def test_a_chain_is_set_in_rows():
     rows = (r"\alpha &= \frac{d^2\theta}{dt^2}", r"&= -\frac{3 g}{4 \ell} \cos\theta")
-    assert to_latex(RELATIONS["alpha"], aligned=True) == rf"\begin{{aligned}} {rows[0]} \\ {rows[1]} \end{{aligned}}"
+    assert to_latex(System((RELATIONS["alpha"],))) == rf"\begin{{aligned}} {rows[0]} \\ {rows[1]} \end{{aligned}}"
 
 
 def test_the_ladder_in_one_line_of_text():

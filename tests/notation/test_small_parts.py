@@ -6,7 +6,7 @@ from unicodedata import numeric
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.document.writers.word_math import fitted
+from rbpsym.document.writers.word import fitted
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.algebra_layout import VULGAR, is_function_power

@@ -13,7 +13,7 @@ from rbpsym.statement.model import Element, Problem
 
 REGISTRIES: Mapping[str, Mapping[str, ElementKind]] = {"interactions": INTERACTIONS, "constraints": CONSTRAINTS}
 KINDS = [(section, kind) for section, kinds in REGISTRIES.items() for kind in kinds.values()]
-OWN_KINDS = [(section, kind) for section, kind in KINDS if not kind.read_as]
+OWN_KINDS = [(section, kind) for section, kind in KINDS if kind.name != "link"]  # which is read as a string
 FIELDS = [(section, kind, field) for section, kind in KINDS for field in kind.fields]
 
 # A sound value of each field kind that has no dimension of its own.

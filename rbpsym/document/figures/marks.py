@@ -58,14 +58,14 @@ def coil(at: s.Point) -> Items:
     return (s.Line(tuple(s.polar(at, 0.1 + 0.018 * turn, turn) for turn in turns), "spring"),)
 
 
-def hatching(start: s.Point, end: s.Point, depth: float = 0.22, style: str = "line") -> Items:
+def hatching(start: s.Point, end: s.Point, depth: float = 0.22) -> Items:
     """A solid edge: the line, and short strokes on its right-hand side."""
     length = math.dist(start, end)
     count = max(2, round(length / 0.2))
     strokes = tuple(
         (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth)) for n in range(1, count + 1)
     )
-    return s.Strokes(strokes), s.Line((start, end), style)
+    return s.Strokes(strokes), s.Line((start, end), "line")
 
 
 def support(at: s.Point, away: float) -> Items:

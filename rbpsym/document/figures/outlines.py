@@ -13,9 +13,9 @@ Sizes = Mapping[str, float]
 Outline = tuple[Item, ...]
 
 
-def polygon(points: tuple[Point, ...], style: str = "body") -> Outline:
+def polygon(points: tuple[Point, ...]) -> Outline:
     """A closed line."""
-    return (Line(points, style, closed=True),)
+    return (Line(points, "body", closed=True),)
 
 
 def disk(sizes: Sizes) -> Outline:

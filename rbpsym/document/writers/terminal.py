@@ -82,8 +82,8 @@ def _display(block: d.Display, screen: Screen) -> Iterator[str]:
 def _rows(block: d.Display, screen: Screen) -> list[str]:
     """The formula in one line, or a chain that is too long in one line a link."""
     line = to_text(block.node, screen.notation)
-    if isinstance(block.node, System) or (isinstance(block.node, Chain) and columns(line) > screen.width - 12):
-        line = to_text(block.node, screen.notation, aligned=True)
+    if isinstance(block.node, Chain) and columns(line) > screen.width - 12:
+        line = to_text(System((block.node,)), screen.notation)
     return line.splitlines()
 
 

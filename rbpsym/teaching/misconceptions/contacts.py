@@ -11,7 +11,6 @@ from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import model as change
@@ -40,13 +39,7 @@ def _rolls_while_slipping(study: Study) -> Iterator[Site]:
 def _along_the_slip(study: Study) -> Iterator[Site]:
     """Kinetic friction to the side to which the point of contact slips."""
     for element in _slipping(study):
-        name = element["friction"]
-        turned = partial(change.with_forces, study, lambda f, n=name: _opposite(f) if f.name == n else f)
-        yield Site(_slots(element), turned)
-
-
-def _opposite(force: Force) -> Force:
-    return replace(force, vector=-force.vector, couple=-force.couple)
+        yield Site(_slots(element), partial(change.with_force, study, element["friction"], change.opposite))
 
 
 def _friction_left_out(study: Study) -> Iterator[Site]:

@@ -62,10 +62,7 @@ def _speed_of_end(study: Study) -> Iterator[Site]:
     for name in axes(study):
         state, arm = study.system.bodies[name], change.arm_of(study, name)
         velocity = state.velocity + arm.turned() * state.omega
-        yield Site(
-            {"body": BodyRef(name)},
-            lambda name=name, velocity=velocity: _with_velocity(study, name, velocity),
-        )
+        yield Site({"body": BodyRef(name)}, partial(_with_velocity, study, name, velocity))
 
 
 def _with_velocity(study: Study, name: str, velocity) -> Study:
@@ -81,10 +78,8 @@ def _orbital_dropped(study: Study) -> Iterator[Site]:
     """Only I_cm ω: the motion of the centre of mass is left out of the momentum (or the energy)."""
     for name, state in change.spinning(study):
         if state.velocity:
-            yield Site(
-                {"body": BodyRef(name)},
-                lambda name=name: change.with_kinematics(study, change.with_body(study, name, velocity=ORIGIN)),
-            )
+            still = change.with_body(study, name, velocity=ORIGIN)
+            yield Site({"body": BodyRef(name)}, partial(change.with_kinematics, study, still))
 
 
 def _small_angle(study: Study) -> Iterator[Site]:
@@ -123,12 +118,11 @@ NO_WORK = Work({}, NOTHING)
 def _contact_forces_workless(study: Study) -> Iterator[Site]:
     """“A force of contact does no work”: each of its two works is taken for zero."""
     for name in dict.fromkeys(f.name for f in study.system.forces if f.unknowns):
-        yield Site(
-            {"force": t.Vec(name)},
-            lambda name=name: _with_works(
-                study, lambda w: replace(w, translational=NO_WORK, rotational=NO_WORK) if w.force == name else w
-            ),
-        )
+        yield Site({"force": t.Vec(name)}, partial(_with_works, study, partial(_workless, name)))
+
+
+def _workless(name: str, item: ForceWork) -> ForceWork:
+    return replace(item, translational=NO_WORK, rotational=NO_WORK) if item.force == name else item
 
 
 def _at_application_point(study: Study) -> Iterator[Site]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from math import prod
 
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute
 from rbpsym.derivation.step import BodyRef
@@ -23,14 +24,9 @@ def _force_sign(study: Study) -> Iterator[Site]:
     """A known force (or its torque) with the wrong sign."""
     for element in study.problem.interactions:
         name = element.name
-        if element.kind == "gravity":
-            continue  # see “weight-sign”
-        yield Site(
-            {"force": t.Vec(name), "variant": "couple" if _is_couple(study, name) else "force"},
-            lambda name=name: change.with_forces(
-                study, lambda f: replace(f, vector=-f.vector, couple=-f.couple) if f.name == name else f
-            ),
-        )
+        if element.kind != "gravity":  # see “weight-sign”
+            slots = {"force": t.Vec(name), "variant": "couple" if _is_couple(study, name) else "force"}
+            yield Site(slots, partial(change.with_force, study, name, change.opposite))
 
 
 def _is_couple(study: Study, name: str) -> bool:
@@ -66,20 +62,18 @@ def _whole_lever(study: Study) -> Iterator[Site]:
     for name in study.system.bodies:
         arm = change.arm_of(study, name)
         if arm is not None and change.weights(study, name):
-            yield Site(
-                {"body": BodyRef(name)},
-                lambda name=name, arm=arm: change.with_weight(study, name, lambda f: replace(f, point=f.point + arm)),
-            )
+            yield Site({"body": BodyRef(name)}, partial(_with_weight_at, study, name, study.system.bodies[name].center + arm))
 
 
 def _weight_at_middle(study: Study) -> Iterator[Site]:
     """The weight acts at the middle of the shape where the centre of mass is elsewhere."""
     for name, state in study.system.bodies.items():
         if (state.inertia.x or state.inertia.y) and state.pose.origin and change.weights(study, name):
-            yield Site(
-                {"body": BodyRef(name)},
-                lambda name=name, at=state.pose.origin: change.with_weight(study, name, lambda f: replace(f, point=at)),
-            )
+            yield Site({"body": BodyRef(name)}, partial(_with_weight_at, study, name, state.pose.origin))
+
+
+def _with_weight_at(study: Study, name: str, place: Vector) -> Study:
+    return change.with_weight(study, name, lambda force: replace(force, point=place))
 
 
 def _swapped_weight(study: Study) -> Iterator[Site]:
@@ -112,7 +106,7 @@ def _mirrored(study: Study, vector: Vector, along: Vector) -> Vector:
     square = short(along.dot(along))
     across = along.turned()
     first, second = along.dot(vector), across.dot(vector)
-    way = (change.sign_of(study, first) or 1) * (change.sign_of(study, second) or 1)
+    way = prod(change.sign_of(study, value) or 1 for value in (first, second))
     return (along * second + across * first) * (Scalar(square.den, square.num) * way)
 
 
@@ -124,11 +118,9 @@ def _swapped_lever(study: Study) -> Iterator[Site]:
         if is_zero(wrong) or is_zero(right):
             continue
         unit = {name: Scalar((wrong * 0 + 1).num) for name in force.unknowns}
-        way = (change.sign_of(study, substitute(right, unit)) or 1) * (
-            change.sign_of(study, substitute(wrong, unit)) or 1
-        )
+        ways = (change.sign_of(study, substitute(value, unit)) or 1 for value in (right, wrong))
         slots = {"force": t.Sym(force.name), "body": BodyRef(force.on)}
-        yield Site(slots, partial(_with_couple, study, force, wrong * way - right))
+        yield Site(slots, partial(_with_couple, study, force, wrong * prod(ways) - right))
 
 
 def _as_at_rest(study: Study) -> Iterator[Site]:
@@ -152,11 +144,8 @@ def _unknowns(value: Scalar) -> list[str]:
 
 
 def _still(system: System) -> System:
-    bodies = {
-        name: replace(state, acceleration=ORIGIN, alpha=NOTHING, velocity=ORIGIN)
-        for name, state in system.bodies.items()
-    }
-    return replace(system, bodies=bodies)
+    still = {"acceleration": ORIGIN, "alpha": NOTHING, "velocity": ORIGIN}
+    return replace(system, bodies={name: replace(state, **still) for name, state in system.bodies.items()})
 
 
 def _at_the_contact(study: Study) -> Iterator[Site]:
@@ -167,8 +156,7 @@ def _at_the_contact(study: Study) -> Iterator[Site]:
         here = state.acceleration + arm.turned() * state.alpha - arm * (state.omega * state.omega)
 
         def wrong(force: Force = force, here: Vector = here) -> Study:
-            bodies = {**study.system.bodies, force.on: replace(study.system.bodies[force.on], acceleration=here)}
-            rows = [value for _, _, value in newton_euler_rows(replace(study.system, bodies=bodies))]
+            rows = [value for _, _, value in newton_euler_rows(change.with_body(study, force.on, acceleration=here))]
             images = study.dynamics.accelerations or {}
             solved = solve_linear([r for r in rows if r], study.system.unknowns).values
             found = {name: short(substitute(value, images)) for name, value in solved.items()}
@@ -201,9 +189,8 @@ def _wrong_sense(study: Study) -> Iterator[Site]:
     for name, state in study.system.bodies.items():
         if not state.omega or is_zero(state.omega) or len(study.system.independent) != 1:
             continue
-        bodies = {**study.system.bodies, name: replace(state, omega=-state.omega, alpha=-state.alpha)}
-        system = replace(study.system, bodies=bodies)
-        yield Site({"body": BodyRef(name)}, lambda system=system: change.with_parts(study, system=system))
+        system = change.with_body(study, name, omega=-state.omega, alpha=-state.alpha)
+        yield Site({"body": BodyRef(name)}, partial(change.with_parts, study, system=system))
 
 
 MISCONCEPTIONS = (

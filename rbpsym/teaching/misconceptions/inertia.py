@@ -2,28 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, reduce
 
-from rbpsym.algebra import NOTHING, is_zero, names_in
+from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Shape
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site
 from rbpsym.teaching.targets import axes
 
+Sites = Callable[[Study], Iterator[Site]]
 ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "shell": Fraction(2, 3)}
+
+
+def _moment(study: Study, name: str, moment: Scalar, **slots: object) -> Site:
+    """A body with another moment of inertia."""
+    return Site({"body": BodyRef(name), **slots}, partial(change.with_inertia, study, name, moment=moment))
+
+
+def _scaled(factor: int | Fraction, kinds: Container[str]) -> Sites:
+    """I_cm of these shapes times a factor."""
+
+    def sites(study: Study) -> Iterator[Site]:
+        for name, state in change.spinning(study):
+            if study.problem.body(name).shape.kind in kinds:
+                yield _moment(study, name, state.moment * factor)
+
+    return sites
+
+
+def _shifted(times: int) -> Sites:
+    """M d² of the axis so many times more than the parallel-axis theorem says."""
+
+    def sites(study: Study) -> Iterator[Site]:
+        for name, (label, square) in axes(study).items():
+            state = study.system.bodies[name]
+            if state.moment or times > 0:
+                yield _moment(study, name, state.moment + state.mass * square * times, point=t.Sym(label))
+
+    return sites
 
 
 def _spin_dropped(study: Study) -> Iterator[Site]:
     """I_cm of one body left out: it is taken for a point mass at its centre."""
     for name, _ in change.spinning(study):
-        yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))
+        yield _moment(study, name, NOTHING)
 
 
 def _all_at_centers(study: Study) -> Iterator[Site]:
@@ -33,23 +61,6 @@ def _all_at_centers(study: Study) -> Iterator[Site]:
         yield Site({}, lambda: reduce(lambda found, name: change.with_inertia(found, name, moment=NOTHING), names, study))
 
 
-def _axis_forgotten(study: Study) -> Iterator[Site]:
-    """I_cm where the axis is elsewhere: I_O - M d² stands for I_cm, so that the whole is I_cm."""
-    for name, (label, square) in axes(study).items():
-        state = study.system.bodies[name]
-        if state.moment:
-            wrong = partial(change.with_inertia, study, name, moment=state.moment - state.mass * square)
-            yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
-
-
-def _axis_twice(study: Study) -> Iterator[Site]:
-    """M d² added to what holds it already."""
-    for name, (label, square) in axes(study).items():
-        state = study.system.bodies[name]
-        wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * square)
-        yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
-
-
 def _about_end(study: Study) -> Iterator[Site]:
     """The moment about the end of a rod used as that about its centre (or a third for a twelfth)."""
     for name, state in change.spinning(study):
@@ -57,8 +68,7 @@ def _about_end(study: Study) -> Iterator[Site]:
         if name in axes(study) or "length" not in shape.sizes:
             continue
         half = scalar(shape.sizes["length"]) / 2
-        wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * half * half)
-        yield Site({"body": BodyRef(name)}, wrong)
+        yield _moment(study, name, state.moment + state.mass * half * half)
 
 
 def _center_for_end(study: Study) -> Iterator[Site]:
@@ -69,8 +79,7 @@ def _center_for_end(study: Study) -> Iterator[Site]:
             continue  # that is “axis forgotten”
         if shape.kind == "rod":
             end = (scalar(shape.sizes["length"]) / 2) ** 2
-            wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * (end - square))
-            yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
+            yield _moment(study, name, state.moment + state.mass * (end - square), point=t.Sym(label))
 
 
 def _another_shape(study: Study) -> Iterator[Site]:
@@ -84,32 +93,7 @@ def _another_shape(study: Study) -> Iterator[Site]:
             continue  # its moment of inertia is what is given: M R² stands for it
         for kind, share in ROUND.items():
             if kind != shape.kind:
-                wrong = partial(change.with_inertia, study, name, moment=state.mass * radius * radius * share)
-                yield Site({"body": BodyRef(name), "variant": kind}, wrong)
-
-
-def _diameter(study: Study) -> Iterator[Site]:
-    """The diameter put in for the radius."""
-    yield from _scaled(study, 4, lambda shape: shape.kind in ROUND)
-
-
-def _half_length(study: Study) -> Iterator[Site]:
-    """Half of the rod put in for its length."""
-    yield from _scaled(study, Fraction(1, 4), lambda shape: shape.kind == "rod")
-
-
-def _scaled(study: Study, factor: int | Fraction, fits: Callable[[Shape], bool]) -> Iterator[Site]:
-    for name, state in change.spinning(study):
-        if fits(study.problem.body(name).shape):
-            yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=state.moment * factor))
-
-
-def _shift_by_whole_length(study: Study) -> Iterator[Site]:
-    """The shift of the axis by twice its length: from the far end, not from the centre of mass."""
-    for name, (label, square) in axes(study).items():
-        state = study.system.bodies[name]
-        wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * square * 3)
-        yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
+                yield _moment(study, name, state.mass * radius * radius * share, variant=kind)
 
 
 def _mass_dropped(study: Study) -> Iterator[Site]:
@@ -129,13 +113,13 @@ def _mass_dropped(study: Study) -> Iterator[Site]:
 MISCONCEPTIONS = (
     Misconception("spin-dropped", _spin_dropped, SPIN, NO_INERTIA),
     Misconception("all-mass-at-centers", _all_at_centers, SPIN, NO_INERTIA),
-    Misconception("parallel-axis-forgotten", _axis_forgotten, SPIN, NO_INERTIA),
-    Misconception("parallel-axis-twice", _axis_twice, SPIN, NO_INERTIA),
+    Misconception("parallel-axis-forgotten", _shifted(-1), SPIN, NO_INERTIA),  # I_O - M d² for I_cm: the whole is I_cm
+    Misconception("parallel-axis-twice", _shifted(1), SPIN, NO_INERTIA),
     Misconception("moment-about-wrong-point", _about_end, INERTIA, WELL),
     Misconception("end-of-rod-taken-for-axis", _center_for_end, SPIN, NO_INERTIA),
     Misconception("moment-of-another-shape", _another_shape, INERTIA, WELL),
-    Misconception("diameter-for-radius", _diameter, INERTIA, WELL),
-    Misconception("half-length-for-length", _half_length, INERTIA, WELL),
-    Misconception("shift-by-whole-length", _shift_by_whole_length, SPIN, NO_INERTIA),
+    Misconception("diameter-for-radius", _scaled(4, ROUND), INERTIA, WELL),
+    Misconception("half-length-for-length", _scaled(Fraction(1, 4), ["rod"]), INERTIA, WELL),
+    Misconception("shift-by-whole-length", _shifted(3), SPIN, NO_INERTIA),  # from the far end: twice the distance
     Misconception("mass-dropped", _mass_dropped, SPIN),
 )

@@ -75,10 +75,8 @@ def _third_law_forgotten(study: Study) -> Iterator[Site]:
         pair = [f for f in study.system.forces if f.name == element.name and f.by in study.system.bodies]
         if len(pair) == 2:
             carrier = pair[1].on
-            yield Site(
-                {"force": t.Vec(element.name), "body": BodyRef(carrier)},
-                partial(_without, study, element.name, carrier),
-            )
+            slots = {"force": t.Vec(element.name), "body": BodyRef(carrier)}
+            yield Site(slots, partial(_without, study, element.name, carrier))
 
 
 def _without(study: Study, name: str, body: str) -> Study:
@@ -134,10 +132,8 @@ def _held_is_weight(study: Study) -> Iterator[Site]:
     """The tension (or the force of the joint) equals the weight of what hangs on it: that body's M a is forgotten."""
     for element in study.problem.of_kind("string", "pin"):
         for name in _hanging(study, element):
-            yield Site(
-                {"force": t.Sym(element.name), "body": BodyRef(name)},
-                partial(change.with_inertia, study, name, mass=NOTHING),
-            )
+            slots = {"force": t.Sym(element.name), "body": BodyRef(name)}
+            yield Site(slots, partial(change.with_inertia, study, name, mass=NOTHING))
 
 
 def _hanging(study: Study, element: Element) -> list[str]:

@@ -54,7 +54,7 @@ def _falling(study: Study) -> list[Force]:
 def _weight_sign(study: Study) -> Iterator[Site]:
     """The weight drives the motion to the other side."""
     for force in _falling(study):
-        yield _site(study, force, replace(force, vector=-force.vector, couple=-force.couple))
+        yield _site(study, force, change.opposite(force))
 
 
 def _weight_left_out(study: Study) -> Iterator[Site]:
@@ -97,7 +97,7 @@ def _both_the_same_way(study: Study) -> Iterator[Site]:
     for element in study.problem.constraints:
         pair = [f for f in study.system.forces if f.name == element.name and f.by in study.system.bodies]
         if len(pair) == 2 and not is_zero(pair[1].vector.dot(pair[1].vector)):
-            yield _site(study, pair[1], replace(pair[1], vector=-pair[1].vector, couple=-pair[1].couple))
+            yield _site(study, pair[1], change.opposite(pair[1]))
 
 
 def _inertia_of_others(study: Study) -> Iterator[Site]:

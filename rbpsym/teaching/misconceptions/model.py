@@ -106,6 +106,16 @@ def with_forces(study: Study, change: Callable[[Force], Force | None]) -> Study:
     return with_parts(study, system=replace(study.system, forces=tuple(f for f in found if f is not None)))
 
 
+def with_force(study: Study, name: str, change: Callable[[Force], Force]) -> Study:
+    """The force of this name changed, on each body."""
+    return with_forces(study, lambda f: change(f) if f.name == name else f)
+
+
+def opposite(force: Force) -> Force:
+    """The force and its torque with the other sign."""
+    return replace(force, vector=-force.vector, couple=-force.couple)
+
+
 def with_weight(study: Study, body: str, change: Callable[[Force], Force]) -> Study:
     """The weight of a body changed."""
     return with_forces(study, lambda f: change(f) if (f.law, f.on) == ("gravity", body) else f)

@@ -32,7 +32,7 @@ VERDICTS = {"right": "correct", "wrong": "wrong", "invalid": "invalid", "unit": 
 
 def write_html(worksheet: m.Worksheet, *, is_key: bool = False) -> str:
     """The file; with the key it checks itself."""
-    document = numbered(_without_areas(paper_document(worksheet), worksheet))
+    document = numbered(_without_areas(paper_document(worksheet)))
     page = page_for(document, PAPER, COLUMN)
     keys: dict[str, dict] = {}
     body = "\n".join(_sections(document, worksheet, page, keys, is_key=is_key))
@@ -61,19 +61,13 @@ def _safe_json(value: object) -> str:
     return json.dumps(value, ensure_ascii=False).replace("<", "\\u003c").replace("&", "\\u0026")
 
 
-def _without_areas(document: Document, worksheet: m.Worksheet) -> Document:
+def _without_areas(document: Document) -> Document:
     """The paper without the room for answers: the page has fields for them."""
     from dataclasses import replace
 
     def kept(part: Section) -> Section:
-        return replace(
-            part,
-            blocks=tuple(
-                b
-                for b in part.blocks
-                if not type(b).__module__.endswith("papers.blocks") or isinstance(b, (Lead, Marked))
-            ),
-        )
+        shown = (b for b in part.blocks if not type(b).__module__.endswith("papers.blocks") or isinstance(b, (Lead, Marked)))
+        return replace(part, blocks=tuple(shown))
 
     return replace(document, sections=tuple(map(kept, document.sections)))
 
@@ -92,7 +86,7 @@ def _sections(document: Document, worksheet: m.Worksheet, page: Page, keys: dict
             yield from (f'<div class="answer">{fields}</div>' for fields, _ in FIELDS[type(item.key)](item, worksheet, page))
             continue
         yield from _areas(item, page, worksheet, keys)
-        fold = page.blocks(tuple(b for b in solved[item.id].blocks), "\n")
+        fold = page.blocks(solved[item.id].blocks, "\n")
         yield f'<details class="key"><summary>{escape(plain_text("paper.key", page.language))}</summary>{fold}</details>'
 
 

@@ -2,14 +2,83 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.chapters import chapter_sections
-from rbpsym.document.model import Block, Paragraph, Ref, Section
+from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, words
 from rbpsym.document.notes import shown_steps, words_of
-from rbpsym.document.words import Words
+from rbpsym.document.notes_events import phase_sentences
+from rbpsym.document.notes_statement import statement_section
+from rbpsym.document.pose import DrawnPose
+from rbpsym.document.words import Words, sentences
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
+from rbpsym.teaching.model import Measure
 from rbpsym.teaching.papers.layout import numbers, solution_blocks
-from rbpsym.teaching.wording import say
+from rbpsym.teaching.situations import Situation
+from rbpsym.teaching.units import measure_text
+from rbpsym.teaching.wording import say, spoken
+
+# --- the statement of a problem on a worksheet: words, figure, and the table of the student's numbers
+
+
+def statement_blocks(derivation: Derivation, said: Words, *, asks_later: bool) -> tuple[Block, ...]:
+    """What the system is and how it starts, its figure and the conventions; without the table of symbols. That all is
+    asked about the first phase is said unless some task may be about a later one."""
+    first = _without_phases(derivation)
+    section = statement_section(first, Words(said.language, first.study.problem, said.prefix), 2)
+    blocks = tuple(block for block in section.blocks if not isinstance(block, Table))
+    later = [*phase_sentences(DrawnPose(derivation.study), said)] if asks_later else []
+    names = [said.say("statement.phase", name=said.named(p.name)) for p in derivation.study.problem.phases[: not asks_later]]
+    told = (Paragraph(sentences(later)),) if later else ()
+    return (*blocks, *told, *(Paragraph(spoken(said, "paper.first_phase", phase=name)) for name in names))
+
+
+def _without_phases(derivation: Derivation) -> Derivation:
+    """The first phase as a motion of its own: tasks are about this one."""
+    study = derivation.study
+    if not study.problem.phases:
+        return derivation
+    first = Study(replace(study.problem, phases=()))
+    first.__dict__.update({name: part for name, part in study.__dict__.items() if name != "problem"})
+    return replace(derivation, study=first, phases=())
+
+
+def given_table(derivation: Derivation, situation: Situation, said: Words) -> tuple[Block, ...]:
+    """Symbol, meaning and number of all that is given; () if nothing is."""
+    problem = derivation.study.problem
+    rows = tuple(_rows(problem, situation, said))
+    if not rows:
+        return ()
+    header = (*(said.say(f"header.{key}") for key in ("symbol", "meaning")), spoken(said, "paper.value"))
+    return (Table(header, rows, (), "cll"),)
+
+
+def _rows(problem: Problem, situation: Situation, said: Words) -> Iterator[tuple[Inlines, ...]]:
+    known = {q.name: q for q in problem.parameters if q.name not in problem.implicit}
+    for name, measure in situation.given.items():
+        meaning = said.meaning(name, known[name].meaning) if name in known else _start(problem, name, said)
+        inlines = words(meaning) if isinstance(meaning, str) else meaning
+        yield (Math(t.Sym(name)),), inlines, _value(measure, said.notation.decimal)
+
+
+def _start(problem: Problem, name: str, said: Words) -> Inlines:
+    """What a constant is at which a coordinate or a speed starts."""
+    of = [t.Sym(c.name) for c in problem.coordinates if getattr(c.start, "name", None) == name]
+    of += [t.Sym(f"{c.name}_dot") for c in problem.coordinates if getattr(c.speed, "name", None) == name]
+    return said.say("symbols.start", of=of, count=len(of))
+
+
+def _value(measure: Measure, mark: str) -> Inlines:
+    return words(measure_text(measure, mark))
+
+
+# ---
+
 
 DETAIL = "standard"
 

@@ -110,7 +110,7 @@ def _number_item(
         formula,
         left,
         b.numbers_at(setting.situation, needed),
-        units=(b.asked_unit(bench, target),),
+        units=(b.asked_unit(target),),
         anticipated=tuple(_anticipated(bench, setting, target, measure, found)),
         follows=follows,
     )
@@ -235,5 +235,5 @@ def _option(
     formula = right if d is None else d.formula
     if not numbers:
         return Option((Math(formula),), slip, formula)
-    measure = Measure(m.value, b.asked_unit(bench, target), m.digits)
+    measure = Measure(m.value, b.asked_unit(target), m.digits)
     return Option((Math(b.word(measure, setting.said.notation)),), slip, None, measure)
