@@ -7,25 +7,26 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, generator, names_in, rate_along, symbol
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, rate_along, substitute, symbol
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, reduced, vanishes, wound
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, parted, reduced, vanishes, wound
 from rbpsym.kernel.claim import Claim, letter, tree_of
-from rbpsym.kernel.claims import TIME, Source
+from rbpsym.kernel.claims import AHEAD, TIME, Source
 from rbpsym.kernel.combining import based, combined, nonzero, stays
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.courses import courses
 from rbpsym.kernel.formulas import brief, formulas, sides
 from rbpsym.kernel.integrals import integrated
+from rbpsym.kernel.positive import Sum
 from rbpsym.kernel.radicals import rootless
-from rbpsym.kernel.ranges import above, note_signs
+from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 
-AHEAD = Claim(t.Sym(TIME), t.ZERO, "more")
+SIGNS = ("sign", "gap", "positive")
 BEGUN = t.Sym(TIME + START)
 
 
@@ -49,7 +50,11 @@ class Search:
         self.always = frozenset(self.positive)
         self.fixed: set[str] = {*signs, *source.rates, TIME, "pi"} - {n for n in source.rates if n.endswith("_dot")}
         self.certain = set(self.positive)  # what may stand below
-        self.nonzero: set[int] = set()
+        self.nonzero = {atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonzero"}
+        self.least = frozenset(atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonnegative")
+        self.gaps: set[int] = set()
+        self.shifts: dict[str, list[Scalar]] = {}  # what a letter is, by the gap to an end of its range
+        self.sums: dict[tuple[Poly, frozenset[int]], Sum | None] = {}
         self.deep = False
         self.is_sure = True  # whether nothing is divided by of which it is not known that it does not vanish
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
@@ -105,9 +110,10 @@ class Search:
 
     def _rooted(self, node: t.Sqrt) -> t.Node:
         """A root as a letter."""
-        name = f"root {to_machine(node.arg)}"
-        self.source.circular[name] = node
-        self.roots[name] = self.value(node.arg)
+        value = self.value(node.arg)
+        name = next((name for name, known in self.roots.items() if known == value), f"root {to_machine(node.arg)}")
+        self.source.circular.setdefault(name, node)
+        self.roots[name] = value
         return t.Sym(name)
 
     def moving(self, name: str) -> bool:
@@ -143,9 +149,14 @@ class Search:
         return rank
 
     def is_nonzero(self, value: Scalar) -> bool:
-        """Whether it surely does not vanish: one term of what does not, or a sum of positive ones."""
-        alone = self.nonzero | self.positive if len(value.num) == 1 else self.positive
-        return value.num.atoms() <= alone and len({c > 0 for c in value.num.terms.values()}) == 1
+        """Whether it surely does not vanish."""
+        return self.is_plain(value) or (len(value.num) > 1 and signed(self, Scalar(value.num), ranged=False) is not None)
+
+    def is_plain(self, value: Scalar) -> bool:
+        """Whether that is plain: one term of what does not vanish, or a sum of positive ones."""
+        common, inner = parted(value)
+        signs = {c > 0 for c in inner.num.terms.values()}
+        return common.atoms() <= self.nonzero | self.positive and inner.num.atoms() <= self.positive and len(signs) == 1
 
     def vanishes(self, value: Scalar) -> bool:
         """Whether it is 0 by sin² + cos² = 1 and the sines and cosines of sums."""
@@ -209,8 +220,8 @@ class Search:
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = list(nonzero(self, written, known))
         parts = {part for node in (*written, *(part for have in below for part in have.parts)) for part in t.walk(node)}
-        signs = [have for have in found.steps if have.how == "sign" and have.claim.left in parts]
-        others = [have for have in found.steps if have.how != "sign"]
+        signs = [have for have in found.steps if have.how in SIGNS and have.claim.left in parts]
+        others = [have for have in found.steps if have.how not in SIGNS]
         return replace(found, steps=(*signs, *below, *others))
 
     def _sought(self, claim: Claim) -> Proof:
@@ -219,6 +230,7 @@ class Search:
                 self.nonzero |= self.value(item.left).atoms()
             elif item == AHEAD:
                 self.positive |= self.value(item.left).atoms()
+        note_gaps(self)
         note_signs(self, signed=claim.kind == "more" or bool(claim.given))
         goal = self.difference(claim)
         known = [*self._known(claim), *self._unique(), *integrated(self)]
@@ -231,11 +243,11 @@ class Search:
             found = self._shown(self._rate(like) - self.value(claim.right), known)
             return self._proof(found, like=(self.tree(like), by))
         if claim.kind == "more":
-            found, square = above(self, goal, known)
-            return self._proof(found, square=square)
-        ways = (self._shown, *((self._cancelled, self._cancelled_rates) if claim.given else (self.by_rates,)), self._multiplied)
+            found, parts = above(self, goal, known)
+            return self._proof(found, parts=parts)
+        ways = (*((self._cancelled, self._cancelled_rates) if claim.given else (self.by_rates,)), self._multiplied)
         reasons = []
-        for way in ways:
+        for way in (self._shown, *ways, self._conjugated):
             del self.haves[self._count :]
             try:
                 made = way(goal, known)
@@ -248,7 +260,7 @@ class Search:
         """The proof, without what was noted on the way and is not used."""
         used, kept = {known.name for part in (multiples, *(like or ())[1:]) for _, known in part.known}, []
         for have in reversed([*self.root_notes.values(), *self.haves]):
-            if have.name in used or have.how == "sign":
+            if have.name in used or have.how in SIGNS:
                 used |= {known.name for _, known in have.multiples.known}
                 kept.append(have)
         return Proof(tuple(reversed(kept)), multiples, like, **more)
@@ -359,7 +371,8 @@ class Search:
             if factor is not None and self.is_nonzero(factor):
                 whole = {place: -factor * part for place, part in sums.items()}
                 whole |= {place: whole.get(place, NOTHING) + part for place, part in row.multiples.items()}
-                return self._proof(self._summed(factor * goal, whole, known, values), factor=self.tree(factor))
+                shown = t.mul(*map(self.tree, parted(factor)))
+                return self._proof(self._summed(factor * goal, whole, known, values), factor=shown)
         raise Undecided("what stands beside it may vanish")
 
     def _cancelled_rates(self, goal: Scalar, known: Sequence[Known]) -> Proof:
@@ -378,6 +391,18 @@ class Search:
         if not below:
             raise Undecided("nothing stands below")
         return self._proof(self._shown(goal * factor, known), factor=self.tree(factor))
+
+    def _conjugated(self, goal: Scalar, known: Sequence[Known]) -> Proof:
+        """left - right is linear in a root: times the same with the other root it vanishes, and that does not."""
+        rest = self.follow(goal, known)[0]
+        for name in sorted(names_in(rest) & self.roots.keys()):
+            other = parted(substitute(rest, {name: -symbol(name)}))[1]
+            if name not in names_in(rootless(self, rest * other)[0]) and signed(self, Scalar(other.num)) is not None:
+                whole, taken = rootless(self, goal * other)
+                found = self._shown(whole, known)
+                more = tuple((self.tree(factor), item) for factor, item in taken)
+                return self._proof(replace(found, known=(*found.known, *more)), factor=self.tree(other))
+        raise Undecided("no other root")
 
     def _ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
         """value / by, if it is a polynomial but for what does not vanish."""
