@@ -13,11 +13,13 @@ from rbpsym.commands.arguments import ShelfName
 if TYPE_CHECKING:
     from rbpsym.kernel.coqc import Report
 
+FOLDER = Path("build", "rocq")
+
 
 @click.command("certify")
 @click.argument("name", metavar="[NAME|FILE]", type=ShelfName("problem"), required=False)
 @click.option("--all", "every", is_flag=True, help="Every problem that ships.")
-@click.option("--output", "-o", type=click.Path(file_okay=False, path_type=Path), help="Folder of the Rocq files.")
+@click.option("--output", "-o", type=click.Path(file_okay=False, path_type=Path), help="Folder of the files (build/rocq).")
 @click.option("--no-cache", is_flag=True, help="Compile everything anew.")
 def command(name: str | None, every: bool, output: Path | None, no_cache: bool) -> int:
     """Write each step of a problem as a lemma for Rocq, from its listed premises alone; coqc, if it is there, checks them.
@@ -43,10 +45,17 @@ def command(name: str | None, every: bool, output: Path | None, no_cache: bool) 
     paths = list(problem_files().values()) if every else [found(name or "", ("problem",))[1]]
     folder, is_fine = None if no_cache else default_folder(), True
     for path in paths:
-        report = certified(path, output if every else output or Path(), folder)
+        report = certified(path, output if every else output or FOLDER, folder)
         click.echo("\n".join(lines(report, f"{path.stem}: " if every else "")))
         is_fine = is_fine and report.is_sound and (every or not report.refused)
     return 0 if is_fine else 1
+
+
+def report_on(path: Path) -> Report:
+    """The report on a problem, kept where others are."""
+    from rbpsym.verify.claims_run import default_folder
+
+    return certified(path, None, default_folder())
 
 
 def certified(path: Path, output: Path | None, folder: Path | None) -> Report:
