@@ -6,7 +6,7 @@ are letters ("sin theta"), so that nothing is replaced by sin² + cos² = 1 with
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
@@ -71,6 +71,16 @@ class Proof:
     like: tuple[t.Node, Multiples] | None = None
     factor: t.Node | None = None
     parts: tuple[t.Node, ...] = ()
+
+
+@dataclass(frozen=True)
+class Lemma:
+    """A claim, the premises that its proof names, and the proof."""
+
+    name: str
+    claim: Claim
+    premises: Mapping[str, Claim]
+    proof: Proof
 
 
 Sums = dict[int, Scalar]  # how often each of the known equations is in one

@@ -9,13 +9,13 @@ from functools import cached_property
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
-from rbpsym.kernel.certificates import Proof
+from rbpsym.kernel.certificates import Lemma, Proof
 from rbpsym.kernel.claim import Claim, Said
 from rbpsym.kernel.claims import Source
 from rbpsym.kernel.components import START
 from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.reading import read_back
-from rbpsym.kernel.rocq import Lemma, Terms, Writer, identifier
+from rbpsym.kernel.rocq import Terms, Writer, identifier
 from rbpsym.notation import tree as t
 
 

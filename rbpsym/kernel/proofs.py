@@ -12,7 +12,7 @@ from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, parted, reduced, vanishes, wound
-from rbpsym.kernel.claim import Claim, letter, tree_of
+from rbpsym.kernel.claim import Claim, is_along_time, letter, tree_of
 from rbpsym.kernel.claims import AHEAD, TIME, Source
 from rbpsym.kernel.combining import based, combined, nonzero
 from rbpsym.kernel.components import START, started
@@ -23,7 +23,6 @@ from rbpsym.kernel.integrals import integrated
 from rbpsym.kernel.positive import Sum
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed
-from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 

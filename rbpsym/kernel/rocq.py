@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import RbpsymError
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof
-from rbpsym.kernel.claim import Claim, tree_of
+from rbpsym.kernel.certificates import Have, Known, Lemma, Multiples, Proof
+from rbpsym.kernel.claim import Claim, is_along_time, tree_of
 from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.components import START
 from rbpsym.notation import tree as t
@@ -25,11 +25,6 @@ def identifier(name: str) -> str:
     """A name that Rocq reads as one word and that means nothing else there; different names stay different."""
     word = "".join(c if c.isalnum() or c == "_" else "'" for c in name)
     return f"{word}_" if word.rstrip("_") in RESERVED else word
-
-
-def is_along_time(node: t.Integral, moving: Callable[[str], bool]) -> bool:
-    """Whether other functions of time than the variable stand in an integral."""
-    return any(moving(name) for name in t.names(node.integrand) - {node.var})
 
 
 @dataclass(frozen=True)
@@ -127,16 +122,6 @@ OWN = "qrmz"  # with a number: what is noted in a proof
 TIMES = "forall t : R, ta < t < tb -> "
 REFUSED = "not accepted: "
 RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "differ": "{left} <> {right}"}
-
-
-@dataclass(frozen=True)
-class Lemma:
-    """A claim, the premises that its proof names, and the proof."""
-
-    name: str
-    claim: Claim
-    premises: Mapping[str, Claim]
-    proof: Proof
 
 
 @dataclass(frozen=True)

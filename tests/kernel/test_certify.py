@@ -12,12 +12,12 @@ from click.testing import CliRunner
 
 from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
-from rbpsym.kernel.certificates import reduced
+from rbpsym.kernel.certificates import Lemma, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.claims import AHEAD
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, with_prelude
-from rbpsym.kernel.rocq import REFUSED, Lemma, identifier
+from rbpsym.kernel.rocq import REFUSED, identifier
 from rbpsym.notation import tree as t
 from tests.kernel.spoiling import attempted, draws
 from tests.library.derived import unsimulated
