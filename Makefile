@@ -86,7 +86,11 @@ distractors: $(VENV)/run.stamp
 
 certify: $(VENV)/run.stamp
 	@mkdir -p $(OUT)
-	@$(BIN)/rbpsym certify --all > $(OUT)/certify.txt; found=$$?; grep 'certified by\|written as' $(OUT)/certify.txt; exit $$found
+	@find derivations -name '*.toml' ! -path '*/courses/*' ! -path '*/claims/*' ! -path '*/worksheets/*' | sort | \
+	    xargs -n 5 -P $(JOBS) $(BIN)/rbpsym certify > $(OUT)/certify.txt; \
+	    found=$$?; grep 'certified by\|written as' $(OUT)/certify.txt; \
+	    awk '/certified by/ {m += $$2; n += $$4; l += $$9; s += $$12} \
+	        END {print m " of " n " steps, " l " lemmas in " s " s of coqc"}' $(OUT)/certify.txt; exit $$found
 
 lint: $(VENV)/dev.stamp
 	$(BIN)/ruff check .

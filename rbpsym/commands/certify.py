@@ -13,14 +13,16 @@ from rbpsym.commands.arguments import ShelfName
 if TYPE_CHECKING:
     from rbpsym.kernel.coqc import Report
 
+FOLDER = Path("build", "rocq")
+
 
 @click.command("certify")
-@click.argument("name", metavar="[NAME|FILE]", type=ShelfName("problem"), required=False)
+@click.argument("names", metavar="[NAME|FILE]...", type=ShelfName("problem"), nargs=-1)
 @click.option("--all", "every", is_flag=True, help="Every problem that ships.")
-@click.option("--output", "-o", type=click.Path(file_okay=False, path_type=Path), help="Folder of the Rocq files.")
+@click.option("--output", "-o", type=click.Path(file_okay=False, path_type=Path), help="Folder of the files (build/rocq).")
 @click.option("--no-cache", is_flag=True, help="Compile everything anew.")
-def command(name: str | None, every: bool, output: Path | None, no_cache: bool) -> int:
-    """Write each step of a problem as a lemma for Rocq, from its listed premises alone; coqc, if it is there, checks them.
+def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: bool) -> int:
+    """Write each step of problems as a lemma for Rocq, from its listed premises alone; coqc, if it is there, checks them.
 
     \b
     Examples:
@@ -32,21 +34,28 @@ def command(name: str | None, every: bool, output: Path | None, no_cache: bool) 
     can't be stated or proved is told by name, never assumed. What coqc said of the same text before is kept.
 
     \b
-    Exit codes: 0 every step is certified (with --all: coqc accepts all that is written), 1 not.
+    Exit codes: 0 every step is certified (of several problems: coqc accepts all that is written), 1 not.
     """
     from rbpsym.commands.shelf import found
     from rbpsym.statement.library import problem_files
     from rbpsym.verify.claims_run import default_folder
 
-    if every == (name is not None):
-        raise click.UsageError("name one problem, or write --all for every problem that ships.")
-    paths = list(problem_files().values()) if every else [found(name or "", ("problem",))[1]]
-    folder, is_fine = None if no_cache else default_folder(), True
+    if every == bool(names):
+        raise click.UsageError("name a problem, or write --all for every problem that ships.")
+    paths = list(problem_files().values()) if every else [found(name, ("problem",))[1] for name in names]
+    folder, each, many = None if no_cache else default_folder(), [], every or len(names) > 1
     for path in paths:
-        report = certified(path, output if every else output or Path(), folder)
-        click.echo("\n".join(lines(report, f"{path.stem}: " if every else "")))
-        is_fine = is_fine and report.is_sound and (every or not report.refused)
-    return 0 if is_fine else 1
+        each.append(certified(path, output if many else output or FOLDER, folder))
+        click.echo("\n".join(lines(each[-1], f"{path.stem}: " if many else "")))
+    is_whole = all(report.is_sound for report in each) and (many or not each[0].refused)
+    return 0 if is_whole else 1
+
+
+def report_on(path: Path) -> Report:
+    """The report on a problem, kept where others are."""
+    from rbpsym.verify.claims_run import default_folder
+
+    return certified(path, None, default_folder())
 
 
 def certified(path: Path, output: Path | None, folder: Path | None) -> Report:

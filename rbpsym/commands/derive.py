@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rbpsym.derivation.step import Derivation
     from rbpsym.document.model import Document
     from rbpsym.equality.verdict import Verdict
+    from rbpsym.kernel.coqc import Report
     from rbpsym.statement.model import Problem
 
 METHODS = ("all", "torque", "newton-euler", "work-energy", "energy")
@@ -33,7 +34,10 @@ CHAPTERS = {
 @click.option("--simulation/--no-simulation", default=False, show_default=True, help="Run the numerical oracle too.")
 @click.option("--why", metavar="STEP", help="Only what the verdict of one step, (10) or motion.theta say, rests on.")
 @click.option("--roads", is_flag=True, help="Only the roads that one may take, with the lines that each needs.")
-def command(name: str, detail: str, method: str, lang: str, simulation: bool, why: str | None, roads: bool) -> int:
+@click.option("--certified", is_flag=True, help="Mark with ✓ only what Rocq certifies too (takes a while).")
+def command(
+    name: str, detail: str, method: str, lang: str, simulation: bool, why: str | None, roads: bool, certified: bool
+) -> int:
     """Show the derivation of a problem, step by step, each with its verdict.
 
     \b
@@ -44,8 +48,10 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool, wh
       rbpsym derive sliding-ladder --why 10
       rbpsym derive sliding-ladder --roads
 
-    The mark before a formula says what became of its check: ✓ proved, ✗ refuted, ? undecided.
+    The mark before a formula says what became of its check: ✓ proved, ✗ refuted, ? undecided; with --certified
+    ○ proved, and not certified by Rocq.
     """
+    from rbpsym.commands.certify import report_on
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.shelf import found, stated
     from rbpsym.commands.solve import exit_code
@@ -62,7 +68,8 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool, wh
 
         click.echo("\n".join(traced(derivation, why, document_of(derivation, detail, method, lang), lang)))
     else:
-        click.echo("\n".join(lines(derivation, detail, method, lang)))
+        report = report_on(path) if certified else None
+        click.echo("\n".join(lines(derivation, detail, method, lang, report)))
     return exit_code(derivation.summary())
 
 
@@ -83,16 +90,20 @@ def roads_of(problem: Problem, language: str) -> list[str]:
     return list(terminal_lines(document, {}))
 
 
-def lines(derivation: Derivation, detail: str, method: str, language: str) -> Iterator[str]:
-    """The chapters with their steps, then what was proved."""
+def lines(derivation: Derivation, detail: str, method: str, language: str, report: Report | None = None) -> Iterator[str]:
+    """The chapters with their steps, then what was proved, and what Rocq says, if it was asked."""
+    from rbpsym.commands.certify import lines as told
     from rbpsym.commands.solve import verdict_line
     from rbpsym.document.writers.terminal import terminal_lines
 
     document = document_of(derivation, detail, method, language)
-    yield from terminal_lines(document, verdicts(derivation))
+    found = verdicts(derivation)
+    doubtful = [] if report is None else [id for id in found if not report.is_certified(id)]
+    yield from terminal_lines(document, found, doubtful)
     yield ""
     yield from reasons(derivation, method, language)
     yield verdict_line(derivation.summary())
+    yield from () if report is None else told(report)
 
 
 def verdicts(derivation: Derivation) -> dict[str, Verdict]:

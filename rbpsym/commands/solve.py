@@ -25,7 +25,8 @@ CLOSE = 1e-8  # relative error that a simulation may have
 @name_argument
 @click.option("--json", "as_json", is_flag=True, help="Print everything as JSON, for programs.")
 @click.option("--simulation/--no-simulation", default=True, show_default=True, help="Run the numerical oracle too.")
-def command(name: str, as_json: bool, simulation: bool) -> int:
+@click.option("--certified", is_flag=True, help="Tell too what Rocq certifies (takes a while).")
+def command(name: str, as_json: bool, simulation: bool, certified: bool) -> int:
     """Print the results of a problem: accelerations, forces, energies, works, equilibria.
 
     \b
@@ -37,13 +38,20 @@ def command(name: str, as_json: bool, simulation: bool) -> int:
     In JSON, expressions are text that Python and sympy read: `**`, `sin`, `cos`, `sqrt`; the speed
     of a coordinate theta is `theta_dot`. What has no closed form is null.
     """
+    from rbpsym.commands.certify import lines as told
+    from rbpsym.commands.certify import report_on
+    from rbpsym.commands.shelf import found
+
     problem, answer = _answer(name, simulation)
+    report = report_on(found(name, ("problem",))[1]) if certified else None
+    if report is not None:
+        answer["certified"] = report.record()
     if as_json:
         import json
 
         click.echo(json.dumps(answer, indent=2, ensure_ascii=False))
     else:
-        click.echo("\n".join(lines(answer, problem)))
+        click.echo("\n".join([*lines(answer, problem), *([] if report is None else told(report))]))
     is_answered = all(item["verdict"] == "PROVED" for item in answer["questions"])
     return exit_code(answer["verdicts"]) if is_answered else DOUBTFUL
 

@@ -161,8 +161,8 @@ Lemma less : forall (c a b : R), a = b -> forall g, g - c * (a - b) = 0 -> g = 0
 Proof. intros; subst; lra. Qed.
 Lemma cancel : forall k l r, k <> 0 -> k * (l - r) = 0 -> l = r.
 Proof. intros k l r K E. apply Rmult_integral in E. destruct E; [contradiction | lra]. Qed.
-Lemma above : forall l r a s p, l - r = a * s ^ 2 + p -> 0 < a -> 0 < p -> r < l.
-Proof. intros l r a s p E A P. assert (0 <= a * s ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra. Qed.
+Lemma above : forall l r s n, l - r = s + n -> 0 < s -> 0 <= n -> r < l.
+Proof. intros; lra. Qed.
 Lemma beyond : forall d s n, d = s + n -> 0 < s -> 0 <= n -> d <> 0.
 Proof. intros; lra. Qed.
 Lemma below : forall d s n, - d = s + n -> 0 < s -> 0 <= n -> d <> 0.
@@ -181,12 +181,13 @@ Lemma up3 : forall x, 0 <= 1 + sin x. Proof. intros x. pose proof (SIN_bound x).
 Lemma up4 : forall x, 0 <= 1 + - sin x. Proof. intros x. pose proof (SIN_bound x). lra. Qed.
 Ltac known_sign := match goal with
   | Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- 0 < _ => exact (Q s H)
+  | Q : forall t, ?a < t < ?b -> 0 < t -> 0 < _, H : ?a < ?s < ?b, G : 0 < ?s |- 0 < _ => exact (Q s H G)
   end.
 Ltac pos1 := first [assumption | known_sign | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
   | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat
   | apply sqrt_lt_R0].
 Ltac nng := repeat first [apply up1 | apply up2 | apply up3 | apply up4 | apply pow2_ge_0 | apply sqrt_pos | apply Rplus_le_le_0_compat
-  | apply Rmult_le_pos | lra | (apply Rlt_le; solve [repeat pos1])].
+  | apply Rmult_le_pos | apply Rdiv_le_0_compat; [| solve [repeat pos1]] | apply pow_le | lra | (apply Rlt_le; solve [repeat pos1])].
 Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.
 Ltac same_nonzero x N := match type of N with ?d <> 0 =>
   first [exact N | solve [replace x with d by ring; exact N]
@@ -211,7 +212,12 @@ Ltac pos := repeat split; try assumption; match goal with
   end.
 Ltac ang := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
   ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a.
-Ltac fld := cbn [INR pred]; first [ring | solve [field; pos] | ang; ring | solve [ang; field; pos]].
+Ltac one_root := match goal with
+  | |- context [sqrt ?a] => match goal with
+    | |- context [sqrt ?b] => tryif constr_eq a b then fail else
+        replace (sqrt b) with (sqrt a) by (f_equal; first [ring | solve [field; pos]]) end end.
+Ltac fld := cbn [INR pred]; first [ring | solve [field; pos] | ang; ring | solve [ang; field; pos]
+  | repeat one_root; first [ring | solve [field; pos]]].
 
 Ltac der := repeat (
   lazymatch goal with

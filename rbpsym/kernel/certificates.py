@@ -6,7 +6,7 @@ are letters ("sin theta"), so that nothing is replaced by sin² + cos² = 1 with
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
@@ -40,7 +40,8 @@ class Multiples:
 @dataclass(frozen=True, slots=True)
 class Have:
     """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral",
-    "nonzero" (± left is a positive formula and one that is not negative).
+    "sign" and "gap" (a sine, a difference that ranges keep positive), "nonzero" and "positive" (± left is a positive
+    formula and one that is not negative).
 
     multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0, and
     `begin` that it is 0 at the start; source: the premises that it rests on; parts: the two formulas of "nonzero".
@@ -61,15 +62,25 @@ class Have:
 class Proof:
     """What is shown on the way, then the claim.
 
-    like: for a rate, the formula that is derived, and why it is the same; factor: what is divided by; square: a, s, p
-    where left - right is a s² + p.
+    like: for a rate, the formula that is derived, and why it is the same; factor: what is divided by; parts: what is
+    positive and what is not negative, of which left - right is the sum.
     """
 
     steps: tuple[Have, ...] = ()
     multiples: Multiples = field(default_factory=Multiples)
     like: tuple[t.Node, Multiples] | None = None
     factor: t.Node | None = None
-    square: tuple[t.Node, t.Node, t.Node] | None = None
+    parts: tuple[t.Node, ...] = ()
+
+
+@dataclass(frozen=True)
+class Lemma:
+    """A claim, the premises that its proof names, and the proof."""
+
+    name: str
+    claim: Claim
+    premises: Mapping[str, Claim]
+    proof: Proof
 
 
 Sums = dict[int, Scalar]  # how often each of the known equations is in one
@@ -140,6 +151,12 @@ def _pivots(rows: list[Row], order: Callable[[int], int], is_nonzero: Callable[[
                 slope = Scalar(row.value.num.by_power(index)[powers[0]], row.value.den)
                 if is_nonzero(slope):
                     yield Pivot(index, powers[0], slope, row)
+
+
+def parted(value: Scalar) -> tuple[Scalar, Scalar]:
+    """The product of atoms that stands in each term of a value, and what it is a multiple of."""
+    common = value.num.content()[1]
+    return Scalar(Poly({common: 1})), value / Scalar(Poly({common: 1}))
 
 
 def partner(index: int, kind: str = "sin") -> int | None:

@@ -9,12 +9,13 @@ from functools import cached_property
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
-from rbpsym.kernel.certificates import Proof
+from rbpsym.kernel.certificates import Lemma, Proof
 from rbpsym.kernel.claim import Claim, Said
 from rbpsym.kernel.claims import Source
 from rbpsym.kernel.components import START
 from rbpsym.kernel.proofs import Search
-from rbpsym.kernel.rocq import Lemma, Terms, Writer, identifier
+from rbpsym.kernel.reading import read_back
+from rbpsym.kernel.rocq import Terms, Writer, identifier
 from rbpsym.notation import tree as t
 
 
@@ -77,7 +78,7 @@ def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
     if not own:
         raise RbpsymError(found.source.unsaid.get(step.id, "there is no statement for it yet"))
     for name, claim in own.items():
-        found.writer.said(claim)  # raises for what has no term
+        read_back(found.writer.said(claim), claim, found.source)  # raises for what has no term
         claim, proof, search = _proved(found.source, step, claim, (claims, further))
         names = _used(search, claim, proof, {**claims, **further})
         needed = {name: item for name, item in {**claims, **further}.items() if name in names}
@@ -160,7 +161,8 @@ def text(found: Written, *, without: Collection[str] = (), trial: bool = False) 
     for lemma in lemmas:
         claims |= {**lemma.premises, lemma.name: lemma.claim}
     lines = [*writer.opening(), *writer.letters(claims.values())]
-    lines += [f"Definition {name} : Prop := {writer.said(claim)}." for name, claim in claims.items()]
+    told = {name: read_back(writer.said(claim), claim, found.source) for name, claim in claims.items()}
+    lines += [f"Definition {name} : Prop := {said}." for name, said in told.items()]
     kept = [lemma for lemma in lemmas if lemma.name not in without]
     lines += [writer.trial(lemma) if trial else writer.lemma(lemma) for lemma in kept]
     whole = ", ".join(f"{lemma.name}'holds" for lemma in kept)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -46,6 +47,11 @@ def letter(node: t.Node) -> str:
     """The name of what must be a letter, of a number or a vector."""
     assert isinstance(node, t.Sym | t.Vec)
     return node.name
+
+
+def is_along_time(node: t.Integral, moving: Callable[[str], bool]) -> bool:
+    """Whether other functions of time than the variable stand in an integral."""
+    return any(moving(name) for name in t.names(node.integrand) - {node.var})
 
 
 def tree_of(value: Scalar | Poly) -> t.Node:

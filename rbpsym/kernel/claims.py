@@ -82,7 +82,7 @@ class Source:
         if self.event is None:
             raise RbpsymError("such an end of a phase has no words yet")
         left, right = (t.renamed(side, self.then) for side in (claim.left, claim.right))
-        there = (Claim(tree_of(self.event), t.ZERO), Claim(t.Sym(TIME), t.ZERO, "more"))
+        there = (Claim(tree_of(self.event), t.ZERO), AHEAD)
         return replace(claim, left=left, right=right, given=(*claim.given, *there))
 
     def _asserted(self, step: Step) -> list[Claim]:
@@ -175,11 +175,13 @@ class Source:
                 yield Claim(t.Sym(begun), tree_of(self.system.scope.start[begun]), "start")
 
     def _range(self, name: str) -> Iterator[Claim]:
+        """Where a motion sets out from an end of an open range, it is within from then on."""
         low, high = self.study.assumptions.ranges[name]
+        given = (AHEAD,) if self.system.scope.start.get(name) in (low, high) and name in self.system.scope.start else ()
         if low is not None:
-            yield Claim(t.Sym(name), tree_of(low), "more")
+            yield Claim(t.Sym(name), tree_of(low), "more", given)
         if high is not None:
-            yield Claim(tree_of(high), t.Sym(name), "more")
+            yield Claim(tree_of(high), t.Sym(name), "more", given)
 
     def meaning(self, letter: str) -> Iterator[Claim]:
         """What a letter stands for, in coordinates."""
@@ -198,6 +200,7 @@ class Source:
 
 
 TIME = "t"
+AHEAD = Claim(t.Sym(TIME), t.ZERO, "more")
 RATE = "'"  # ends the name of what is the rate of a letter
 SILENT = (t.PathIntegral, t.BodyIntegral)
 FACTS: Mapping[str, Callable[[Source, str], Iterator[Claim]]] = {

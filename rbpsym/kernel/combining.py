@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import NOTHING, UNITY, Coefficient, Monomial, Poly, Scalar, atoms, bases_of, in_bases, is_zero, symbol
 from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.kernel.certificates import Have, Known, Multiples, circles
-from rbpsym.kernel.claim import Claim, tree_of
-from rbpsym.kernel.positive import Sum, positive_sum
+from rbpsym.kernel.certificates import Have, Known, Multiples
+from rbpsym.kernel.claim import tree_of
+from rbpsym.kernel.ranges import shown, signed
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.notation import tree as t
 
@@ -67,12 +67,7 @@ def _by_letters(poly: Poly, letters: Collection[int]) -> dict[Monomial, Poly]:
 
 def stays(search: Search, value: Scalar) -> bool:
     """Whether a value surely does not vanish."""
-    return search.is_nonzero(value) or signed(search, value.num) is not None
-
-
-def signed(search: Search, poly: Poly) -> Sum | None:
-    """The polynomial as a sum of one sign: by what ranges keep positive, else by what sines and cosines are at most."""
-    return positive_sum(poly, search.positive | search.certain) or positive_sum(poly, search.always)
+    return search.is_nonzero(value) or signed(search, Scalar(value.num)) is not None
 
 
 def based(search: Search, value: Scalar) -> Scalar:
@@ -93,13 +88,13 @@ def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[Known]) -> 
     seen: set[Poly] = set()
     for factor in (factor for node in nodes for part in t.walk(node) for factor in _below(part)):
         poly = search.value(factor).num
-        if poly not in seen and not search.is_nonzero(Scalar(poly)):
+        if poly not in seen and not search.is_plain(Scalar(poly)):
             seen |= {poly, poly.scaled(-1)}
             by, value = Multiples(), Scalar(poly)
             if any(map(search.order(), poly.atoms())):
                 value, by = search.follow(value, known)
-            if value.den.is_monomial() and (found := signed(search, value.num)) is not None:
-                yield _have(search, f"z{len(seen)}", (search.tree(Scalar(poly)), value), found, by)
+            if (found := signed(search, value)) is not None:
+                yield shown(search, f"z{len(seen)}", (search.tree(Scalar(poly)), value), found, by)
             else:
                 search.is_sure = False
 
@@ -123,21 +118,3 @@ def _factors(node: t.Node) -> Iterator[t.Node]:
         yield from _factors(node.base)
     else:
         yield node
-
-
-def _have(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: Multiples) -> Have:
-    """± the formula, or what it is known to be, is positive and not negative parts, by sin² + cos² = 1."""
-    node, value = of
-    rest = [t.mul(search.tree(factor), t.Pow(search.tree(root), t.TWO)) for factor, root in found.squares]
-    for factor, wave, turn in found.waves:
-        swing = search.tree(wave)
-        rest.append(t.mul(search.tree(factor), t.Add((t.ONE, swing if turn > 0 else t.Neg(swing)))))
-    above, others = search.tree(found.above), t.add(*rest)
-    whole = search.value(t.Add((above, others)))
-    turned, left = circles(value * found.sign - whole)
-    assert not left, "a sum that was found is the formula"
-    angles = [(search.tree(q), search.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items()]
-    known = tuple((t.mul(t.Num(found.sign), factor), item) for factor, item in by.known)
-    angles += [(t.mul(t.Num(found.sign), factor), angle) for factor, angle in by.circles]
-    side = node if found.sign > 0 else t.Neg(node)
-    return Have(name, "nonzero", Claim(node, t.ZERO, "differ"), side, Multiples(known, tuple(angles)), parts=(above, others))

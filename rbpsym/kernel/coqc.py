@@ -40,6 +40,15 @@ class Report:
     axioms: tuple[str, ...] | None = None
     seconds: float = 0.0
 
+    def is_certified(self, id: str) -> bool:
+        """Whether coqc accepted a step, by its id with the phase before it."""
+        return self.axioms is not None and id not in self.refused
+
+    def record(self) -> dict[str, Any]:
+        """What is certified, for programs."""
+        certified = 0 if self.axioms is None else self.steps - len(self.refused)
+        return {"steps": self.steps, "certified": certified, "not_certified": self.refused, "axioms": self.axioms}
+
     @property
     def is_sound(self) -> bool:
         """Whether coqc accepts all that is written, from no axioms but those of the reals."""

@@ -29,9 +29,9 @@ def formulas(proof: Proof) -> Iterator[t.Node]:
     if proof.like:
         yield proof.like[0]
         yield from _multiplied(proof.like[1])
-    yield from (node for node in (proof.factor, *(proof.square or ())) if node is not None)
+    yield from (node for node in (proof.factor, *proof.parts) if node is not None)
     for have in proof.steps:
-        if have.how != "sign":
+        if have.how not in ("sign", "gap"):
             yield from (have.of, *sides(have.claim), *_multiplied(have.multiples), *_multiplied(have.begin))
 
 

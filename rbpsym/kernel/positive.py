@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Set
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
@@ -17,8 +17,8 @@ MOST_TERMS = 60
 class Sum:
     """sign × value = Σ above + Σ factor × square² + Σ factor × (1 ± wave).
 
-    above: terms that are positive; squares: (factor that is positive, what is squared); waves: (factor that is
-    positive, a sine or cosine, its sign).
+    above: terms that are positive; squares: (factor that is not negative, what is squared); waves: (factor that is
+    not negative, a sine or cosine, its sign).
     """
 
     sign: int
@@ -27,10 +27,11 @@ class Sum:
     waves: tuple[tuple[Scalar, Scalar, int], ...]
 
 
-def positive_sum(poly: Poly, positive: Collection[int]) -> Sum | None:
+def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset()) -> Sum | None:
     """A polynomial, or what is opposite to it, as a sum of what is positive and of what is not negative.
 
-    `positive`: atoms above 0. Sines and cosines are letters, sin² + cos² = 1 is used. None: no such sum was found.
+    `positive`: atoms above 0; `least`: atoms that are at least 0. Sines and cosines are letters, sin² + cos² = 1 is used.
+    None: no such sum was found.
     """
     if len(poly) > MOST_TERMS:
         return None
@@ -42,7 +43,7 @@ def positive_sum(poly: Poly, positive: Collection[int]) -> Sum | None:
             chosen = {s if kind == "sin" else partner(s) or s for s, k in zip(sines, kinds, strict=False) if k == kind}
             value = wound(value, kind, only=chosen)
         for sign in (1, -1):
-            found = _sum(value.num.scaled(sign), sign, positive)
+            found = _sum(value.num.scaled(sign), sign, positive, positive | least)
             if found is not None:
                 return found
     return None
@@ -52,12 +53,12 @@ def _is_wave(index: int) -> bool:
     return partner(index) is not None or partner(index, "cos") is not None
 
 
-def _sum(poly: Poly, sign: int, positive: Collection[int]) -> Sum | None:
+def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int]) -> Sum | None:
     """The sum by its terms: even powers stay, what swings is at least minus its size, what is left are squares."""
     even: dict[Monomial, Coefficient] = {}
     waves: dict[tuple[Monomial, int, int], Coefficient] = {}
     for monomial, coefficient in poly.terms.items():
-        odd = [(i, e) for i, e in monomial if e % 2 and i not in positive]
+        odd = [(i, e) for i, e in monomial if e % 2 and i not in fair]
         if not odd or not _is_wave(odd[0][0]):
             even[monomial] = even.get(monomial, 0) + coefficient
         elif len(odd) == 1 and odd[0][1] == 1:
@@ -68,15 +69,15 @@ def _sum(poly: Poly, sign: int, positive: Collection[int]) -> Sum | None:
             even[rest] = even.get(rest, 0) - size
         else:
             return None
-    squares = list(_squares(even, positive))
+    squares = list(_squares(even, fair))
     above = {m: c for m, c in even.items() if c and _is_above(m, positive)}
     flat = {m: c for m, c in even.items() if c and not _is_above(m, positive)}
-    if not above or any(c < 0 for c in even.values()) or any(e % 2 and i not in positive for m in flat for i, e in m):
+    if not above or any(c < 0 for c in even.values()) or any(e % 2 and i not in fair for m in flat for i, e in m):
         return None
     for m, c in flat.items():
-        squares.append(_halved(m, c, positive))
+        squares.append(_halved(m, c, fair))
     found = [(Scalar(Poly({rest: c})), Scalar(Poly({((i, 1),): 1})), turn) for (rest, i, turn), c in waves.items()]
-    if any(e % 2 and i not in positive for (rest, _, _) in waves for i, e in rest):
+    if any(e % 2 and i not in fair for (rest, _, _) in waves for i, e in rest):
         return None
     return Sum(sign, Scalar(Poly(above)), tuple(squares), tuple(found))
 

@@ -7,25 +7,26 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, generator, names_in, rate_along, symbol
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_along, symbol
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, reduced, vanishes, wound
-from rbpsym.kernel.claim import Claim, letter, tree_of
-from rbpsym.kernel.claims import TIME, Source
-from rbpsym.kernel.combining import based, combined, nonzero, stays
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, parted, reduced, vanishes, wound
+from rbpsym.kernel.claim import Claim, is_along_time, letter, tree_of
+from rbpsym.kernel.claims import AHEAD, TIME, Source
+from rbpsym.kernel.combining import based, combined, nonzero
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.courses import courses
+from rbpsym.kernel.factors import cancelled, cancelled_rates, conjugated, multiplied
 from rbpsym.kernel.formulas import brief, formulas, sides
 from rbpsym.kernel.integrals import integrated
+from rbpsym.kernel.positive import Sum
 from rbpsym.kernel.radicals import rootless
-from rbpsym.kernel.ranges import above, note_signs
-from rbpsym.kernel.rocq import is_along_time
+from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 
-AHEAD = Claim(t.Sym(TIME), t.ZERO, "more")
+SIGNS = ("sign", "gap", "positive")
 BEGUN = t.Sym(TIME + START)
 
 
@@ -49,7 +50,11 @@ class Search:
         self.always = frozenset(self.positive)
         self.fixed: set[str] = {*signs, *source.rates, TIME, "pi"} - {n for n in source.rates if n.endswith("_dot")}
         self.certain = set(self.positive)  # what may stand below
-        self.nonzero: set[int] = set()
+        self.nonzero = {atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonzero"}
+        self.least = frozenset(atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonnegative")
+        self.gaps: set[int] = set()
+        self.shifts: dict[str, list[Scalar]] = {}  # what a letter is, by the gap to an end of its range
+        self.sums: dict[tuple[Poly, frozenset[int]], Sum | None] = {}
         self.deep = False
         self.is_sure = True  # whether nothing is divided by of which it is not known that it does not vanish
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
@@ -105,9 +110,10 @@ class Search:
 
     def _rooted(self, node: t.Sqrt) -> t.Node:
         """A root as a letter."""
-        name = f"root {to_machine(node.arg)}"
-        self.source.circular[name] = node
-        self.roots[name] = self.value(node.arg)
+        value = self.value(node.arg)
+        name = next((name for name, known in self.roots.items() if known == value), f"root {to_machine(node.arg)}")
+        self.source.circular.setdefault(name, node)
+        self.roots[name] = value
         return t.Sym(name)
 
     def moving(self, name: str) -> bool:
@@ -143,9 +149,14 @@ class Search:
         return rank
 
     def is_nonzero(self, value: Scalar) -> bool:
-        """Whether it surely does not vanish: one term of what does not, or a sum of positive ones."""
-        alone = self.nonzero | self.positive if len(value.num) == 1 else self.positive
-        return value.num.atoms() <= alone and len({c > 0 for c in value.num.terms.values()}) == 1
+        """Whether it surely does not vanish."""
+        return self.is_plain(value) or (len(value.num) > 1 and signed(self, Scalar(value.num), ranged=False) is not None)
+
+    def is_plain(self, value: Scalar) -> bool:
+        """Whether that is plain: one term of what does not vanish, or a sum of positive ones."""
+        common, inner = parted(value)
+        signs = {c > 0 for c in inner.num.terms.values()}
+        return common.atoms() <= self.nonzero | self.positive and inner.num.atoms() <= self.positive and len(signs) == 1
 
     def vanishes(self, value: Scalar) -> bool:
         """Whether it is 0 by sin² + cos² = 1 and the sines and cosines of sums."""
@@ -172,7 +183,7 @@ class Search:
         values = [self.difference(item.claim, item.when) for item in known]
         rest, sums, rows = reduced(goal, values, self.order(self._defined if only else None), self.is_nonzero)
         for row in () if only or self.vanishes(rest) else rows:
-            factor = self._ratio(rest, row.value) or self._ratio(wound(rest, "cos"), wound(row.value, "cos"))
+            factor = self.ratio(rest, row.value) or self.ratio(wound(rest, "cos"), wound(row.value, "cos"))
             if factor is not None:
                 whole = {place: sums.get(place, NOTHING) - factor * part for place, part in row.multiples.items()}
                 rest, sums = NOTHING, {**sums, **whole}
@@ -183,9 +194,9 @@ class Search:
                     sums = {**sums, place: sums.get(place, NOTHING) - factor * part}
             rest = NOTHING
         rest = NOTHING if self.vanishes(rest) else rest
-        return rest, self._summed(goal - rest, {place: -factor for place, factor in sums.items()}, known, values)
+        return rest, self.summed(goal - rest, {place: -factor for place, factor in sums.items()}, known, values)
 
-    def _summed(self, goal: Scalar, sums: Mapping[int, Scalar], known: Sequence[Known], values: Sequence[Scalar]) -> Multiples:
+    def summed(self, goal: Scalar, sums: Mapping[int, Scalar], known: Sequence[Known], values: Sequence[Scalar]) -> Multiples:
         """The goal as a sum of multiples of what is known, and of sin² + cos² - 1."""
         used = {place: factor for place, factor in sums.items() if not vanishes(factor)}
         for place, factor in used.items():
@@ -209,8 +220,8 @@ class Search:
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = list(nonzero(self, written, known))
         parts = {part for node in (*written, *(part for have in below for part in have.parts)) for part in t.walk(node)}
-        signs = [have for have in found.steps if have.how == "sign" and have.claim.left in parts]
-        others = [have for have in found.steps if have.how != "sign"]
+        signs = [have for have in found.steps if have.how in SIGNS and have.claim.left in parts]
+        others = [have for have in found.steps if have.how not in SIGNS]
         return replace(found, steps=(*signs, *below, *others))
 
     def _sought(self, claim: Claim) -> Proof:
@@ -219,6 +230,7 @@ class Search:
                 self.nonzero |= self.value(item.left).atoms()
             elif item == AHEAD:
                 self.positive |= self.value(item.left).atoms()
+        note_gaps(self)
         note_signs(self, signed=claim.kind == "more" or bool(claim.given))
         goal = self.difference(claim)
         known = [*self._known(claim), *self._unique(), *integrated(self)]
@@ -228,27 +240,27 @@ class Search:
             return Proof()
         if claim.kind == "rate":
             like, by = self.follow(self.value(claim.left), known, only=True)
-            found = self._shown(self._rate(like) - self.value(claim.right), known)
-            return self._proof(found, like=(self.tree(like), by))
+            found = self.shown(self._rate(like) - self.value(claim.right), known)
+            return self.proof(found, like=(self.tree(like), by))
         if claim.kind == "more":
-            found, square = above(self, goal, known)
-            return self._proof(found, square=square)
-        ways = (self._shown, *((self._cancelled, self._cancelled_rates) if claim.given else (self.by_rates,)), self._multiplied)
+            found, parts = above(self, goal, known)
+            return self.proof(found, parts=parts)
+        ways = (*((cancelled, cancelled_rates) if claim.given else (Search.by_rates,)), multiplied, conjugated)
         reasons = []
-        for way in ways:
+        for way in (Search.shown, *ways):
             del self.haves[self._count :]
             try:
-                made = way(goal, known)
-                return self._proof(made) if isinstance(made, Multiples) else made
+                made = way(self, goal, known)
+                return self.proof(made) if isinstance(made, Multiples) else made
             except Undecided as error:
                 reasons.append(str(error))
         raise Undecided("; ".join(reasons))
 
-    def _proof(self, multiples: Multiples, like: tuple[t.Node, Multiples] | None = None, **more: Any) -> Proof:
+    def proof(self, multiples: Multiples, like: tuple[t.Node, Multiples] | None = None, **more: Any) -> Proof:
         """The proof, without what was noted on the way and is not used."""
         used, kept = {known.name for part in (multiples, *(like or ())[1:]) for _, known in part.known}, []
         for have in reversed([*self.root_notes.values(), *self.haves]):
-            if have.name in used or have.how == "sign":
+            if have.name in used or have.how in SIGNS:
                 used |= {known.name for _, known in have.multiples.known}
                 kept.append(have)
         return Proof(tuple(reversed(kept)), multiples, like, **more)
@@ -297,12 +309,12 @@ class Search:
         other = self.value(t.Fn("sin", node.arg)) * -1 if node.name == "cos" else self.value(t.Fn("cos", node.arg))
         return other * self._rate(self.value(node.arg))
 
-    def _shown(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
+    def shown(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
         """By multiples; if that is not enough, with the rates of what vanishes as well."""
         rest, found = self.follow(goal, known)
         if self.vanishes(rest):
             return found
-        more = [*known, *self._stills(known)]
+        more = [*known, *self.stills(known)]
         rest, found = self.follow(goal, more)
         if not self.vanishes(rest) and (squares := list(self._squares(known))):
             rest, found = self.follow(goal, [*more, *squares])
@@ -310,7 +322,7 @@ class Search:
             raise Undecided("it does not follow: of left - right stays " + brief(self.tree(rest)))
         return found
 
-    def _stills(self, known: Sequence[Known]) -> Iterator[Known]:
+    def stills(self, known: Sequence[Known]) -> Iterator[Known]:
         """The rates of the equations, after letters without a rate are replaced."""
         now = [item for item in known if item.when == "t" and item.is_free]
         values, found = [self.difference(item.claim) for item in now], []
@@ -319,7 +331,7 @@ class Search:
             for row in reduced(NOTHING, values, self.order(replaced, begun=False), self.is_nonzero)[2]:
                 names = names_in(row.value)
                 if row.value not in found and any(map(self.moving, names)) and not any(map(self._unrated, names)):
-                    made = self._summed(row.value, row.multiples, now, values)
+                    made = self.summed(row.value, row.multiples, now, values)
                     claim = Claim(self.tree(self._rate(row.value)), t.ZERO)
                     found.append(row.value)
                     yield self.note("still", claim, of=self.tree(row.value), multiples=made)
@@ -346,40 +358,11 @@ class Search:
         begin, begun = self.follow(self.at_start(rest), first)
         if not self.vanishes(begin):
             raise Undecided("at the start, of left - right stays " + brief(self.tree(begin)))
-        shown = self._shown(self._rate(rest), known)
+        shown = self.shown(self._rate(rest), known)
         claim = Claim(self.tree(rest), t.ZERO)
         return Multiples((*by.known, (t.ONE, self.note("flat", claim, multiples=shown, begin=begun))), by.circles)
 
-    def _cancelled(self, goal: Scalar, known: Sequence[Known]) -> Proof:
-        """A multiple of left - right vanishes, by a factor that does not."""
-        values = [self.difference(item.claim, item.when) for item in known]
-        rest, sums, rows = reduced(goal, values, self.order(), self.is_nonzero)
-        for row in rows:
-            factor = self._ratio(row.value, rest)
-            if factor is not None and self.is_nonzero(factor):
-                whole = {place: -factor * part for place, part in sums.items()}
-                whole |= {place: whole.get(place, NOTHING) + part for place, part in row.multiples.items()}
-                return self._proof(self._summed(factor * goal, whole, known, values), factor=self.tree(factor))
-        raise Undecided("what stands beside it may vanish")
-
-    def _cancelled_rates(self, goal: Scalar, known: Sequence[Known]) -> Proof:
-        """The same with the rates of what vanishes."""
-        return self._cancelled(goal, [*known, *self._stills(known)])
-
-    def _multiplied(self, goal: Scalar, known: Sequence[Known]) -> Proof:
-        """left - right times the letters below it vanishes, and these do not."""
-        order, factor = self.order(), UNITY
-        below = {i: e for i, e in goal.num.content()[1] if e < 0 and order(i)}
-        for index, exponent in below.items():
-            factor = factor * Scalar(generator(index)) ** -exponent
-        for part in (generator(index) for index in below):
-            if not stays(self, self.follow(Scalar(part), known)[0]):
-                raise Undecided("what stands below may vanish")
-        if not below:
-            raise Undecided("nothing stands below")
-        return self._proof(self._shown(goal * factor, known), factor=self.tree(factor))
-
-    def _ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
+    def ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
         """value / by, if it is a polynomial but for what does not vanish."""
         found = divide(value.num, by.num) if by else None
         if found is None or not self.is_nonzero(Scalar(value.den)):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
 from rbpsym.kernel.certificates import Have, Known
 from rbpsym.kernel.claim import Claim
-from rbpsym.kernel.positive import positive_sum
+from rbpsym.kernel.ranges import signed
 from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:
@@ -60,8 +60,8 @@ def _known(search: Search, have: Have) -> Known:
 
 def _is_certain(search: Search, arg: Scalar) -> bool:
     """Whether what stands below a root is positive for certain."""
-    signs = {found.sign if (found := positive_sum(part, search.positive | search.certain)) else 0 for part in (arg.num, arg.den)}
-    return signs in ({1}, {-1})
+    found = signed(search, Scalar(arg.num) * Scalar(arg.den))
+    return found is not None and found.sign > 0
 
 
 def _root_of(search: Search, ratio: Scalar) -> Scalar | None:

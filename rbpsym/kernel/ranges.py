@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, PI, Scalar, generator
+from rbpsym.algebra import NOTHING, PI, Poly, Scalar, atoms, generator, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Known, Multiples, partner, wound
+from rbpsym.kernel.certificates import Have, Known, Multiples, circles, partner, wound
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.formulas import brief
+from rbpsym.kernel.positive import Sum, positive_sum
 from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search
 
+MOST = 3  # letters for which ends of ranges are tried at once
 QUARTERS = (("sin", NOTHING, PI), ("cos", PI * Fraction(-1, 2), PI * Fraction(1, 2)))
 
 
@@ -39,18 +43,82 @@ def note_signs(search: Search, *, signed: bool) -> None:
             above = next((id for end, id in high.items() if _is_least(highest - end)), None)
             if below and above:
                 wave = t.Fn(kind, own)
-                search.note("sign", Claim(wave, t.ZERO, "more"), source=f"{below} {above}")
+                given = ranges[below].given
+                search.note("sign", Claim(wave, t.ZERO, "more", given), source=f"{below} {above}")
                 search.certain |= search.value(wave).atoms()
                 if signed and (not search.moving(name) or not {below, above} & search.declared):
                     search.positive |= search.value(wave).atoms()
 
 
-def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multiples, tuple[t.Node, t.Node, t.Node]]:
-    """left - right is something positive, or that and a positive multiple of a square: the multiples, and a, s, p of a s² + p."""
-    rest, _ = search.follow(goal, known)
+def note_gaps(search: Search) -> None:
+    """What a range leaves between a letter and its end, as a positive letter; and π - 3."""
+    ends = [(name, item) for name, item in search.given.items() if item.kind == "more"]
+    for source, item in (*ends, ("", Claim(t.Sym("pi"), t.Num(3), "more"))):
+        node = t.Group(t.Add((item.left, t.Neg(item.right))))
+        high, low, gap = scalar(item.left), scalar(item.right), symbol(f"gap {source}")
+        for side, image in ((item.left, low + gap), (item.right, high - gap)):
+            if isinstance(side, t.Sym):
+                search.shifts.setdefault(side.name, []).append(image)
+        search.source.circular[f"gap {source}"] = node
+        search.note("gap", Claim(node, t.ZERO, "more", item.given), source=source)
+        search.gaps |= gap.atoms()
+
+
+def signed(search: Search, value: Scalar, *, ranged: bool = True) -> Sum | None:
+    """The value as a sum of one sign: by gaps, by what sines and cosines are at most, and if it is `ranged` by what ranges
+    keep positive."""
+    known = frozenset(search.positive | search.certain) if ranged else search.always
+    if (key := (value.num, known)) not in search.sums:
+        search.sums[key] = next(_sums(search, value.num, known), None)
+    num, den = search.sums[key], Scalar(value.den)
+    if num is None or not search.is_positive(den):
+        return None
+    parts = tuple((factor / den, root) for factor, root in num.squares), tuple((f / den, *wave) for f, *wave in num.waves)
+    return Sum(num.sign, num.above / den, *parts)
+
+
+def _sums(search: Search, poly: Poly, known: frozenset[int]) -> Iterator[Sum]:
+    names = [name for name in search.shifts if atoms.intern("symbol", name) in poly.atoms()][:MOST]
+    ways = [dict(zip(names, images, strict=True)) for images in product(*([None, *search.shifts[name]] for name in names))]
+    for images in ways:
+        value = substitute(Scalar(poly), {name: image for name, image in images.items() if image is not None})
+        for above in dict.fromkeys((known, search.always)) if value.den.constant_value() == 1 else ():
+            if (found := positive_sum(value.num, above | search.gaps, search.least)) is not None:
+                yield found
+
+
+def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: Multiples, kind: str = "differ") -> Have:
+    """± the formula, or what it is known to be, is positive and not negative parts, by sin² + cos² = 1."""
+    node, value = of
+    rest = [t.mul(search.tree(factor), t.Pow(search.tree(root), t.TWO)) for factor, root in found.squares]
+    for factor, wave, turn in found.waves:
+        swing = search.tree(wave)
+        rest.append(t.mul(search.tree(factor), t.Add((t.ONE, swing if turn > 0 else t.Neg(swing)))))
+    above, others = search.tree(found.above), t.add(*rest)
+    whole = search.value(t.Add((above, others)))
+    turned, left = circles(value * found.sign - whole)
+    assert not left, "a sum that was found is the formula"
+    angles = [(search.tree(q), search.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items()]
+    known = tuple((t.mul(t.Num(found.sign), factor), item) for factor, item in by.known)
+    angles += [(t.mul(t.Num(found.sign), factor), angle) for factor, angle in by.circles]
+    side = node if found.sign > 0 else t.Neg(node)
+    how = "nonzero" if kind == "differ" else "positive"
+    return Have(name, how, Claim(node, t.ZERO, kind), side, Multiples(known, tuple(angles)), parts=(above, others))
+
+
+def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multiples, tuple[t.Node, ...]]:
+    """left - right is a sum of something positive and of what is not negative: the multiples, and these two."""
+    rest, by = search.follow(goal, known)
+    num, den = Scalar(rest.num), Scalar(rest.den)
+    found, under = signed(search, num), signed(search, den)
+    if found is not None and under is not None and found.sign == under.sign:
+        below = search.tree(den * under.sign)
+        if not search.is_positive(den):
+            search.haves.append(shown(search, "z0", (below, den * under.sign), replace(under, sign=1), Multiples(), "more"))
+        have = shown(search, "", (t.ZERO, num * found.sign), replace(found, sign=1), Multiples())
+        by = Multiples(by.known, (*by.circles, *((t.Div(factor, below), angle) for factor, angle in have.multiples.circles)))
+        return by, tuple(t.Div(part, below) for part in have.parts)
     rest = wound(rest, "cos")
-    if search.is_positive(rest):
-        return search.follow(goal - rest, known)[1], (t.ONE, t.ZERO, search.tree(rest))
     for index in sorted(filter(partner, rest.num.atoms())):
         parts = {power: Scalar(part, rest.den) for power, part in rest.num.by_power(index).items()}
         if set(parts) <= {0, 1, 2} and 2 in parts and search.is_positive(parts[2]):
@@ -58,6 +126,6 @@ def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multipl
             left = wound(c - b * b / (a * 4))
             if search.is_positive(left):
                 root = Scalar(generator(index)) + b / (a * 2)
-                _, found = search.follow(goal - a * root * root - left, known)
-                return found, (search.tree(a), search.tree(root), search.tree(left))
-    raise Undecided("no square was found that leaves something positive of " + brief(search.tree(rest)))
+                _, multiples = search.follow(goal - a * root * root - left, known)
+                return multiples, (search.tree(left), t.mul(search.tree(a), t.Pow(search.tree(root), t.TWO)))
+    raise Undecided("nothing shows that it is positive: " + brief(search.tree(rest)))

@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import RbpsymError
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof
-from rbpsym.kernel.claim import Claim, tree_of
+from rbpsym.kernel.certificates import Have, Known, Lemma, Multiples, Proof
+from rbpsym.kernel.claim import Claim, is_along_time, tree_of
 from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.components import START
 from rbpsym.notation import tree as t
@@ -25,11 +25,6 @@ def identifier(name: str) -> str:
     """A name that Rocq reads as one word and that means nothing else there; different names stay different."""
     word = "".join(c if c.isalnum() or c == "_" else "'" for c in name)
     return f"{word}_" if word.rstrip("_") in RESERVED else word
-
-
-def is_along_time(node: t.Integral, moving: Callable[[str], bool]) -> bool:
-    """Whether other functions of time than the variable stand in an integral."""
-    return any(moving(name) for name in t.names(node.integrand) - {node.var})
 
 
 @dataclass(frozen=True)
@@ -121,21 +116,12 @@ TERMS: dict[type, Callable[[Terms, Any], str]] = {
 }
 
 
+SIGNS = {"positive": "0 < {0}", "nonnegative": "0 <= {0}", "nonzero": "{0} <> 0"}
 LONGEST = 120  # seconds for one proof
 OWN = "qrmz"  # with a number: what is noted in a proof
 TIMES = "forall t : R, ta < t < tb -> "
 REFUSED = "not accepted: "
 RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "differ": "{left} <> {right}"}
-
-
-@dataclass(frozen=True)
-class Lemma:
-    """A claim, the premises that its proof names, and the proof."""
-
-    name: str
-    claim: Claim
-    premises: Mapping[str, Claim]
-    proof: Proof
 
 
 @dataclass(frozen=True)
@@ -153,7 +139,8 @@ class Writer:
             if name == TIME:
                 continue
             yield f"Variable {identifier(name)} : R."
-            yield from (f"Hypothesis above'{name} : 0 < {identifier(name)}." for _ in [0] if sign == "positive")
+            if sign in SIGNS:
+                yield f"Hypothesis above'{name} : {SIGNS[sign].format(identifier(name))}."
         yield "Variables ta tb : R. Hypothesis Begin : ta < 0 < tb."
         names = [*self.source.rates, *system.accelerations]
         yield from (f"Variable {identifier(name)} : R -> R." for name in names)
@@ -226,9 +213,9 @@ class Writer:
             was = f"intros u Hu; apply lin0; {self.less(by, 'u')}{finish}"
             alike = f"apply (alike ta tb _ (fun t : R => {self.terms.term(like)})); [{was} | exact Ht |]"
             return f"{enter}; {alike}; eapply D_eq; [der | apply lin0; {close}]"
-        if proof.square is not None:
-            square = " ".join(map(self.terms.term, proof.square))
-            return f"{enter}; apply (above _ _ {square}); [apply lin0; {close} | pos | pos]"
+        if proof.parts:
+            parts = " ".join(map(self.terms.term, proof.parts))
+            return f"{enter}; apply (above _ _ {parts}); [apply lin0; {close} | pos | nng]"
         if proof.factor is not None:
             return f"{enter}; apply (cancel ({self.terms.term(proof.factor)})); [pos | {close}]"
         return f"{enter}; apply lin0; {close}"
@@ -249,7 +236,8 @@ class Writer:
 
     def have(self, have: Have, finish: str) -> str:
         """An assertion on the way."""
-        return f"assert ({have.name} : {self.said(have.claim)}) by (intros t Ht; {HAVES[have.how](self, have, finish)})"
+        given = "".join(f" g{place}" for place, _ in enumerate(have.claim.given, 1))
+        return f"assert ({have.name} : {self.said(have.claim)}) by (intros t Ht{given}; {HAVES[have.how](self, have, finish)})"
 
     def _flat(self, have: Have, finish: str) -> str:
         rate = f"intros u Hu; eapply D_eq; [der | {self.less(have.multiples, 'u')}{finish}]"
@@ -270,14 +258,20 @@ class Writer:
         return f"apply (alone _ t _ _ (p_{have.source} t Ht)); clear p_{have.source}; {alike}eapply D_eq; [der | fld]"
 
     def _sign(self, have: Have, finish: str) -> str:
-        bounds = "".join(f"pose proof (p_{name} t Ht); " for name in have.source.split())
-        return f"{bounds}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; lra"
+        return f"{_bounds(have)}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; lra"
+
+    def _gap(self, have: Have, finish: str) -> str:
+        return f"{_bounds(have)}lra"
 
     def _nonzero(self, have: Have, finish: str) -> str:
         """± what is below is a positive formula and one that is not negative."""
         above, others = map(self.terms.term, have.parts)
         way = "beyond" if have.of == have.claim.left else "below"
         return f"apply ({way} _ {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
+
+    def _positive(self, have: Have, finish: str) -> str:
+        above, others = map(self.terms.term, have.parts)
+        return f"apply (above _ _ {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
 
     def _rooted(self, have: Have, finish: str) -> str:
         """The square of a root is what stands below it."""
@@ -297,6 +291,12 @@ class Writer:
         return f"{outside}; [intros x; {_primitive(y.term(inner.of), 'y')} | {_primitive(x.term(have.of))}]"
 
 
+def _bounds(have: Have) -> str:
+    """What the ranges say at the moment."""
+    given = "".join(f" g{place}" for place, _ in enumerate(have.claim.given, 1))
+    return "".join(f"pose proof (p_{name} t Ht{given}); " for name in have.source.split()) or "pose proof PI2_3_2; "
+
+
 def _head(claim: Claim) -> str:
     """The function that stands on the left, or the variable of the integral there."""
     assert isinstance(claim.left, t.Fn | t.Integral)
@@ -308,8 +308,8 @@ def _primitive(body: str, name: str = "x") -> str:
 
 
 HAVES = {
-    "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign,
-    "integral": Writer._integral, "nonzero": Writer._nonzero,
+    "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign, "gap": Writer._gap,
+    "integral": Writer._integral, "nonzero": Writer._nonzero, "positive": Writer._positive,
     "root": Writer._rooted, "multiple root": Writer._same_root,
 }  # fmt: skip
 

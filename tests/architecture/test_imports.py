@@ -68,3 +68,13 @@ def test_there_are_no_cycles() -> None:
 
     for name in graph:
         visit(name, ())
+
+
+ROCQ = {f"rbpsym.kernel.{name}" for name in ("rocq", "reading", "coqc", "certify")}
+
+
+@of_every_module
+def test_claims_and_their_certificates_know_no_prover(module: Module) -> None:
+    """A second one could be written for the same claims: only what writes and runs knows Rocq."""
+    if room(module.name) == "kernel" and module.name not in ROCQ:
+        assert not ROCQ & {name for _, name in module.imports()}, f"{module.path} knows a prover"

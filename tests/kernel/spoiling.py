@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from random import Random
 
+from rbpsym.kernel.certificates import Lemma
 from rbpsym.kernel.certify import Written, text
 from rbpsym.kernel.claim import Claim
-from rbpsym.kernel.rocq import Lemma
 from rbpsym.notation import tree as t
 
 

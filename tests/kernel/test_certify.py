@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import replace
 from functools import cache
@@ -11,11 +12,12 @@ from click.testing import CliRunner
 
 from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
-from rbpsym.kernel.certificates import reduced
+from rbpsym.kernel.certificates import Lemma, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
 from rbpsym.kernel.claim import Claim
+from rbpsym.kernel.claims import AHEAD
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, with_prelude
-from rbpsym.kernel.rocq import REFUSED, Lemma, identifier
+from rbpsym.kernel.rocq import REFUSED, identifier
 from rbpsym.notation import tree as t
 from tests.kernel.spoiling import attempted, draws
 from tests.library.derived import unsimulated
@@ -182,3 +184,44 @@ def test_integrals_over_the_time_roots_and_several_bodies_are_written(name: str)
     body = text(whole)
     assert not re.search(r"\(RInt \(fun x\d* : R => [^)]*\(\w+ t\)", body), "what moves is not held fixed below an integral"
     assert body.count("'holds : ") == sum(map(len, whole.lemmas.values()))
+
+
+SOME = Report(49, 90, {"motion.theta": "why"}, tuple(sorted(AXIOMS)), 1.0)
+
+
+def test_what_is_not_certified_has_another_mark_than_a_check(monkeypatch) -> None:
+    monkeypatch.setattr("rbpsym.commands.certify.report_on", lambda path: SOME)
+    plain = CliRunner().invoke(main, ["derive", "sliding-ladder"], standalone_mode=False).output
+    told = CliRunner().invoke(main, ["derive", "sliding-ladder", "--certified"], standalone_mode=False).output
+    assert "○" not in plain and told.count("○") == 1 and plain.count("✓") == told.count("✓") + 1
+    assert "motion.theta: why" in told and "48 of 49 steps certified by coqc" in told
+
+
+def test_without_coqc_nothing_is_marked_as_certified(monkeypatch) -> None:
+    monkeypatch.setattr("rbpsym.commands.certify.report_on", lambda path: replace(SOME, axioms=None))
+    told = CliRunner().invoke(main, ["derive", "sliding-ladder", "--certified"], standalone_mode=False).output
+    assert "✓" not in told and "○" in told
+
+
+def test_json_says_what_is_certified(monkeypatch) -> None:
+    monkeypatch.setattr("rbpsym.commands.certify.report_on", lambda path: SOME)
+    command = ["solve", "sliding-ladder", "--json", "--no-simulation"]
+    told = json.loads(CliRunner().invoke(main, [*command, "--certified"], standalone_mode=False).output)
+    assert told["certified"] == {
+        "steps": 49, "certified": 48, "not_certified": {"motion.theta": "why"}, "axioms": sorted(AXIOMS),
+    }  # fmt: skip
+    assert "certified" not in json.loads(CliRunner().invoke(main, command, standalone_mode=False).output)
+
+
+def test_a_motion_that_sets_out_from_an_end_of_its_range_is_within_only_later() -> None:
+    """Else start and range contradict each other, and everything follows from them."""
+    whole = found("cylinder-off-cylinder")
+    ranges = [claim for name, claim in declared(whole.source).items() if name.startswith("range'theta'")]
+    assert ranges and all(claim.given == (AHEAD,) for claim in ranges)
+    assert all(not claim.given for name, claim in declared(found("sliding-ladder").source).items())
+
+
+def test_signs_that_take_a_gap_a_least_value_or_pi() -> None:
+    """R > a declared; a mass that may be 0; 9π > 16 cos θ."""
+    for name, id in (("rod-in-bowl", "motion.theta"), ("double-atwood", "motion.x"), ("half-disk-rocking", "motion.theta")):
+        assert id not in found(name).refused, name

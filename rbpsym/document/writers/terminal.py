@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from textwrap import wrap
 
@@ -19,29 +19,32 @@ from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Chain, System
 
 MARKS: Mapping[Kind, tuple[str, str]] = {PROVED: ("✓", "green"), REFUTED: ("✗", "red"), UNDECIDED: ("?", "yellow")}
+UNCERTIFIED = ("○", "green")  # proved, and Rocq was asked and has not certified it
 SIDES = {"l": "left", "p": "left", "c": "center", "r": "right"}
 WIDEST = 100
 
 
 @dataclass(frozen=True, slots=True)
 class Screen:
-    """Where a document is shown: how names are drawn, the width, and what became of each check."""
+    """Where a document is shown: how names are drawn, the width, and what became of each check; `doubtful`: what a prover
+    that was asked did not certify."""
 
     notation: Notation
     language: str = "en"
     verdicts: Mapping[str, Verdict] = field(default_factory=dict)
     width: int = WIDEST
+    doubtful: Collection[str] = ()
 
     def text(self, inlines: d.Inlines) -> str:
         """Inlines as one line of text."""
         return " ".join(plain_text(inlines, self.notation, self.language).split())
 
 
-def terminal_lines(document: d.Document, verdicts: Mapping[str, Verdict]) -> Iterator[str]:
-    """The lines of a document; `verdicts` by the label of a formula put a mark before it."""
+def terminal_lines(document: d.Document, verdicts: Mapping[str, Verdict], doubtful: Collection[str] = ()) -> Iterator[str]:
+    """The lines of a document; `verdicts` by the label of a formula put a mark before it, another if it is `doubtful`."""
     document = numbered(document)
     width = min(shutil.get_terminal_size((WIDEST, 24)).columns, WIDEST)
-    screen = Screen(document.notation, document.language, verdicts, max(width, 40))
+    screen = Screen(document.notation, document.language, verdicts, max(width, 40), doubtful)
     yield click.style(screen.text(document.title), bold=True)
     for section in document.sections:
         yield from _section(section, screen)
@@ -68,6 +71,8 @@ def _display(block: d.Display, screen: Screen) -> Iterator[str]:
     found = [screen.verdicts[label] for label in (block.label, *block.also) if label in screen.verdicts]
     verdict = all_of(found) if found else None
     mark, color = MARKS[verdict.kind] if verdict else (" ", "white")
+    if verdict and verdict.is_proved and {block.label, *block.also} & {*screen.doubtful}:
+        mark, color = UNCERTIFIED
     rows = _rows(block, screen)
     last = f"{padded(rows[-1], screen.width - 7 - len(block.mark))} {block.mark}".rstrip()
     for row in [*rows[:-1], last]:
