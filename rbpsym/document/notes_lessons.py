@@ -5,57 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-import numpy as np
-
 from rbpsym.derivation.step import Derivation, Lesson, Step
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import Circle, Label, Line, Point, Scene, direction, polar
 from rbpsym.document.model import Block, FigureBlock, Inlines, Paragraph, Section
-from rbpsym.document.moving import require_motion
 from rbpsym.document.phrases import plain
-from rbpsym.document.plots.following import leg
-from rbpsym.document.plots.motion import Journey, PlottedMotion, legs
-from rbpsym.document.plots.panel import Panel, PlotCurve
-from rbpsym.document.plots.scales import Scales, scales
-from rbpsym.document.plots.subjects import column, dimension_of, over_time
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
-from rbpsym.quantities import TIME
-from rbpsym.verify.comparison import common_coordinate, indexed
-
-# --- two motions in one plot: a coordinate that both problems have, and its rate, from the same start with the same numbers
-
-
-def motions(first: Derivation, second: Derivation) -> tuple[PlottedMotion, PlottedMotion]:
-    """Both with the numbers of the first, as far as it has them, and for the same time. Raises NotApplicable."""
-    for one in (first, second):
-        require_motion(one.study)
-    if first.phases or second.phases:
-        raise NotApplicable("a motion in phases is not put beside another")
-    found, own = (scales(one.study.problem) for one in (first, second))
-    numbers = (found, Scales({**own.numbers, **found.numbers}, found.base))
-    pairs = list(zip((first, second), numbers, strict=True))
-    end = max(next(legs(one, scale)).moments[-1] for one, scale in pairs)
-    one, other = (PlottedMotion(one, scale, Journey((leg(one, scale.numbers, end),))) for one, scale in pairs)
-    return one, other
-
-
-def beside(pair: tuple[PlottedMotion, PlottedMotion], name: str) -> Iterator[Panel]:
-    """The coordinate over the time, and its rate, each with the number of the problem."""
-    first = pair[0]
-    length = dimension_of(first, name)
-    ways = [one.real if one.loss else one.whole for one in pair]
-    node, times, own = over_time(first, max(ways, key=lambda way: np.nanmax(way.times)))
-    for suffix, dimension in (("", length), ("_dot", length / TIME)):
-        scale = first.scales.of(dimension)
-        letters = (t.Sym(indexed(name + suffix, first.derivation.study, k)) for k in (1, 2))
-        columns = (column(way, name + suffix, scale) for way in ways)
-        known = [np.interp(times, way.times / own.size, values, right=np.nan) for way, values in zip(ways, columns, strict=True)]
-        yield Panel(node, times, tuple(map(PlotCurve, letters, known)), own, scale)
-
+from rbpsym.verify.comparison import common_coordinate
 
 # --- the figure of the general theory: a point of a body seen from the origin and from the centre of mass, r' = R + r
 
@@ -119,6 +79,8 @@ def _drawn(lesson: Lesson, said: Words) -> Iterator[Block]:
 def compared_figure(first: Derivation, second: Derivation, coordinate: str, said: Words) -> Iterator[Block]:
     """Both motions in one plot, where both can be followed."""
     from rbpsym.document.notes_plots import numbers, panels_figure  # with numpy, which is slow to load
+    from rbpsym.document.plots.compared import beside, motions
+
     name = common_coordinate((first.study, second.study), coordinate)
     try:
         pair = motions(first, second)
