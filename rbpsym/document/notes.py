@@ -167,7 +167,8 @@ def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     kept = frozenset(step.id for step in derivation.steps if step.level <= level or step.is_result)
     if detail == "full":
         return kept - needless(derivation)
-    return (brief_steps(derivation) if detail == "brief" else kept) & used(derivation) - needless(derivation) - retold(derivation)
+    shown = used(derivation, needless(derivation) | retold(derivation))
+    return shown & (brief_steps(derivation) if detail == "brief" else kept)
 
 
 CHECKS = "table.checks"

@@ -62,8 +62,10 @@ def _spoken(text: str, said: Words) -> Iterator[Inline]:
 
 def _formula(text: str, said: Words) -> Math | None:
     read = read_relation if any(sign in text for sign in RELATION_SIGNS) else read_infix
+    blows = (element for phase in said.problem.phases for element in phase.impulses)
+    struck = {name for element in blows for name in (element.name, element.values.get("friction")) if name}
     try:
-        return Math(read(text, letters_of(said.problem).names | {"t"}))
+        return Math(read(text, letters_of(said.problem).names | {"t", *struck}))
     except RbpsymError:
         return None
 

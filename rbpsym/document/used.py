@@ -24,10 +24,12 @@ IN_HALVES = ("work_energy", "work_together", "work_integral", "conservation", "w
 REPEATED = ("work.alone",)  # works body by body lead to the energy of the whole, which has a chapter of its own
 
 
-def used(derivation: Derivation) -> frozenset[str]:
-    """Ids of the steps that are conclusions, and of all that they rest on or refer to."""
+def used(derivation: Derivation, without: Collection[str] = ()) -> frozenset[str]:
+    """Ids of the steps that are conclusions, and of all that they rest on or refer to; `without` what the page leaves out,
+    which leads nowhere then."""
     both = _in_both_parts(derivation)
-    return led_to(derivation.steps, [step.id for step in derivation.steps if step.is_result or _concludes(step, both)])
+    ends = [step.id for step in derivation.steps if step.is_result or _concludes(step, both)]
+    return led_to(derivation.steps, [id for id in ends if id not in without]) - frozenset(without)
 
 
 # of the works, what the chapter on the energy says once more of the whole
