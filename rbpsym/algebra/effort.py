@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cached_property, wraps
 from math import inf
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, Self, TypeVar, overload
 
 from rbpsym.errors import LimitError, WorkSpent
 
@@ -103,6 +103,10 @@ def ask_for_more() -> None:
 class kept(cached_property[T]):
     """A property that is worked out once, whatever bounds hold for who asks first (but that of the whole work)."""
 
+    @overload
+    def __get__(self, instance: None, owner: type[Any] | None = None) -> Self: ...
+    @overload
+    def __get__(self, instance: object, owner: type[Any] | None = None) -> T: ...
     def __get__(self, instance: Any, owner: type[Any] | None = None) -> Any:
         with apart():
             return super().__get__(instance, owner)
