@@ -34,7 +34,8 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: 
     can't be stated or proved is told by name, never assumed. What coqc said of the same text before is kept.
 
     \b
-    Exit codes: 0 every step is certified (of several problems: coqc accepts all that is written), 1 not.
+    Exit codes: 0 every step is certified (of several problems: coqc accepts all that is
+    written), 1 not.
     """
     from rbpsym.commands.shelf import found
     from rbpsym.statement.library import problem_files

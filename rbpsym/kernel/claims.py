@@ -28,7 +28,7 @@ class Source:
         self.steps = {step.id: step for step in derivation.steps}
         self.components = Components(self._turns, self.moving)
         self.integrals: dict[str, t.Integral] = {}  # for which a letter stands
-        self.circular: dict[str, t.Fn | t.Sqrt] = {}  # sines, cosines and roots that are letters
+        self.circular: dict[str, t.Fn | t.Sqrt | t.Group] = {}  # sines, cosines, roots and gaps that are letters
         self.unsaid: dict[str, str] = {}
         self.then = {name: tree_of(value) for name, value in letters_then(derivation).items()}
         self.event = event(derivation)

@@ -306,6 +306,8 @@ class Search:
         node = self.source.circular[name]
         if isinstance(node, t.Sqrt):
             return self._rate(self.value(node.arg)) / (symbol(name) * 2)
+        if isinstance(node, t.Group):
+            return self._rate(self.value(node.arg))
         other = self.value(t.Fn("sin", node.arg)) * -1 if node.name == "cos" else self.value(t.Fn("cos", node.arg))
         return other * self._rate(self.value(node.arg))
 

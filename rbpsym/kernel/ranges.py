@@ -73,8 +73,8 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True) -> Sum | None:
     num, den = search.sums[key], Scalar(value.den)
     if num is None or not search.is_positive(den):
         return None
-    parts = tuple((factor / den, root) for factor, root in num.squares), tuple((f / den, *wave) for f, *wave in num.waves)
-    return Sum(num.sign, num.above / den, *parts)
+    squares = tuple((factor / den, root) for factor, root in num.squares)
+    return Sum(num.sign, num.above / den, squares, tuple((factor / den, wave, turn) for factor, wave, turn in num.waves))
 
 
 def _sums(search: Search, poly: Poly, known: frozenset[int]) -> Iterator[Sum]:

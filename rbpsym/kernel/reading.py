@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import reduce
@@ -160,9 +160,9 @@ class Meant:
         if isinstance(node, t.Integral):
             return self.integral(node)
         if isinstance(node, t.Fn) and node.name in ("tan", "cot", "sec", "csc"):
-            top, below = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "csc": ("", "sin")}[node.name]
-            under = ("of", ("letter", below), self.of(node.arg))
-            return ("/", ("of", ("letter", top), self.of(node.arg)), under) if top else ("/1", under)
+            over, under = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "csc": ("", "sin")}[node.name]
+            divisor = ("of", ("letter", under), self.of(node.arg))
+            return ("/", ("of", ("letter", over), self.of(node.arg)), divisor) if over else ("/1", divisor)
         return SHAPES[type(node)](self, node)
 
     def letter(self, node: t.Sym) -> Read:
@@ -200,7 +200,7 @@ class Meant:
 
 ZERO: Read = ("number", 0)
 DERIVED: Read = ("letter", "is_derive")
-SHAPES = {
+SHAPES: dict[type, Callable[[Meant, Any], Read]] = {
     t.Sym: Meant.letter, t.Pow: Meant.power, t.Group: lambda meant, node: meant.of(node.arg),
     t.Neg: lambda meant, node: ("-1", meant.of(node.arg)),
     t.Div: lambda meant, node: ("/", meant.of(node.num), meant.of(node.den)),
