@@ -11,7 +11,7 @@ from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
-from rbpsym.document.needless import needless, owed_by
+from rbpsym.document.needless import is_struck, needless, owed_by
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section, with_remarks
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
@@ -167,8 +167,9 @@ def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     kept = frozenset(step.id for step in derivation.steps if step.level <= level or step.is_result)
     if detail == "full":
         return kept - needless(derivation)
-    shown = used(derivation, needless(derivation) | retold(derivation))
-    return shown & (brief_steps(derivation) if detail == "brief" else kept)
+    left_out = needless(derivation) | retold(derivation)
+    shown = used(derivation, left_out if is_struck(derivation) else ())  # what never happens leads nowhere
+    return shown & (brief_steps(derivation) if detail == "brief" else kept) - left_out
 
 
 CHECKS = "table.checks"
