@@ -141,6 +141,8 @@ PAGES: Mapping[str, Entry] = {
     "contact.along_all": (_all("contact.along"), ""),
     "contact.along_plain": (_all("contact.along"), ""),
     "contact.constant": (_all("contact.along"), ""),
+    "contact.lasts.contact_many": (_all("contact.asks"), ""),
+    "contact.lasts.string_many": (_all("contact.asks"), ""),
     "contact.other_forces": (_all("contact.other_force"), ""),
     "oscillations.unstable_many": (_all("oscillations.unstable"), ""),
     "caption.checks": (w.most_are_checked_twice, "caption.checked"),

@@ -45,8 +45,14 @@ BRIEF: Groups = (
     (("work", "energy", "done"), ("work", "energy", "done")),
     *GROUPS[3:],
 )
+PAGE = tuple(chain.from_iterable(chapters for chapters, _ in GROUPS))
 GENERAL = ("kinematics", "inertia", "momentum", "torque")  # introductions that say the same in every problem: in full notes
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
+
+
+def in_page_order(derivation: Derivation) -> list[Step]:
+    """The steps as they follow each other on a page that is not full."""
+    return sorted(derivation.steps, key=lambda step: PAGE.index(step.chapter) if step.chapter in PAGE else len(PAGE))
 
 
 def chapter_sections(derivation: Derivation, said: Words, level: int, first: Iterable[Block] = ()) -> Iterator[Section]:
@@ -301,9 +307,17 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
         yield from teller.together(group, key, sources=sources, forces=forces)
     same, rest = telling.by_kind(others, ("contact.other_force",))
     first = next((k for k, step in enumerate(others) if step in rest), len(same))
-    yield from teller.steps(same[:first])
+    yield from _lasting(same[:first], teller)
     yield from teller.together(rest, "contact.other_forces", forces=[step.slots["force"] for step in rest])
-    yield from teller.steps(same[first:])
+    yield from _lasting(same[first:], teller)
+
+
+def _lasting(steps: list[Step], teller: telling.Teller) -> Iterator[Block]:
+    """How long contacts last: those that ask for a condition each together, others in their own words."""
+    for lasts, group in groupby(steps, key=lambda step: step.slots["lasts"].key if step.phrase == "contact.asks" else ""):
+        found = list(group)
+        forces = [step.slots["lasts"].slots["force"] for step in found] if lasts else []
+        yield from teller.together(found, f"{lasts}_many", forces=forces) if lasts else teller.steps(found)
 
 
 def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

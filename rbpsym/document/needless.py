@@ -61,10 +61,25 @@ def _is_rest(step: Step) -> bool:
 
 
 def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Node, ...]]:
-    """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on."""
+    """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on. What the
+    page has said is not said again."""
     by_id = {step.id: step for step in steps}
-    found = {id: merged(_open(by_id, by_id[id], shown)) for id in shown if id in by_id}
+    found: dict[str, tuple[Node, ...]] = {}
+    told: set[Node] = set()
+    for id in (id for id in by_id if id in shown):
+        told |= _in_its_words(by_id[id])
+        found[id] = tuple(node for node in merged(_open(by_id, by_id[id], shown)) if node not in told)
+        told |= {t.relation(node.items[0], op, t.ZERO) for node in found[id] for op in SAYS.get(node.ops[0], node.ops)}
     return {id: nodes for id, nodes in found.items() if nodes}
+
+
+SAYS: Mapping[str, tuple[str, ...]] = {">": (">", ">=", "!=")}  # what is positive is neither zero nor negative
+
+
+def _in_its_words(step: Step) -> set[Node]:
+    """“As long as N pushes”, says the sentence of its friction."""
+    normal = step.slots.get("normal")
+    return {t.relation(normal, ">=", t.ZERO)} if step.phrase.startswith("work.dissipated.friction") and normal else set()
 
 
 def _open(by_id: Mapping[str, Step], step: Step, shown: Set[str]) -> list[Node]:

@@ -8,10 +8,10 @@ from importlib.util import find_spec
 
 from rbpsym.ask.asking import own_answers
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
-from rbpsym.document.chapters import chapter_sections, repeated
+from rbpsym.document.chapters import chapter_sections, in_page_order, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
-from rbpsym.document.needless import is_struck, needless, owed_by
+from rbpsym.document.needless import is_still, is_struck, needless, owed_by
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section, with_remarks
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
@@ -97,7 +97,7 @@ def notation_of(derivation: Derivation, language: str = "en") -> Notation:
 
 def words_of(derivation: Derivation, shown: frozenset[str], language: str = "en", prefix: str = "") -> Words:
     """How notes that show these steps speak: what stands already on the page is only referred to."""
-    where, owed = locator(derivation.study), owed_by(derivation.steps, shown)
+    where, owed = locator(derivation.study), owed_by(in_page_order(derivation), shown)
     said = Words(language, derivation.study.problem, prefix, shown, locate=where, owed=owed)
     same = repeated(derivation, shown, said)
     return replace(said, shown=shown - set(same), same=same)
@@ -121,7 +121,7 @@ def problem_sections(
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
     said = replace(said, is_brief=is_brief, is_posed=True, level=DETAILS[detail])
     speaker = phase_words(detail, language)
-    drawn = _curves(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
+    drawn = _curves(derivation, said, level) if plots and not is_still(derivation) else None
     answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))
     later = list(phase_results(derivation, said, speaker))
     answered, stated = answer_section(answers, ((said, derivation.steps), *later), said, level)
@@ -134,8 +134,8 @@ def problem_sections(
         *([question_section(answers, said, level)] if answers and is_brief else []),
         statement_section(derivation, said, level, () if is_brief else asked(answers, stated, said)),
         *(derived if said.is_full else (boxes_of_answers(remarked, stated.values()) if answers else remarked)),
-        *([drawn] if drawn else []),
         *([answered] if answered else []),
+        *([drawn] if drawn else []),
         *(results_section(derivation, said, level, later, detail) if said.is_full else ()),
         checks_section(derivation, said, level, checks or ("" if said.is_full else None)),
     ]

@@ -68,8 +68,8 @@ def _equal(found: Found) -> list[Step]:
 
 
 def _has_more(found: Answer) -> bool:
-    """Is more to be said than a value, proved without conditions?"""
-    told = (found.valid, found.says, found.holds_so is not None, found.equation, found.at, any(found.each))
+    """Is more to be said than a proved value and its conditions?"""
+    told = (found.says, found.holds_so is not None, found.equation, found.at, any(found.each))
     return any(told) or not found.verdict.is_proved
 
 
@@ -101,6 +101,7 @@ def answer_section(
     for number, found in enumerate(answers):
         if not said.is_brief and (mark := _stated(found, shown)):
             stated[number] = mark
+            blocks += _conditions_there(found, mark, said)
             continue
         own = replace(said, prefix=f"{said.prefix}ask{number + 1}.", same={}, owed={}, shown=frozenset())
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
@@ -114,6 +115,13 @@ def answer_section(
     labels = {mark.label for mark in stated.values()}
     found = tuple(_boxed(block, labels, others=True) for block in blocks)
     return Section(said.say("section.answer"), found, said.prefix + "section.answer", level) if blocks else None, stated
+
+
+def _conditions_there(found: Answer, mark: Ref, said: Words) -> Iterator[Block]:
+    """How long an answer that stands on the page holds."""
+    if found.valid:
+        slots = {"question": question(text_of(found), said), "step": mark, "conditions": list(found.valid)}
+        yield Paragraph(said.say("question.stated", **slots))
 
 
 def text_of(found: Found) -> str:

@@ -179,7 +179,7 @@ class Teller:
         """As long as what is not implied by the declared signs and ranges the formulas hold."""
         owed = merged(node for step in steps for node in self.said.owed.get(step.id, ()))
         if owed:
-            yield Paragraph(self.said.say("obligation.holds", conditions=list(owed), count=len(steps)))
+            yield Paragraph(self.said.say("obligation.told", conditions=list(owed), count=len(steps)))
 
     def sentence(self, step: Step, key: str, **slots: object) -> Inlines:
         """What is said before a step, in the variant for a second time if there is one."""

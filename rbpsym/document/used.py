@@ -49,11 +49,14 @@ def retold(derivation: Derivation) -> frozenset[str]:
     return frozenset((*again, *never, *balanced))
 
 
+ABOUT_CENTRE = ("torque.balance.center", "torque.balance.center.some", "torque.balance.level")
+
+
 def _is_balanced(step: Step, derivation: Derivation) -> bool:
     """Are Newton's and Euler's equations of a body those from which the motion was found?"""
     body = step.id.partition(".")[2]
     found = (s for s in derivation.chapter("motion") if s.id.startswith(("push.", "balance.")) and s.id.endswith(f".{body}"))
-    own = [s for s in found if s.id.startswith("push.") or s.phrase == "torque.balance.center"]
+    own = [s for s in found if s.id.startswith("push.") or s.phrase in ABOUT_CENTRE]
     return step.phrase == "newton_euler.body" and len(own) == len(t.rows(step.statement))
 
 

@@ -85,6 +85,7 @@ def _limit(result: Result, name: str, key: str, slots: Mapping[str, object]) -> 
 KINDS = (drops_out, free_of, without, small, monotone)  # from what matters most to what matters least
 MOST: Mapping[str, int | None] = {"brief": 2, "standard": 3, "full": None}  # remarks on a result
 ONCE = (drops_out, without, small, monotone)  # kinds of which shorter notes have one remark in a text
+AT_ONE = "remark.free_of"  # without a reason: they say so of one result only, the first
 MOST_PRODUCTS = 100_000
 
 
@@ -100,7 +101,7 @@ def _chosen(result: Result, detail: str, before: set[object]) -> Iterator[Step]:
     for kind in KINDS:
         for made in () if kind in before else guarded(kind, result):
             step = made.said()
-            if not step.phrase or made.about in before or count == MOST[detail]:
+            if not step.phrase or made.about in before or count == MOST[detail] or (is_short and step.phrase in before):
                 continue
             before.add(made.about)
             count += 1
@@ -108,6 +109,7 @@ def _chosen(result: Result, detail: str, before: set[object]) -> Iterator[Step]:
             if is_short and kind in ONCE:
                 before.add(kind)
                 break
+            before |= {AT_ONE} & {step.phrase}
 
 
 def guarded(kind: Callable[[Result], Iterable[Made]], result: Result) -> list[Made]:

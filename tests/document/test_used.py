@@ -3,6 +3,8 @@
 import pytest
 
 from rbpsym.derivation.step import Step
+from rbpsym.document.chapters import in_page_order
+from rbpsym.document.needless import owed_by
 from rbpsym.document.notes import shown_steps
 from rbpsym.document.used import led_to
 from rbpsym.notation import tree as t
@@ -46,3 +48,19 @@ def test_no_box_says_what_does_not_change(name: str) -> None:
 def test_full_notes_leave_nothing_of_the_standard_out(name: str) -> None:
     found = unsimulated(name)
     assert shown_steps(found, "brief") <= shown_steps(found, "standard") <= shown_steps(found, "full")
+
+
+@pytest.mark.parametrize("name", FOLLOWED)
+def test_no_condition_is_said_twice_on_a_page(name: str) -> None:
+    found = unsimulated(name)
+    told = owed_by(in_page_order(found), shown_steps(found, "standard"))
+    every = [node for nodes in told.values() for node in nodes]
+    assert len(every) == len(set(every))
+
+
+def test_what_a_page_owes_is_said_where_it_is_needed_first() -> None:
+    found = unsimulated("falling-spool")
+    told = owed_by(in_page_order(found), shown_steps(found, "standard"))
+    first, *others = [id for id in (step.id for step in in_page_order(found)) if id in told]
+    assert not others, "h + y > 0 holds for all that follows"
+    assert found.steps[0].id == first
