@@ -46,7 +46,7 @@ from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse,
 from rbpsym.algebra.roots import side_of, with_numbers_inside
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.signs import is_upside_down, positive_first, turned, turned_below
-from rbpsym.algebra.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key
+from rbpsym.algebra.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key, unsigned
 from rbpsym.notation import tree as t
 
 Pieces = tuple[Coefficient, list[Piece]]
@@ -324,7 +324,7 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
             return t.Sqrt(_radicand(found.arg, style))
         inner = present(side, style, factor=True)
         return t.Abs(inner.arg if isinstance(inner, t.Neg) else inner)
-    inner = present(found.arg, style, factor=True)
+    inner = present(found.arg, unsigned(style) if found.kind == "acos" else style, factor=True)
     return t.neg(t.Fn(found.kind, inner.arg)) if found.kind in ODD and isinstance(inner, t.Neg) else t.Fn(found.kind, inner)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym.algebra import atoms
@@ -49,6 +49,11 @@ class Style:
 
 
 PLAIN = Style()
+
+
+def unsigned(style: Style) -> Style:
+    """Without what is known of signs: an arccos of what is negative is that of a difference, arccos((b - a)/c)."""
+    return replace(style, greater=frozenset(), sense=_open)
 
 
 def split(m: Monomial, style: Style) -> tuple[Monomial, Monomial]:

@@ -59,6 +59,9 @@ def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) ->
     places = [] if others else zeros(world.dependent[name] - symbol(name), way)
     if len(places) != 1:
         raise StatementError(f"“{name}” is tied to {min(moving)}", instead=f"ask for it as a function of {min(moving)}.")
+    if "t" in names_in(places[0]):
+        said = f"{way} is tied to {name} and to the time"
+        raise StatementError(f"“{way}” is no function of {name} alone: {said}", instead="ask for both “as a function of t”.")
     return replace(found, values=tuple(short(substitute(value, {way: places[0]})) for value in found.values))
 
 

@@ -12,6 +12,7 @@ from rbpsym.ask.along import converse
 from rbpsym.ask.answer import Answer, Found, answer, found_of
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
+from rbpsym.ask.meeting import met
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
@@ -115,6 +116,8 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
     if in_time is not None:
         with suppress(StatementError):
             return answer(asked, in_time, letter)
+    if (spelt := met(asked, plain)) != plain:
+        return replace(found := _whole(asked, spelt, letter), question=replace(found.question, text=plain))
     found = _answered(asked, plain, letter)
     return whichever(asked, found, lambda other: _answered(other, plain, letter))
 

@@ -12,6 +12,7 @@ from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
+from rbpsym.ask.sliding import begins_to_slip, of_contact
 from rbpsym.ask.wanted import Wanted, arrives, premises, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
@@ -34,11 +35,14 @@ FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
 def which(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
     """SYMBOL for which a condition is met, or its opposite; the smallest or largest of them."""
-    if opposite := OPPOSITE.fullmatch(text):
+    text = of_contact(world, text)
+    opposite = OPPOSITE.fullmatch(text)
+    slides = begins_to_slip(world, opposite[1]) if opposite and opposite[2] == "slip" and not opposite[3] else None
+    if opposite and slides is None:
         return _opposite(world, superlative, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
     if (never := NEVER.fullmatch(text)) and (never[1] in world.coordinates or "never" in text or "does" in text):
         return _opposite(world, superlative, name, f"{never[1]} reaches {never[2]}")
-    condition = wanted(world, text, name)
+    condition = slides or wanted(world, text, name)
     if condition.equal:
         return _values(world, superlative, name, condition, text)
     stated = premises(world, condition)

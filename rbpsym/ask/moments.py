@@ -217,7 +217,8 @@ def _before(asked: Asked, place: int) -> Moment:
         known = ", ".join(asked.names[1:])
         told = f"after it a phase must begin; those that begin are: {known}." if known else "the problem has no [[phases]]."
         raise StatementError("nothing ends this phase", instead=told)
-    return Moment(place - 1, asked.stage(place).began.before, "event", asked.problem.phases[place - 1])
+    phase, before = asked.problem.phases[place - 1], asked.stage(place).began.before
+    return Moment(place - 1, before) if phase.event == "at once" else Moment(place - 1, before, "event", phase)
 
 
 def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None) -> Moment:

@@ -21,6 +21,7 @@ _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
 _N, _FOR = r"(\w+)", r"(?:for|at|with) which"
 _NO_MODE = r"(?!(?:lowest|highest) frequency of |(?:longest|shortest) period of \w+$)"  # that of a mode is a quantity
 _BETWEEN = r"(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?"
+_APART = r"distance (?:from|between) [\w.]+ (?:to|and) [\w.]+"
 _START = r"(?:start|beginning|release)"
 _WAY = rf"(?:(?:from (?:the )?{_START} )?(?:until|up to|to)|between (?:the )?{_START} and) (?:where )?(\w+) (?:=|reaches|is) (.+)"
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
@@ -53,7 +54,7 @@ ROWS: Rows = (
     (rf"{_BEST} {_N} {_FOR} (.+)", critical.which),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: critical.which(world, None, name, text)),
     (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
-    (rf"{_NO_MODE}{_BEST} (.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
+    (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
 

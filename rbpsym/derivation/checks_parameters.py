@@ -219,7 +219,10 @@ def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, give
     is_kept = all(_is_kept(rooted(substitute(value, there), given), way, within) for value in values)
     worst = [value for whole in values for value in _there(whole, *way)]
     edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
-    if is_kept and any(sign(shorter(derivative(value, name)), given).kind == KINDS[-sense] for value in edge):
+    floor = NOTHING if symbol(name) in values else None  # below it, it is negative itself
+    outside = given.with_range(name, *((floor, there[name]) if sense < 0 else (there[name], None)))
+    falls = (sign(shorter(derivative(value, name)), each).kind == KINDS[-sense] for value in edge for each in (given, outside))
+    if is_kept and any(falls):
         return proved("nothing is negative at the bound, and at one place something vanishes there and is negative beyond")
     return undecided("that this is the bound is not seen on a second road")
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.algebra.integration import definite
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of, sign_along
 from rbpsym.equality.signs import sign
@@ -150,13 +151,14 @@ def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Dema
     the motion begins as stated and comes to one, where it is the first, and the sense in which it comes; None if there is none
     in closed form.
     Raises NotApplicable where one without may come before."""
-    start, is_open = study.system.scope.start[name], False
+    start, is_open, gaps = study.system.scope.start[name], False, tuple(map(without_even_roots, gaps))
     is_pushed = is_zero(study.system.scope.start.get(f"{name}_dot", NOTHING))  # from rest it goes as the forces want
     begun = begins(study) if is_pushed else ()
     for numbers in _tried(study, start):
         if any(floating(demand.value, numbers) < 0 for demand in begun):
             continue
-        way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, study.squares[name])
+        square = without_even_roots(study.squares[name])
+        way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, square)
         factors = [factor for gap in gaps for factor in factors_in(gap, name)]
         known = (place for factor in factors for place in places_ahead(factor, way, study.assumptions))
         ahead = [item for place in known if (item := (floating(way.ahead(place), numbers), place))[0] > EDGE]

@@ -224,5 +224,5 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (rf"(?:(longest|shortest) )?period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
     (r"(?:exact|whole|true) period of (\w+)|period of large swings of (\w+)", whole_period, "exact period of COORDINATE"),
-    (r"(unstable )?equilibri(?:um|a) of (\w+)", equilibrium, "equilibrium of COORDINATE"),
+    (r"(?:stable |(unstable ))?equilibri(?:um|a) of (\w+)", equilibrium, "equilibrium of COORDINATE"),
 )  # fmt: skip

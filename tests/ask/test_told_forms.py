@@ -74,6 +74,8 @@ TOLD = (
      ("(MgR/(2(3R² − 2a²) √(R² − a²)))(a √(R² − a²) sin θ₀ + (3R² − 2a²) cos θ₀)",)),
     ("bead-on-rotating-rod", "energy as a function of t", ("−mr₀²Ω²/2",)),
     ("disk-in-oil", "time until theta = 0 underdamped", ("(MR²/√(2MκR² − c²))(π − arctan(√(2MκR² − c²)/c))",)),
+    # an arccos of what is negative is that of a difference
+    ("loop-slide", "theta where N vanishes", ("arccos((2gR − v₀²)/(3gR))",)),
     # values before the end of the question
     ("cylinder-on-wedge", "acceleration of x with m = M for small beta", ("−βg/2",)),
 )  # fmt: skip

@@ -193,6 +193,23 @@ ANSWERS = (
     ("rod-with-bob", "where is F_x largest", "3*pi/4"),
     ("puck-and-stick", "d for which angular velocity of stick when after begins is largest", "b*sqrt((M + m)/(3*m))"),
     ("hollow-ball", "ratio of energy lost until rolling to kinetic energy at the start", "2/5"),
+    ("slipping-block", "smallest F for which it slips", "mu*m*g"),
+    ("slipping-block", "smallest F for which the block slips", "mu*m*g"),
+    ("slipping-block", "largest mu for which it begins to slip", "F/(m*g)"),
+    ("ladder-stat", "smallest mu for which the ladder does not slip", "1/(2*tan(beta))"),
+    ("two-cars", "time until second meets first", "(u+sqrt(u**2+2*a*d))/a"),
+    ("two-cars", "x where the second catches up with the first", "d+u*(u+sqrt(u**2+2*a*d))/a"),
+    ("two-cars", "speed of y when second meets first", "u+sqrt(u**2+2*a*d)"),
+    ("car-over-hill", "largest v_0 for which N at the start is positive", "L*sqrt(2*g/h)/pi"),
+    ("loop-slide", "theta where N vanishes", "acos((2*g*R-v_0**2)/(3*g*R))"),
+    ("v-groove", "C", "sqrt(2)*mu*M*g*R/(1+mu**2)"),
+    ("v-groove", "does C depend on Omega", "no"),
+    ("bracket-on-pipe", "c for which acceleration of y = 0", "(M*g+P)*h/(2*mu*P)"),
+    ("lever-dashpot", "b for which theta is critically damped", "sqrt(2*a*L*sqrt(k*m)/c)"),
+    ("lever-dashpot", "damping ratio of theta", "c*b**2/(2*a*L*sqrt(k*m))"),
+    ("half-ring-on-end", "stable equilibrium of theta", "-atan(2/pi)"),
+    ("half-ring-on-end", "frequency of theta", "sqrt(g*sqrt(1+4/pi**2)/(2*R))"),
+    ("half-ring-on-end", "largest magnitude of speed of theta", "sqrt(g*(2/pi+sqrt(1+4/pi**2))/R)"),
 )  # fmt: skip
 
 

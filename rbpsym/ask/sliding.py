@@ -1,0 +1,47 @@
+"""Of what it is said that it slips, tips, holds: a contact by the name of its body; what sets out to slip from rest."""
+
+from __future__ import annotations
+
+import re
+
+from rbpsym.algebra import depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.ask.seen import Scene, seen
+from rbpsym.ask.wanted import Wanted
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics.friction import slips
+from rbpsym.statement.model import Element
+
+DOES = r"(?: (?:does not|never|begins to|starts to|just))?"
+OF_BODY = re.compile(rf"(?:the )?(\w+)(?={DOES} (?:slip|leave|lift|tip|lose|let go|hold|stick|roll|keep|stay)s?\b)")
+
+
+def of_contact(world: Scene, text: str) -> str:
+    """The condition with “it”, or the name of a contact, for a body: “the ladder does not slip” where nothing else holds."""
+    said = OF_BODY.match(text)
+    if said is None or said[1] not in (body.name for body in world.study.problem.bodies):
+        return text
+    held = {need.constraint for need in world.study.friction_needs} or {*slips(world.study.system)}
+    own = {name for name in held if _is_of(world.study.system.element(name), said[1])}
+    names = {"it"} if own == held else own
+    return names.pop() + text[said.end() :] if len(names) == 1 else text
+
+
+def _is_of(element: Element, body: str) -> bool:
+    return any(getattr(value, "body", value) == body for value in element.values.values())
+
+
+def begins_to_slip(world: Scene, contact: str) -> Wanted | None:
+    """Kinetic friction acts from the beginning of a slip: what is at rest begins to slip in the stated sense where it gains
+    speed in it. None where static friction holds a contact, or the slip is no multiple of the one speed."""
+    found = {name: slip for name, slip in slips(world.study.system).items() if contact in ("it", name)}
+    names = {name for slip in found.values() for name in world.study.system.independent if depends_on(slip, f"{name}_dot")}
+    if world.study.friction_needs or len(names) != 1:
+        return None
+    [name] = names
+    speed, given = f"{name}_dot", world.motion.assumptions
+    senses = {sign(derivative(slip, speed), given).sense for slip in found.values()}
+    is_multiple = all(is_zero(derivative(slip, speed) * symbol(speed) - slip) for slip in found.values())
+    is_at_rest = is_zero(substitute(symbol(speed), world.study.system.scope.start))
+    if len(senses) != 1 or 0 in senses or not (is_multiple and is_at_rest):
+        return None
+    return Wanted((seen(world, f"acceleration of {name} at the start") * senses.pop(),), given, closed=False)
