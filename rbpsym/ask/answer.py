@@ -333,7 +333,7 @@ def on_way_back(world: ProblemWorld, found: Found) -> tuple[Scalar, ...]:
 
 
 def _constant(world: ProblemWorld, question: Question, found: Found) -> Found | None:
-    """A momentum that is kept from the start, as what it is there; None where it changes, or is no momentum."""
+    """A momentum or speed that is kept from the start, as what it is there; None where it changes, or is none of these."""
     if not found.of or not KEPT.match(question.quantity):
         return None
     scope, study = world.motion.scope, world.study
@@ -343,7 +343,7 @@ def _constant(world: ProblemWorld, question: Question, found: Found) -> Found | 
     return replace(found, values=begun, of="", constant=True) if is_kept else None
 
 
-KEPT = re.compile(r"(?:total |[xy] component of )*(?:(?:angular |linear )?momentum\b|velocity of (?:the )?cent(?:re|er) of mass)")
+KEPT = re.compile(r"(?:total |[xy] component of )*(?:(?:angular |linear )?momentum\b|(?:angular )?(?:velocity|speed) of )")
 
 
 def _without_speeds(world: ProblemWorld, found: Found, turned: int = 1) -> Found:

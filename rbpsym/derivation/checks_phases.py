@@ -32,6 +32,8 @@ from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, Phase
 
 Values = Mapping[str, Scalar]
+SENSES = {"positive": 1, "negative": -1, "nonzero": -1}  # 1: surely positive
+GIVE_WAY = ("lost", "slips")  # what ends so holds before: its force pushes, friction is within its limit
 
 
 def slip(context: Context, step: Step) -> Verdict:
@@ -109,13 +111,15 @@ def reached_there(context: Context, step: Step) -> Verdict:
 
 
 def first_there(context: Context, step: Step) -> Verdict:
-    """Up to the stated place the speed is not zero, and what vanishes there does not vanish before."""
+    """Up to the stated place the speed is not zero, and what vanishes there does not vanish before; what gives way there holds
+    before."""
     printed, context = demanded(context, step), under(context, step, ">")
     (place,) = [context.value(right) for _, _, right in relations(step.statement)]
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in printed):
         goes, between = way_to(context, step.data["name"], place, printed)
     gap, name = _gap(context, step.data["ending"].phase), step.data["name"]
-    is_free = sign(gap, between).is_nonzero or sign_along(gap, name, between)
+    way = SENSES.get(sign(gap, between).kind) or sign_along(gap, name, between)
+    is_free = way > 0 if step.data["ending"].phase.event in GIVE_WAY else bool(way)
     return weakest([*goes, Verdict(PROVED) if is_free else UNSEEN])
 
 

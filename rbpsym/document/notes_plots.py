@@ -17,6 +17,7 @@ from rbpsym.document.plots.scales import Scale, told_numbers
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.document.words import Words, sentences
 from rbpsym.errors import NotApplicable
+from rbpsym.mechanics.events import pushes
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import plain_letters
@@ -187,9 +188,11 @@ def remarks(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, is_fi
 
 
 def kind_of_loss(moving: PlottedMotion) -> str:
-    """Whether a string goes slack or a contact is lost."""
-    element = moving.way.legs[-1].study.system.element(moving.loss[1])
-    return "slack" if element.kind == "string" else "lost"
+    """Whether a string goes slack, a contact is lost, or static friction gives way."""
+    force, constraints = moving.loss[1], moving.way.legs[-1].study.problem.constraints
+    if any(element.values.get("friction") == force for element in constraints):
+        return "slips"
+    return next("slack" if element.kind == "string" else "lost" for element in constraints if force in pushes(element))
 
 
 def panels_figure(name: str, panels: Sequence[Panel], caption: Inlines, said: Words) -> FigureBlock:

@@ -6,7 +6,7 @@ there without a halt, and meets no other root before.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
@@ -146,10 +146,12 @@ def _followed(study: Study, name: str, speed: str) -> Scalar:
     return symbol(other) if gained is None else study.system.scope.start[other] + gained
 
 
-def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Demand], int] | None:
+def first_met(
+    study: Study, name: str, *gaps: Scalar, first: Iterable[Demand] = ()
+) -> tuple[Scalar, list[Demand], int] | None:
     """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
-    the motion begins as stated and comes to one, where it is the first, and the sense in which it comes; None if there is none
-    in closed form.
+    the motion begins as stated (`first`: what else is asked of its start) and comes to one, where it is the first, and the
+    sense in which it comes; None if there is none in closed form.
     Raises NotApplicable where one without may come before."""
     start, is_open, gaps = study.system.scope.start[name], False, tuple(map(without_even_roots, gaps))
     is_pushed = is_zero(study.system.scope.start.get(f"{name}_dot", NOTHING))  # from rest it goes as the forces want
@@ -163,7 +165,8 @@ def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Dema
         known = (place for factor in factors for place in places_ahead(factor, way, study.assumptions))
         ahead = [item for place in known if (item := (floating(way.ahead(place), numbers), place))[0] > EDGE]
         place = min(ahead, key=lambda item: item[0])[1] if ahead else None
-        asked = None if place is None else _conditions(study, way, place, gaps, numbers)
+        found = None if place is None else _conditions(study, way, place, gaps, numbers)
+        asked = None if found is None else [*first, *found]
         if asked is not None and all(floating(demand.value, numbers) >= 0 for demand in asked):
             return place, asked, way.sense
         is_open = is_open or (place is not None and asked is None)

@@ -34,7 +34,7 @@ from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, spare
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import floating, sample, samples
-from rbpsym.mechanics.roots import factors_in
+from rbpsym.mechanics.roots import factor_zeros, factors_in
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import by_letters
 from rbpsym.statement.model import Element, Phase
@@ -96,7 +96,7 @@ def contact_lost(study: Study, phase: Phase) -> State:
         return replace(state_at(study, name, loss.at[name]), valid=loss.valid)
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” is lost")
-    return _met(study, phase, name, "is lost", along[phase.subject])
+    return _met(study, phase, name, "is lost", along[phase.subject], gives_way=True)
 
 
 def value_reached(study: Study, phase: Phase) -> State:
@@ -134,13 +134,17 @@ def grip_ends(study: Study, phase: Phase) -> State:
     along, name = study.reactions_along_motion, mover(study)
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” slips")
-    return _met(study, phase, name, "slips", *spare(element, along.__getitem__))
+    return _met(study, phase, name, "slips", *spare(element, along.__getitem__), gives_way=True)
 
 
-def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar) -> State:
-    """The state at the first place at which one of the values vanishes. Raises StatementError if it is never met, and for a
-    coordinate that has its value at none of the numbers tried (`what` is empty)."""
-    found = first_met(study, name, *gaps)
+def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar, gives_way: bool = False) -> State:
+    """The state at the first place at which one of the values vanishes (what `gives_way` there holds at the start). Raises
+    StatementError if it is never met, and for a coordinate that has its value at none of the numbers tried (`what` is empty)."""
+    start = study.system.scope.start
+    begun = [Demand(short(substitute(gap, start)), ">=") for gap in gaps] if gives_way else []
+    found = first_met(study, name, *gaps, first=begun)
+    if found is None and all(factor_zeros(factor, name) for gap in gaps for factor in factors_in(gap, name)) and what:
+        raise NotApplicable(f"at none of the numbers that were tried the motion holds until “{phase.subject}” {what}")
     if found is None:
         raise _no_closed_form(f"the place where “{phase.subject}” {what}") if what else _never(study, phase, UNKNOWN)
     place, asked, sense = found

@@ -48,7 +48,7 @@ def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
     draft.add(f"linear.{place}", "linear_system", t.System(tuple(rows)), "oscillations.linear_system",
               level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
               premises=[f"equilibrium.{place}", *draft.those(*(f"motion.{name}" for name in names))],
-              data=item.facts)  # fmt: skip
+              data=item.facts, obligations=draft.asked(item.valid))  # fmt: skip
 
 
 def _pull(draft: Draft, stiffness: Scalar, name: str, item: Equilibrium) -> t.Node:

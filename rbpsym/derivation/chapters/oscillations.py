@@ -93,7 +93,8 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
     draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", t.add(pull, drag)),
               f"{phrase}_damped" if damping and item.stable else phrase, place=there,
               premises=[f"equilibrium.{place}", *draft.those(f"motion.{name}")], coordinate=t.Sym(name),
-              data={**item.facts, "name": name, "proved": item.nature.proved, "factors": item.linear.factors})  # fmt: skip
+              data={**item.facts, "name": name, "proved": item.nature.proved, "factors": item.linear.factors},
+              obligations=draft.asked(item.valid))  # fmt: skip
     if item.stable:
         _frequencies(draft, item, place, shown, damping)
 

@@ -20,6 +20,7 @@ from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.endings import State as Ending
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.numbers import bound
 from rbpsym.mechanics.study import Study
 from rbpsym.numeric.formulas import compiled
@@ -98,7 +99,7 @@ class Leg:
     """A phase of the motion: what was derived of it, all numbers at its moments, when it begins, what it is called.
 
     `turns` are the moments at which the first coordinate turned back, `lost` those at which a force that can only
-    push (or pull) comes to nothing, with its name. The first leg has no name.
+    push (or pull) comes to nothing, or static friction to its limit, with its name. The first leg has no name.
     """
 
     derivation: Derivation
@@ -164,7 +165,8 @@ def leg(
     moments = np.unique(np.concatenate([np.linspace(*ends, PARTS + 1) for ends in pairwise(breaks)]))
     numbers = with_forces(flow, path.at(moments))
     places = {name: tuple(np.searchsorted(moments, times)) for name, times in seen.items()}
-    lost = [(k, name) for name in one_sided(study) for k in places[name] if numbers[name][k - 1] > 0]
+    left = {name: compiled(values)(numbers).min(axis=0) for name, values in giving_way(study).items()}
+    lost = [(k, name) for name, value in left.items() for k in places[name] if value[k - 1] > 0]
     return Leg(derivation, flow, moments, numbers, places.get("turn", ()), tuple(lost), **told)
 
 
@@ -181,14 +183,17 @@ def with_forces(flow: Flow, states: State) -> Numbers:
     return numbers | dict(zip(forces, compiled(forces.values())(numbers), strict=True))
 
 
-def one_sided(study: Study) -> list[str]:
-    """The unknown forces that can only push (or pull)."""
-    known = reactions(study)
-    return [name for element in study.problem.constraints for name in pushes(element) if name in known]
+def giving_way(study: Study) -> dict[str, list[Scalar]]:
+    """By unknown force that can only push (or pull), itself; by static friction with a limit, what is left up to it."""
+    known, constraints = reactions(study), study.problem.constraints
+    found = {name: [known[name]] for element in constraints for name in pushes(element) if name in known}
+    held = (element for element in constraints if element.values.get("friction") in known)
+    grips = {element["friction"]: list(spare(element, known.__getitem__)) for element in held}
+    return found | {name: values for name, values in grips.items() if values}
 
 
 def watched(flow: Flow, start: State, is_open: bool) -> Iterator[tuple[str, Event]]:
-    """What ends a motion or happens on its way: a range ends, it is far, it turns back, a contact is lost."""
+    """What ends a motion or happens on its way: a range ends, it is far, it turns back, a contact is lost or slips."""
     study = flow.study
     edge = 0.0 if flow.room(start) > EDGE else EDGE
     yield "end", Event(lambda _, state: flow.room(state) + edge)
@@ -204,6 +209,6 @@ def watched(flow: Flow, start: State, is_open: bool) -> Iterator[tuple[str, Even
         place, is_shaken = len(study.system.coordinates), study.system.has_clock and not study.squares
         enough = SHAKEN if is_shaken else TURNINGS if len(flow.shown) == 1 else SEVERAL
         yield "turn", Event(lambda _, state: state[place], enough if is_open else math.inf)
-    for name in one_sided(study):
-        value = compiled([reactions(study)[name]])
-        yield name, Event(lambda _, state, value=value: float(value(flow.numbers(state))[0]), math.inf)
+    for name, left in giving_way(study).items():
+        values = compiled(left)
+        yield name, Event(lambda _, state, values=values: float(values(flow.numbers(state)).min()), math.inf)

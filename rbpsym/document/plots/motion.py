@@ -49,7 +49,7 @@ class PlottedMotion:
     """A derivation with the numbers of its motion.
 
     `whole` are all moments; `way` those until it turns back for the first time, if curves are drawn over the
-    coordinate (and a few turns of a motion that is shaken); `real` is the way as far as no contact is lost.
+    coordinate (and a few turns of a motion that is shaken); `real` is the way as far as no contact is lost and nothing slips.
     """
 
     derivation: Derivation
@@ -75,13 +75,14 @@ class PlottedMotion:
 
     @cached_property
     def loss(self) -> tuple[int, str] | None:
-        """The moment of the last leg at which a force comes to nothing though it can only push (or pull), and its name."""
+        """The moment of the last leg at which a force comes to nothing though it can only push (or pull), or static friction to
+        its limit, and its name."""
         last = self.way.legs[-1]
         return min((lost for lost in last.lost if lost[0] < len(last.moments)), default=None)
 
     @cached_property
     def real(self) -> Journey:
-        """The way as far as no contact is lost."""
+        """The way as far as no contact is lost and nothing slips."""
         return self.way if self.loss is None else self.way.part(self.loss[0] + 1)
 
 

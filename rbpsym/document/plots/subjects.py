@@ -310,11 +310,15 @@ def couples_of(moving: PlottedMotion) -> set[str]:
 
 
 def marks_of(moving: PlottedMotion) -> tuple[PlotMark, ...]:
-    """Where the contact is lost, on the axis of the panel."""
+    """Where the contact is lost, on the axis of the panel, or where it slips."""
     if moving.loss is None:
         return ()
     moment, name = moving.loss
     _, places, _ = across(moving, Journey(moving.way.legs[-1:]))
+    for element in moving.way.legs[-1].study.problem.constraints:
+        if element.values.get("friction") == name:
+            most = t.mul(element["limit"], t.add(*map(t.Sym, element.normals)))
+            return (PlotMark(places[moment], t.equation(t.Abs(t.Sym(name)), most)),)
     return (PlotMark(places[moment], t.equation(t.Sym(name), t.ZERO), has_dot=True),)
 
 

@@ -1,0 +1,197 @@
+"""Systems that nobody had stated before: what is said of them holds of them, whatever was seen in the library."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.ask.asking import ask
+from rbpsym.derivation.step import Derivation
+from rbpsym.derive import derive
+from rbpsym.document.plots.motion import motion
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.mechanics.study import Study
+from rbpsym.notation.infix import read_infix
+from rbpsym.solve import results
+from rbpsym.statement.loader import load_text
+from tests.derivation.test_assertions import said_in
+
+PULLED = """
+[parameters]
+M = "mass"
+R = "length"
+beta = "angle, acute"
+mu = "number"
+g = "acceleration"
+k = "stiffness"
+[coordinates.s]
+dimension = "length"
+start = "0"
+[coordinates.phi]
+start = "0"
+[bodies.disk]
+shape = "disk"
+mass = "M"
+radius = "R"
+center = ["s*cos(beta) + R*sin(beta)", "R*cos(beta) - s*sin(beta)"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[interactions.S]
+type = "spring"
+between = [["R*sin(beta)","R*cos(beta)"], "disk.center"]
+stiffness = "k"
+[constraints.N]
+type = "rolling"
+body = "disk"
+line = "y = -x*tan(beta)"
+limit = "mu"
+[[phases]]
+name = "slipping"
+event = "slips"
+of = "N"
+constraints = { N = { type = "touch", coefficient = "mu", slip = "forward" } }
+"""  # friction is greatest at the start, and falls: a grip that begins never ends
+BACKSPIN = """
+[parameters]
+M = "mass"
+R = "length"
+mu = "number"
+g = "acceleration"
+v_0 = "speed"
+omega_0 = "angular speed"
+[coordinates.x]
+dimension = "length"
+start = "0"
+speed = "v_0"
+[coordinates.phi]
+start = "0"
+speed = "-omega_0"
+[bodies.ball]
+shape = "ball"
+mass = "M"
+radius = "R"
+center = ["x", "R"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "touch"
+body = "ball"
+line = "y = 0"
+coefficient = "mu"
+[[phases]]
+name = "rolling"
+event = "no slip"
+of = "N"
+constraints = { N = { type = "rolling" } }
+"""
+TURNED = """
+[parameters]
+m = "mass"
+M = "mass"
+k = "stiffness"
+a = "length"
+Omega = "angular speed"
+ell = "length"
+[coordinates.r]
+dimension = "length"
+start = "r_0"
+range = ["0", ""]
+[bodies.rod]
+shape = "rod"
+mass = "M"
+length = "ell"
+start = "O"
+angle = "Omega*t"
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["r*cos(Omega*t)", "r*sin(Omega*t)"]
+[interactions.S]
+type = "spring"
+between = ["O", "bead.center"]
+stiffness = "k"
+natural_length = "a"
+[constraints.F]
+type = "pivot"
+point = "rod.start"
+[constraints.D]
+type = "prescribed-angle"
+body = "rod"
+angle = "Omega*t"
+[constraints.N]
+type = "guide"
+point = "bead.center"
+line = "y = 0"
+of = "rod"
+"""
+CORNER = """
+[parameters]
+M = "mass"
+R = "length"
+mu = "number"
+g = "acceleration"
+[coordinates.phi]
+start = "0"
+speed = "omega_0"
+range = ["0", "pi/2"]
+[bodies.ball]
+shape = "ball"
+mass = "M"
+radius = "R"
+center = ["R*sin(phi)", "R*cos(phi)"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "rolling"
+body = "ball"
+circle = "O"
+radius = "0"
+limit = "mu"
+"""
+
+
+@cache
+def stated(text: str) -> Derivation:
+    """The derivation of a statement."""
+    return derive(load_text('title = "Seen afresh"' + text), simulation=False)
+
+
+def test_what_slips_at_once_does_not_slip_later():
+    """At μ < tan β/3 it slips from the start; above that friction only falls: no place is told at which it reaches its limit."""
+    [phase] = results(Study(load_text('title = "Pulled"' + PULLED)))["phases"]
+    assert phase.keys() == {"name", "reason"}
+
+
+def test_a_speed_that_is_kept_has_the_sense_of_the_start():
+    """The ball comes back where 2 R ω₀ > 5 v₀, and stops where they are equal."""
+    problem = load_text('title = "Backspin"' + BACKSPIN)
+    speed, spin = ask(problem, "speed of x in phase rolling", "omega_0 for which speed of x in phase rolling = 0")
+    names = {quantity.name: quantity.name for quantity in problem.parameters}
+    for found, value in ((speed, "(5*v_0 - 2*R*omega_0)/7"), (spin, "5*v_0/(2*R)")):
+        assert found.verdict.is_proved and not found.valid
+        assert scalars_equal(found.value, scalar(read_infix(value, names)), found.study.assumptions).is_proved
+
+
+@pytest.mark.parametrize("detail", ["standard", "full"])
+def test_an_equilibrium_is_told_with_what_it_asks_for(detail):
+    """r = ka/(k - mΩ²) is no place of the bead but for k > mΩ²."""
+    found = stated(TURNED)
+    [linear] = [step for step in found.steps if step.id == "linear.1"]
+    [equilibrium] = [step for step in found.steps if step.id == "equilibrium.1"]
+    assert equilibrium.obligations and set(equilibrium.obligations) <= set(linear.obligations)
+    text = said_in(found, detail)
+    assert "This holds as long as" in text[text.index("They do so at") : text.index("This equilibrium is stable")]
+
+
+def test_curves_end_where_static_friction_does():
+    """On the corner friction reaches its limit before the normal force is gone: the motion that is drawn ends there."""
+    moving = motion(stated(CORNER))
+    moment, name = moving.loss
+    numbers = moving.way.legs[-1].at(moment)
+    assert name == "f_N" and numbers["N"] > 0
+    assert abs(numbers["f_N"]) == pytest.approx(numbers["mu"] * numbers["N"], rel=1e-6)
