@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.errors import DimensionError
+from rbpsym.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

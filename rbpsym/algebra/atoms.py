@@ -7,12 +7,12 @@ and orders that go by it are the same whatever was met before.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from string import ascii_letters, digits
 from typing import Any
 from zlib import crc32
 
 from rbpsym.algebra.poly import ONE, Poly
+from rbpsym.frozen import dataclass
 from rbpsym.notation.letters import LETTERS
 
 

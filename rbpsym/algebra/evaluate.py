@@ -8,7 +8,6 @@ integrals along the motion may stand with forces that are not known yet: d/dt âˆ
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
 
@@ -17,6 +16,7 @@ from rbpsym.algebra.integration import definite
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift, symbol
 from rbpsym.algebra.vector import EX, EY, Space
 from rbpsym.errors import ReadError, Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree as t
 
 Value = Scalar | Space

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import Monomial, Poly
 from rbpsym.algebra.scalar import Scalar, name_of
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.quantities import Dimension
 
 DERIVED = ("_dot", "_ddot")

@@ -8,7 +8,6 @@ never a sum of four terms. Counter-clockwise is positive.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
@@ -17,6 +16,7 @@ from rbpsym.algebra.calculus import rate_along, substitute
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift, total
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
+from rbpsym.frozen import dataclass
 
 QUARTER = PI * Fraction(1, 2)
 

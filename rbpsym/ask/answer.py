@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol, time_derivative
 from rbpsym.algebra.exponentials import with_squares
@@ -20,6 +19,7 @@ from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.solutions import SMALL, given

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
 
 from rbpsym.algebra import granted
 from rbpsym.ask.along import converse
@@ -20,6 +19,7 @@ from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import whichever
 from rbpsym.ask.special import special_problem
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
 
 from rbpsym.algebra import Scalar, derivative, is_zero, substitute
 from rbpsym.ask.limits import leading
@@ -11,6 +10,7 @@ from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_me
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import neat
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand
 
 ENDS = ("at the lower end", "at the upper end")

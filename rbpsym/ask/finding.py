@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import Scalar
@@ -12,6 +11,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.rules import RULES
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict, all_of
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import ZERO, Node

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, ONE, PI, UNITY, Poly, Scalar, apart, at_most, atoms, generator, is_zero, symbol
@@ -12,6 +11,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of
 from rbpsym.errors import LimitError, Undecided
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.elimination import short
 
 SMALL = "epsilon_"  # what goes to zero from above

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, Scalar, is_zero, kept, names_in, substitute
 from rbpsym.algebra.evaluate import scalar
@@ -17,6 +16,7 @@ from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import Demand, settle

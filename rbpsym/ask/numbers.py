@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from rbpsym.algebra import Scalar, names_in
 from rbpsym.algebra import value as value_of
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t

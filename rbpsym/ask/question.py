@@ -7,9 +7,9 @@ new way to say when or where is a new row of CLAUSES.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
 
 from rbpsym.errors import ReadError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.quantity.moments import JUMPS
 
 LONGEST = 400  # characters of a question

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 from rbpsym.algebra import Scalar, depends_on, is_zero
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 

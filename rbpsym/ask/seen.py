@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
@@ -22,6 +21,7 @@ from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, StatementError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
 from rbpsym.mechanics.friction import slips, spare

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, lift, substitute, symbol
@@ -39,6 +38,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, pushes

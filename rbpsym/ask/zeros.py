@@ -7,7 +7,6 @@ sign; which one it is follows from the range, from the slope at a zero, or from 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import reduce
 from math import gcd
 
@@ -18,6 +17,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import neat, rooted, sign_along
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.rest import turns_within

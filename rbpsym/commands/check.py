@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +11,7 @@ import click
 from rbpsym.commands.arguments import ShelfName
 from rbpsym.commands.progress import Progress
 from rbpsym.commands.solve import verdict_of
+from rbpsym.frozen import dataclass, field
 
 if TYPE_CHECKING:
     from rbpsym.derivation.step import Derivation

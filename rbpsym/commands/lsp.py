@@ -6,7 +6,6 @@ import json
 import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
 from urllib.parse import unquote, urlparse
@@ -14,6 +13,7 @@ from urllib.parse import unquote, urlparse
 import click
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 
 Message = dict[str, Any]
 ERROR, WARNING = 1, 2

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, output_option
+from rbpsym.frozen import dataclass
 
 if TYPE_CHECKING:
     from rbpsym.commands.watching import KeptDerivations

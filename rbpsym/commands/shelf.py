@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from rbpsym.errors import ReadError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.statement.library import course_files, not_found, problem_files, worksheet_files
 
 if TYPE_CHECKING:

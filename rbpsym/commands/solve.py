@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from rbpsym.commands.arguments import name_argument
+from rbpsym.frozen import dataclass
 
 if TYPE_CHECKING:
     from rbpsym.derivation.step import Step

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ from rbpsym.commands.shelf import stated
 from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 

@@ -8,7 +8,6 @@ of the speeds from the first integral as well).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Value, Vector, at_start, depends_on, rate, time_derivative, value
 from rbpsym.algebra.exponentials import with_squares
@@ -16,6 +15,7 @@ from rbpsym.derivation.facts import Fact
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Condition
 from rbpsym.notation.tree import Add, Bracket, Delta, Deriv, Integral, Limit, Node, PathIntegral, Sym, walk

@@ -7,7 +7,6 @@ were divided by are kept, since they must not vanish.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Set
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Protocol
 
@@ -16,6 +15,7 @@ from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.errors import NoNumber
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.numbers import number
 
 TINY = 1e-9

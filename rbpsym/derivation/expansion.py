@@ -9,11 +9,11 @@ checkers.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache, reduce
 
 from rbpsym.algebra import NOTHING, ONE, UNITY, Poly, Scalar, atoms, function, lift, symbol, total
 from rbpsym.errors import Undecided
+from rbpsym.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

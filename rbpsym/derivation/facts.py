@@ -16,9 +16,9 @@ A fact has an id as a step has one, and stands among the premises of the steps t
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from rbpsym.algebra import Scalar
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.study import Study
 
 MOTION = "law.motion"

@@ -7,13 +7,13 @@ declared ones.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.algebra import NOTHING, Vector, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import PROVED
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.events import vanishes_before, ways_of
 from rbpsym.mechanics.study import Study

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import KW_ONLY, dataclass, field
+from dataclasses import KW_ONLY
 from typing import Any
 
 from rbpsym.equality.verdict import PROVED, Verdict
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
 from rbpsym.showing import Shown

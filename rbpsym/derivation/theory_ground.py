@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, space_derivative, symbol, value
 from rbpsym.algebra.calculus import substitute
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree as t
 
 XI, ETA = symbol("xi"), symbol("eta")

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field, fields
+from dataclasses import fields
 from functools import cached_property
 from typing import Any
 from weakref import proxy
@@ -25,6 +25,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.derivation.told import READERS
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError, Undecided
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.system import Condition
 from rbpsym.notation import tree as t
 

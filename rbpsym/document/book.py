@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 
 from markupsafe import Markup
@@ -20,6 +19,7 @@ from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers.html import Around, font, style, write_html
 from rbpsym.document.writers.page import shell
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.letters import without_accents
 

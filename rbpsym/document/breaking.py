@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 
 from rbpsym.document.cutting import INDENT, flat, opened, packed, pieces, terms, width
 from rbpsym.document.model import Block, Display, Emph, Inlines, Math, Paragraph, Ref, Strong, Table, Text
+from rbpsym.frozen import dataclass
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 
+from rbpsym.frozen import dataclass
 from rbpsym.notation import boxes as b
 
 # --- how wide a formula is, in em: estimates from the boxes that `notation.layout` makes of the display tree

@@ -6,10 +6,9 @@ own), a drawing only as a `Scene`; all else is text. Writers print this tree and
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rbpsym.document.figures.scene import Scene
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.tree import Node
 from rbpsym.showing import Shown

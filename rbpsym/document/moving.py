@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from rbpsym.algebra import Scalar
 from rbpsym.document.pose import fitted, shortest
 from rbpsym.errors import NoNumber, NotApplicable
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.compiled import entries_of
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study

@@ -15,13 +15,13 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from string import Formatter
 
 from rbpsym.document import model as d
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation.tree import Node, Word, walk
 
 # --- the grammar of a language, as its phrases file tells it under [grammar]: number, gender, contractions

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from importlib.util import find_spec
 
 from rbpsym.document.figures.placing import placed
@@ -14,6 +13,7 @@ from rbpsym.document.model import Document, FigureBlock
 from rbpsym.document.numbering import parts
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.notation.glyphs import Notation
 
 ROW, GAP = 16.0, 0.5  # cm

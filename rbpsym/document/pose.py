@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from rbpsym.algebra import Scalar, Vector, derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.numbers import bound, number, sample
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study

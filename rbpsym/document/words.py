@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.derivation.assertions import Said, on_page
@@ -12,6 +11,7 @@ from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
 from rbpsym.document.questions import question
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation.glyphs import Notation, spaced
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym.algebra import Scalar, names_in
+from rbpsym.frozen import dataclass, field, replace
 
 Range = tuple[Scalar | None, Scalar | None]
 SIGNS = ("positive", "nonnegative", "nonzero", "real")

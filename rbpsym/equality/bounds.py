@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, PI, UNIT, UNITY, Monomial, Poly, Scalar, atoms, cosine, generator_of, lift, sine
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import MINUS, PLUS, ZERO
+from rbpsym.frozen import dataclass, replace
 
 Bound = Scalar | None
 IsNonnegative = Callable[[Scalar], bool]

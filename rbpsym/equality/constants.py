@@ -8,7 +8,6 @@ proves that it is zero.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd, lcm, log2
@@ -16,6 +15,7 @@ from math import gcd, lcm, log2
 from rbpsym.algebra import ONE, PI_TERM, UNIT, Monomial, Poly, Scalar, atoms
 from rbpsym.equality import enclosure
 from rbpsym.equality.points import Point, all_atoms
+from rbpsym.frozen import dataclass
 
 SLACK = 1.0001  # the logarithms below are floats
 

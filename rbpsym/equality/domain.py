@@ -7,7 +7,6 @@ them the assumptions imply.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
 from typing import Any
 
 from rbpsym.algebra import ONE, Scalar, Scope, depends_on, function, generator, inverse, is_zero, substitute
@@ -18,6 +17,7 @@ from rbpsym.equality.points import Point
 from rbpsym.equality.signs import SignResult, sign
 from rbpsym.equality.verdict import Obligation
 from rbpsym.errors import Undecided
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 

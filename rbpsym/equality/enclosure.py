@@ -7,10 +7,11 @@ outwards, so that disjoint enclosures prove that two numbers differ.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import isqrt
+
+from rbpsym.frozen import dataclass
 
 BITS = 256
 _ONE = 1 << BITS

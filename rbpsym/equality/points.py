@@ -7,7 +7,6 @@ occurs in a sine or cosine, so that no rounding stands between a reader and a re
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm, tan
 from typing import Any
@@ -17,6 +16,7 @@ from rbpsym.algebra.normal import turn, turned
 from rbpsym.equality import enclosure as e
 from rbpsym.equality.assumptions import Assumptions, Range
 from rbpsym.equality.enclosure import Number, Outside
+from rbpsym.frozen import dataclass, field
 
 Turn = tuple[Number, Number]
 

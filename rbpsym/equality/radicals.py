@@ -6,7 +6,6 @@ of signs of the factors whose sign is not known; it vanishes if it does so in ev
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from math import isqrt
@@ -21,6 +20,7 @@ from rbpsym.equality.points import all_atoms
 from rbpsym.equality.reading import Constraint, Reading
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError, Undecided
+from rbpsym.frozen import dataclass
 
 MOST_CASES = 64
 Signs = dict[Poly, int]

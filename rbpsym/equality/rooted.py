@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import prod
 
 from rbpsym.algebra import ONE, Poly, Scalar, atoms, factors, inverse, quotient, shorten, symbol, with_exponentials_joined
@@ -13,6 +12,7 @@ from rbpsym.algebra.roots import side_of, simplified_root, tidied, with_image, w
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

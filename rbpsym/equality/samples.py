@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, TypeVar
 from zlib import crc32
@@ -15,6 +14,7 @@ from zlib import crc32
 from rbpsym.algebra import ONE, Coefficient, Monomial, Poly, Scalar, atoms, elliptic
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import MINUS, NONZERO, PLUS, times
+from rbpsym.frozen import dataclass, field
 
 FEW, MANY = 6, 24  # points at which something within a question is looked at, and the whole question
 CANDIDATES = 96

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from rbpsym.frozen import dataclass
 from rbpsym.notation.tree import Node
 from rbpsym.showing import Shown
 

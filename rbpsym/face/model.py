@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -30,6 +29,7 @@ from rbpsym.face.parts import (
 )
 from rbpsym.face.reading import CLOCK, name_of, tree_of
 from rbpsym.face.writing import Alphabet, alphabet
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics import compiled, energy, motion, numbers, oscillation, placing
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from rbpsym.algebra import Scalar, Vector
@@ -14,6 +13,7 @@ from rbpsym.document.notes import notation_of
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.face.late import mechanics, sympy
 from rbpsym.face.writing import alphabet
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation.latex import to_latex

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +16,7 @@ from rbpsym.equality.dimensions import Unsettled, require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError, StatementError
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, SIGNS, is_sympy, name_of, tree_of
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Node, names

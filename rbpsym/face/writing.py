@@ -8,13 +8,13 @@ all that moves is then a function.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 from typing import Any
 
 from rbpsym.algebra import Scalar, names_in
 from rbpsym.derivation.context import Context
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, RELATIONS, SIGNS
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 

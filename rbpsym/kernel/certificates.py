@@ -7,9 +7,9 @@ are letters ("sin theta"), so that nothing is replaced by sin² + cos² = 1 with
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
+from rbpsym.frozen import dataclass, field
 from rbpsym.kernel.claim import Claim
 from rbpsym.notation import tree as t
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.kernel.certificates import Lemma, Proof
 from rbpsym.kernel.claim import Claim, Said
 from rbpsym.kernel.claims import Source

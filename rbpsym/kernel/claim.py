@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.algebra import Monomial, Poly, Scalar, atoms
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
 
 

@@ -10,12 +10,13 @@ import tempfile
 import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.kernel.certify import Written, text
 from rbpsym.kernel.rocq import REFUSED
 from rbpsym.verify.claims_run import digest

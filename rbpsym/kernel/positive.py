@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Set
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
 from rbpsym.algebra import UNITY, Coefficient, Monomial, Poly, Scalar, inverse, times
+from rbpsym.frozen import dataclass
 from rbpsym.kernel.certificates import partner, wound
 
 MOST_TERMS = 60

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.kernel.certificates import Have, Known, Lemma, Multiples, Proof
 from rbpsym.kernel.claim import Claim, is_along_time, tree_of
 from rbpsym.kernel.claims import TIME, Source

@@ -7,7 +7,6 @@ there without a halt, and meets no other root before.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.algebra.integration import definite
@@ -16,6 +15,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of, sign_along
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead

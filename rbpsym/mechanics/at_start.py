@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.algebra import Scalar, apart, at_most, kept, substitute
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS
 from rbpsym.mechanics.events import Losses

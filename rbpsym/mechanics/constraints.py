@@ -6,10 +6,10 @@ A new kind is a new entry of `JOINTS`: the forces by which it keeps its conditio
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 from rbpsym.algebra import EX, EY, UNITY, Scalar, Vector, symbol
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import couples, curve_gaps, holding_forces, meeting, meshing_force, normal_forces, taken
 from rbpsym.mechanics.geometry import Geometry, pair

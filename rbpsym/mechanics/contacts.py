@@ -9,12 +9,11 @@ Kleppner & Kolenkow 2.5 and 7.6; Meriam & Kraige, Dynamics, 6/4.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, Vector, atoms, cartesian, derivative, is_zero, root, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import tidy
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, rotated
 from rbpsym.statement.curves import curve_body, toucher

@@ -7,12 +7,12 @@ has s = 0. About a place of rest the accelerations are those to first order. Gol
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 
 from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, names_in, substitute, symbol, total
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics import slipping, solutions
 from rbpsym.mechanics.elimination import Matrix, determinant, short, solve_linear, solve_matrix
 from rbpsym.mechanics.friction import slips

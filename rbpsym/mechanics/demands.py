@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import ONE, ZERO, Poly, atoms, cosine, generator, names_in, sine, with_exponentials_joined
@@ -15,6 +14,7 @@ from rbpsym.equality.assumptions import Assumptions, behind
 from rbpsym.equality.domain import IMPLIED
 from rbpsym.equality.rooted import neat, root_of
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential, open_factors
 from rbpsym.notation.machine import to_machine

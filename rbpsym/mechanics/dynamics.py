@@ -10,12 +10,12 @@ Kleppner & Kolenkow, ch. 7; Goldstein, 1.4; the projection is Jourdain's (Kane's
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from math import prod
 
 from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, substitute, total
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.errors import LimitError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.elimination import CONSTANT, Matrix, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.mechanics.unsolvable import asking, contradictory, indistinct, is_nonzero, massless, unheld

@@ -8,10 +8,10 @@ by substitution; a small dense block is solved by determinants, which stay polyn
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, ONE, UNITY, Scalar, derivative, is_zero, short, substitute, symbol
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
+from rbpsym.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,12 +8,12 @@ before. What of this depends on parameters is the condition under which the cont
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, substitute
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, Scalar, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
 from rbpsym.mechanics.elimination import short

@@ -7,11 +7,11 @@ side of a line a body is on, which way a straight string runs); it never decides
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
 from rbpsym.algebra import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NoNumber, StatementError
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.inertia import Inertia, tidy
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import BodyState, Pose, at_point

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol, time_derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces, slip_speed
 from rbpsym.mechanics.demands import Demand

@@ -8,10 +8,10 @@ forces. Beer & Johnston, Dynamics, 15.4 and 16.4; Meriam & Kraige, Dynamics, 5/6
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.elimination import Solution, solve_linear
 from rbpsym.mechanics.system import Condition, System

@@ -7,12 +7,12 @@ states of the bodies; they return the forces on each body.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.geometry import no_direction, pair
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.resistance import Resisted, resisted

@@ -10,10 +10,10 @@ of the impulses at all: then the momentum is kept. Kleppner & Kolenkow 4.4 and 7
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 from rbpsym.algebra import EX, EY, NOTHING, ORIGIN, Scalar, Vector, cartesian, depends_on, is_zero, short, substitute
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.arrivals import State, at_start
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear

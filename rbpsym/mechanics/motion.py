@@ -9,11 +9,11 @@ in it. The value is the integral from the start along the motion."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.roots import without_even_roots
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.dynamics import Dynamics, torque_about_center
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.mechanics.energy import is_conserved

@@ -7,13 +7,13 @@ that vanishes, and swings about there with ϑ² = -dq̈/dq (Goldstein, Classical
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, Scalar, derivative, function, is_zero, names_in, root, substitute
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium, where_stable

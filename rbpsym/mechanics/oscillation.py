@@ -14,7 +14,6 @@ coefficients are positive (Liénard and Chipart). Gantmacher, Theory of Matrices
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from itertools import combinations
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, derivative, is_zero, root, substitute, symbol, total
@@ -22,6 +21,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of, rooted
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, RbpsymError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short, solve_rows

@@ -9,7 +9,6 @@ Kleppner & Kolenkow 4.4, 7.6; Meriam & Kraige, Dynamics, 3/12, 6/8.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, Scalar, Style, depends_on, is_zero, names_in, symbol
 from rbpsym.algebra.evaluate import scalar
@@ -17,6 +16,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle

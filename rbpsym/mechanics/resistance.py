@@ -8,12 +8,12 @@ multiple of v, or the direction changes, nothing has to. Kleppner & Kolenkow 3.6
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from rbpsym.algebra import UNITY, Scalar, Vector, depends_on, root, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero, tidy
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import pair
 from rbpsym.statement.model import Element, PointRef
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
 from math import gcd
 
 from rbpsym.algebra import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import normal
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.elimination import short
 
 HALF = Fraction(1, 2)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Losses, pushes
 from rbpsym.mechanics.friction import FrictionNeed

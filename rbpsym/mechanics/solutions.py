@@ -8,7 +8,6 @@ the motion does and solves the equation is proved (`derivation.checks_solutions`
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, is_zero, symbol
@@ -18,6 +17,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import slips

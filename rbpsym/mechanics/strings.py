@@ -8,11 +8,10 @@ Kleppner & Kolenkow 2.4, 7.6.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rbpsym.algebra import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import Geometry, no_direction
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import Force

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import (
@@ -24,6 +23,7 @@ from rbpsym.algebra import (
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Scope, Vector, kept, substitute, time_derivative
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.paths import tensions

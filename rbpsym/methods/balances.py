@@ -8,13 +8,13 @@ of change is Σ (R - P) × M A + I_cm α.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import combinations
 
 from rbpsym.algebra import EX, EY, NOTHING, ONE, Scalar, Vector, depends_on, derivative, is_zero, present_ratio, short, substitute
 from rbpsym.algebra.normal import without_even_roots
 from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.errors import LimitError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import normal

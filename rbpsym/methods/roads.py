@@ -7,10 +7,10 @@ determine all accelerations. An unknown force that stands in none of its lines h
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 from rbpsym.algebra import is_zero
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.study import Study
 from rbpsym.methods.balances import LONGEST, MOST_CANDIDATES, MOST_EXTRA, Balance, all_balances, may_close, plan

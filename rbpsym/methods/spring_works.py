@@ -6,7 +6,6 @@ say): the law is seen for any natural length first.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import Scalar, atoms, short
@@ -14,6 +13,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.interactions import stretch
 from rbpsym.mechanics.motion import ForceWork, Work

@@ -6,12 +6,12 @@ What such a force does on one body it does with the opposite sign on the other, 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, short
 from rbpsym.derivation.chapters.inertia import turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics import energy, motion
 from rbpsym.mechanics.system import Force
 from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started, steady

@@ -5,13 +5,13 @@ Both halves of the work–energy theorem are then told with that one unknown, wh
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import NOTHING, ONE, PLAIN, Coefficient, Monomial, Poly, Scalar, Vector, short, split
 from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, StepRef
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.motion import ForceWork, Work

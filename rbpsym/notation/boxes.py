@@ -7,7 +7,9 @@ only one function a box.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import fields
+
+from rbpsym.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

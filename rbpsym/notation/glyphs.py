@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from types import MappingProxyType
 
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation.letters import NAME_OF_LETTER, SAME_LETTER, letter_named
 
 ACCENTS = ("hat", "bar", "tilde", "check")

@@ -8,10 +8,10 @@ library. Products may be implied (`2 ell`, `m g ell`, `3(x + 1)`); what can be r
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.errors import Place, RbpsymError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_grammar import expression
 from rbpsym.notation.infix_names import FUNCTIONS, InfixReader, tokenize

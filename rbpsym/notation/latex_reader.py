@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.errors import Place, RbpsymError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import latex_calculus, latex_formal, latex_functions, latex_packages
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation

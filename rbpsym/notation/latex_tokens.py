@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rbpsym.errors import LimitError
+from rbpsym.frozen import dataclass
 from rbpsym.notation.hyperbolic import HYPERBOLIC
 from rbpsym.notation.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.notation.source import Source, refused

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from fractions import Fraction as Rational
 
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation

@@ -7,11 +7,11 @@ a place is filled with is called a, b, c, d. Names of letters may be told under 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction as Rational
 from types import MappingProxyType
 from typing import Any
 
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, letter_name
 from rbpsym.notation.setting import plain_fraction, signed

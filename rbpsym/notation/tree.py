@@ -9,10 +9,11 @@ characters of the source it was read from) takes no part in comparison.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import fields
 from fractions import Fraction
 from functools import cache
 
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.showing import Shown
 
 

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
 
 from rbpsym.algebra import ONE, Poly, Scalar, atoms, elliptic
+from rbpsym.frozen import dataclass
 
 FUNCTIONS: Mapping[str, Callable[[np.ndarray], np.ndarray]] = {
     "symbol": np.positive,  # a name that is defined by a formula

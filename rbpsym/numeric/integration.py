@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass
 
 if TYPE_CHECKING:
     from scipy.integrate import DenseOutput, OdeSolution

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Protocol
 
 from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Vector, depends_on, function, shorten, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import Undecided
+from rbpsym.frozen import dataclass, field
 from rbpsym.quantities import Dimension
 
 

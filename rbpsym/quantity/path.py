@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from hashlib import blake2b
 from itertools import product
 
@@ -21,6 +20,7 @@ from rbpsym.equality.domain import Condition
 from rbpsym.equality.points import Point
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t

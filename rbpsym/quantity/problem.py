@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Space, Vector, kept, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import pair, position
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force

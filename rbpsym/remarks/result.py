@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import Scalar, is_zero, names_in
@@ -12,6 +11,7 @@ from rbpsym.derivation.step import Certificate, Derivation, Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import ZERO

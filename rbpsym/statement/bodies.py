@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation.tree import ONE, ZERO, Fn, Node, Num, add, mul, neg
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element

@@ -6,11 +6,11 @@ The grammar, with examples, is docs/courses.md.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 
 from rbpsym.errors import Place, ReadError, StatementError
+from rbpsym.frozen import dataclass, field
 from rbpsym.statement.checks import check_marks
 from rbpsym.statement.library import course_files
 from rbpsym.statement.loader import load_table

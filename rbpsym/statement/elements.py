@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
+from rbpsym.frozen import dataclass
 from rbpsym.statement.kinds import ElementKind, Field, known_names
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path

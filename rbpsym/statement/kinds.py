@@ -7,11 +7,11 @@ all read these tables; the mechanics of a kind stands in `mechanics` under the s
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from itertools import starmap
 from types import MappingProxyType
 from typing import TypeVar
 
+from rbpsym.frozen import dataclass, replace
 from rbpsym.quantities import DIMENSIONS, Dimension
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, count
 
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.notation.glyphs import ACCENTS, DOTS, Notation, notation_for
 from rbpsym.notation.symbol_table import Drawn, drawn_glyph
 from rbpsym.statement.checks import unknowns_of

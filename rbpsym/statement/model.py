@@ -8,10 +8,10 @@ x' axis at the body's `angle`, counter-clockwise from +x.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 from typing import Any
 
 from rbpsym.errors import Place, StatementError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation.tree import ZERO, Node
 from rbpsym.quantities import TIME, Dimension, Quantity
 from rbpsym.showing import Shown

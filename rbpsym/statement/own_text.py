@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from rbpsym.errors import Place, StatementError
+from rbpsym.frozen import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)

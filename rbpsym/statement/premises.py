@@ -8,11 +8,11 @@ is left to the obligations of the steps that need it. The algebra is imported on
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from math import prod
 from typing import TYPE_CHECKING
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 from rbpsym.quantities import Quantity

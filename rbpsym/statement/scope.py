@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import written_otherwise
 from rbpsym.notation.tree import Add, Node, Num, Sym, walk

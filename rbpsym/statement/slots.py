@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
+from rbpsym.frozen import dataclass, field
 from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.statement.bodies import VARIABLE_DIMENSIONS
 from rbpsym.statement.constraints import CONSTRAINTS

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.errors import StatementError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.tree import ZERO, Fn, Node, Num, Sym, add, div, mul, neg

@@ -7,7 +7,6 @@ errors tell differ: `file:line:column`, or the path of the key ("pendulum: bodie
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
 from datetime import date, datetime, time
 from decimal import Decimal
 from difflib import get_close_matches
@@ -15,6 +14,7 @@ from fractions import Fraction
 from unicodedata import category
 
 from rbpsym.errors import Place, RbpsymError, StatementError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.statement.hints import other_word
 from rbpsym.statement.positions import Path, PositionIndex, place_at
 

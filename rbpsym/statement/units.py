@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from difflib import get_close_matches
 from fractions import Fraction
 from functools import lru_cache
@@ -15,6 +14,7 @@ from math import pi
 from types import MappingProxyType
 
 from rbpsym.errors import Place, ReadError
+from rbpsym.frozen import dataclass
 from rbpsym.quantities import Dimension
 
 # --- units in words, as siunitx has them, and written close together: metres per second squared, \per\second, ms^-1

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym.algebra import NOTHING, Scalar, Value, is_zero, names_in
@@ -19,6 +18,7 @@ from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.notes import notation_of
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.infix import read_relation

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
 
 from rbpsym.algebra import Scalar, Space, Value, is_zero, names_in
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 
 Valued = Callable[[t.Node], Value | None]

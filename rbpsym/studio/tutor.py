@@ -8,7 +8,6 @@ the reason. A hint tells the next step that can be made: its sentence, then its 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +19,7 @@ from rbpsym.document.telling import Teller
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex

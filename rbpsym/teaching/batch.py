@@ -6,13 +6,13 @@ import gc
 import json
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from threading import Lock
 
 from rbpsym.document.files import write_whole
+from rbpsym.frozen import dataclass, replace
 from rbpsym.teaching.executor import Crew, Journal, run
 from rbpsym.teaching.formats import Options, exporter
 from rbpsym.teaching.model import Student, Worksheet

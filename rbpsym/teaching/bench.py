@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import TypeVar
 
 from rbpsym.algebra import Scalar, is_zero
@@ -13,6 +12,7 @@ from rbpsym.document.model import Inlines
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation

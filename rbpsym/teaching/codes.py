@@ -9,12 +9,12 @@ a file that was changed meanwhile is noticed.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from hashlib import sha256
 from typing import TypeVar
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 
 ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # Crockford's: no I, L, O, U
 READ_AS = str.maketrans("ILO", "110")

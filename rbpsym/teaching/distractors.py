@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import Scalar, at_most, atoms, same, spend
 from rbpsym.algebra.present import present
@@ -20,6 +19,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import FIRST_POINTS, find_witness, scalars_equal
 from rbpsym.equality.dimensions import dimension_of
 from rbpsym.errors import LimitError, RbpsymError, Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import Dimension

@@ -14,13 +14,13 @@ import threading
 from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from contextlib import suppress
-from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 
 # --- the journal of a long run: what is done, one line a job, so that an interrupt loses nothing
 # The first line says what the run is about; a journal of another run is put aside, not mixed in. A line

@@ -6,11 +6,11 @@ A new format is a module of `exports` with a function `(worksheets, options) -> 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from importlib import import_module
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.teaching.model import Worksheet
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import STANDARD, Step
+from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
 from rbpsym.notation.places import Path, put
 from rbpsym.teaching.bench import ProblemBench

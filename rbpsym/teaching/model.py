@@ -12,11 +12,11 @@ a choice, the comments of the marks and the response trees of a learning platfor
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from rbpsym.document.model import Block, Inlines
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.tree import Node, Sym
 from rbpsym.quantities import NUMBER, Dimension

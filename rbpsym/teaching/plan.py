@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
 
@@ -20,6 +19,7 @@ from rbpsym.document.language import common_notation
 from rbpsym.document.model import Block, Paragraph, words
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.library import course_files, find_problem, not_found, problem_files, worksheet_files
 from rbpsym.statement.loader import load_problem, load_table

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension

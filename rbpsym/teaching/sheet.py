@@ -6,11 +6,11 @@ Errors tell the place with a caret, as those of problem files do.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, table_of
 from rbpsym.statement.model import Problem

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 from rbpsym.algebra import Scalar, calculus, is_zero
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER

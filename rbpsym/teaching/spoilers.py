@@ -7,10 +7,10 @@ torque about all points, and a force is as great as the one against it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 
 from rbpsym.algebra import Scalar, Value, short, value
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 

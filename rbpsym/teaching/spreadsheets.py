@@ -10,10 +10,10 @@ import io
 import re
 import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from rbpsym.errors import Place, RbpsymError, ReadError
+from rbpsym.frozen import dataclass, field
 from rbpsym.statement.files import text_in
 from rbpsym.teaching.model import Student
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
@@ -20,6 +19,7 @@ from rbpsym.derivation.chapters.inertia import turns_about
 from rbpsym.derivation.step import BodyRef, Derivation, QuestionRef
 from rbpsym.equality.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import along_motion

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import NOTHING, Scalar, Space, depends_on, derivative, substitute
@@ -17,6 +16,7 @@ from rbpsym.equality.points import names_of
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Kind, Verdict, all_of, refuted
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.text import to_text

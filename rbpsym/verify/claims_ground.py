@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -15,6 +14,7 @@ from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.decide import PLAIN, cross_difference, scalars_equal
 from rbpsym.equality.points import all_atoms
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_tokens import tokenize
 from rbpsym.notation.letters import NAME_OF_LETTER

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from enum import StrEnum
 
 from rbpsym.errors import Place
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation.tree import Node
 
 

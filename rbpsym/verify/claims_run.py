@@ -11,13 +11,14 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict
 from hashlib import blake2b
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import granted
 from rbpsym.errors import RbpsymError, ReadError, StatementError, WorkSpent
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation.tree import Chain
 from rbpsym.quantity.bound import World
 from rbpsym.statement.source import did_you_mean

@@ -9,7 +9,6 @@ body of three particles.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 
 from rbpsym import quantities as dimensions
 from rbpsym.algebra import NOTHING, Scalar, Scope, Space, atoms, cartesian, depends_on, kept, space_derivative, substitute, symbol
@@ -18,6 +17,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.derivation import theory_ground as theory
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.quantity.bound import Bound, Motion, axial, number, plane
 from rbpsym.statement.source import did_you_mean
 

@@ -6,7 +6,6 @@ Parameters of the same name are the same quantities.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import NOTHING, ONE, Scalar, Scope, Value, depends_on, is_zero, present_ratio, root, substitute, value
 from rbpsym.algebra.present import present
@@ -15,6 +14,7 @@ from rbpsym.derivation.assertions import told
 from rbpsym.derivation.step import BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium

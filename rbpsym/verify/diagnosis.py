@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import Scalar, depends_on, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.places import Path, put, sites

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
 from functools import partial
 
 from rbpsym.algebra import Space
 from rbpsym.algebra.present import present
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_grammar import DEGREE

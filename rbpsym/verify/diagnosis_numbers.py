@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from hashlib import blake2b
 from typing import Any
 
 from rbpsym.algebra import Scalar, Space, root
 from rbpsym.algebra import value as exact_value
 from rbpsym.errors import NoNumber, RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.numbers import FUNCTIONS as OF_SCALARS
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t

@@ -10,7 +10,6 @@ Mechanics, 1.4 and 2.4).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, at_most, derivative, names_in, root, substitute, symbol, total
@@ -22,6 +21,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.verdict import PROVED, Verdict, all_of, proved, undecided
 from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics

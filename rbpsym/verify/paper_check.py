@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Outcome, Printed, Result, Setting
 from rbpsym.verify.claims_run import digest

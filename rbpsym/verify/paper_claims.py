@@ -11,11 +11,11 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 from itertools import islice, takewhile
 from pathlib import Path
 
 from rbpsym.errors import ReadError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_ground import glossary
 from rbpsym.verify.claims_loader import HOLDS

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import islice, product
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_reader import latex_ways

@@ -6,10 +6,10 @@ import re
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from itertools import takewhile
 
 from rbpsym.errors import LimitError, RbpsymError, ReadError
+from rbpsym.frozen import dataclass
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
 MOST_FAULTS = 20  # definitions that are never closed

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
+from rbpsym.frozen import dataclass
 from rbpsym.statement.files import latin_or_utf8_in
 from rbpsym.verify.paper_formats import LATEX, NOTE, NOTE_END, lines_of
 from rbpsym.verify.paper_macros import site_macros

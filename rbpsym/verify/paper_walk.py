@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from itertools import takewhile
 from pathlib import Path
 
+from rbpsym.frozen import dataclass, replace
 from rbpsym.verify.paper_formats import ROWED, SINGLE
 from rbpsym.verify.paper_macros import LONGEST, Macro, definitions
 from rbpsym.verify.paper_numbers import COMMANDS, Counters

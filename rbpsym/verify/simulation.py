@@ -10,12 +10,12 @@ state, and along the motion from the declared start.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 
 import numpy as np
 
 from rbpsym.algebra import NOTHING, Scalar, Vector
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import senses

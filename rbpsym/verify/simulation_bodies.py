@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import Scalar
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.numbers import Values
 from rbpsym.notation.tree import Node, Sym, walk

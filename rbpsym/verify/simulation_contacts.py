@@ -11,12 +11,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.numbers import FUNCTIONS, Values
 from rbpsym.notation.tree import neg
 from rbpsym.statement.model import Element, PointRef, Turn

@@ -7,10 +7,10 @@ the force's direction on the body that the statement means.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from rbpsym.algebra import derivative
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.frozen import dataclass
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Element
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State, placed

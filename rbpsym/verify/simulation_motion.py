@@ -7,11 +7,11 @@ unknown forces are the multipliers λ. Nothing of the symbolic solution is used.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass
 from rbpsym.numeric.integration import Rate, followed
 from rbpsym.verify.simulation_bodies import Law, Load, Mechanism, State
 from rbpsym.verify.simulation_joints import Kept, Row

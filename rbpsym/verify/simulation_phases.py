@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from copy import copy
-from dataclasses import dataclass, replace
 
 import numpy as np
 
 from rbpsym.algebra import Scalar
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study

@@ -7,7 +7,6 @@ squares through these relations alone. A state to start from satisfies every con
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -15,6 +14,7 @@ import numpy as np
 from rbpsym.algebra import Scalar, derivative, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.numbers import Values
 from rbpsym.notation.tree import Node
 from rbpsym.verify.simulation_bodies import Mechanism, State

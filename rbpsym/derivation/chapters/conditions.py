@@ -7,8 +7,6 @@ only shown in full detail. Kleppner & Kolenkow 7.6; Meriam & Kraige, Dynamics, 5
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rbpsym.algebra import NOTHING, Scalar, Vector, is_zero, time_derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.places import (
@@ -25,6 +23,7 @@ from rbpsym.derivation.chapters.places import (
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, PhraseRef
 from rbpsym.equality.signs import sign
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, rim_of
 from rbpsym.mechanics.elimination import short

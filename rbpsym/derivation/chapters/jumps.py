@@ -4,13 +4,12 @@ changes.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rbpsym.algebra import Scalar, substitute, symbol
 from rbpsym.derivation.chapters.endings import speed_symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step
 from rbpsym.equality.rooted import neat
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.impulse import Moment, impulsive, restitutions
 from rbpsym.mechanics.jumps import Jump, road

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rbpsym.algebra import Scalar, Scope, Vector, depends_on, time_derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.conditions import full_rates
 from rbpsym.mechanics.constraints import JOINTS

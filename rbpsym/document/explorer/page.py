@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of

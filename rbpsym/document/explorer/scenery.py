@@ -7,12 +7,12 @@ interactions, lines, circles and strings, in space. `put` gives the place of a v
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import Scalar, Vector, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.pose import touched_radii
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry, pair

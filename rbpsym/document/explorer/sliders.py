@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 
 from rbpsym.document.explorer.stage import start_name
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.numbers import bound, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t

@@ -8,7 +8,6 @@ kinetic friction, the friction that is left, the range of a coordinate.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, symbol
@@ -16,6 +15,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.explorer.events import events
 from rbpsym.document.explorer.javascript import Program, function
 from rbpsym.document.explorer.scenery import scenery
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import CONSTANT, linear_row
 from rbpsym.mechanics.numbers import sample

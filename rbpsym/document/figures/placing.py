@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 
 from rbpsym.document.breaking import node_height, node_width
 from rbpsym.document.figures import scene as s
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation.glyphs import DEFAULT, Notation
 
 Box = tuple[float, float, float, float]

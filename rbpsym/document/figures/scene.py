@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 
+from rbpsym.frozen import dataclass
 from rbpsym.notation.tree import Node
 
 Point = tuple[float, float]

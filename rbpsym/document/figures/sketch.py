@@ -7,9 +7,10 @@ fit), angles in radians, counter-clockwise from +x. `label`s are formulas or sho
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 
 from rbpsym.document.figures.scene import Point
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation.tree import Node
 
 Caption = Node | str | None

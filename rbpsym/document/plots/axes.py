@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from rbpsym.document.figures.placing import Box, grown
 from rbpsym.document.figures.scene import Point
+from rbpsym.frozen import dataclass
 
 TICKS = 4  # about as many steps on an axis
 NEAR = 5e-3  # of a step: so little beyond the end a tick still stands

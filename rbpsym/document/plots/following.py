@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -17,6 +16,7 @@ from rbpsym.algebra import Scalar
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.moving import REASONS, Moving, at, reactions, require_motion
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.endings import State as Ending
 from rbpsym.mechanics.events import pushes

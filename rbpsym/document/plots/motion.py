@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -14,6 +13,7 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.document.moving import require_motion
 from rbpsym.document.plots.following import Leg, leg
 from rbpsym.document.plots.scales import Scales, scales
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.phases import stages
 
 MANY, FEW = 10, 5  # of many turns forces, works and energies are shown over a few

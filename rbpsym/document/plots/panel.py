@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import count, cycle
 
 import numpy as np
@@ -13,6 +12,7 @@ from rbpsym.document.figures.placing import grown, label_size, overlap
 from rbpsym.document.figures.scene import STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
 from rbpsym.document.plots.axes import Axis, axis, lengths, places
 from rbpsym.document.plots.scales import Scale
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.errors import NotApplicable
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity

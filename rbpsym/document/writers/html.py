@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-from dataclasses import dataclass
 from functools import cache
 
 from markupsafe import Markup, escape
@@ -18,6 +17,7 @@ from rbpsym.document.model import Display
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.frozen import dataclass
 from rbpsym.notation import boxes as b
 from rbpsym.notation.mathml import render, to_mathml
 from rbpsym.notation.tree import Node

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
@@ -12,6 +11,7 @@ from rbpsym.document.escaping import markdown_text
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
 from rbpsym.document.writers.page import Page, body, prints
+from rbpsym.frozen import dataclass
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.letters import script
 

@@ -6,7 +6,6 @@ import base64
 import json
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rbpsym.document.model import Block, Callout, Display, Document, FigureBlock, Live, Section
 from rbpsym.document.numbering import numbered
@@ -14,6 +13,7 @@ from rbpsym.document.pictures import easiest, pictures
 from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
 from rbpsym.document.writers.page import page_of
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.frozen import dataclass
 
 SCREEN = 110.0  # dots an inch
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}

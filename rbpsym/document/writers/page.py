@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 from functools import cache
 
 from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
 from rbpsym.document.phrases import plain
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation.glyphs import Notation
 
 Print = Callable[[object, "Page"], str]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
 from itertools import groupby
 
 from rbpsym.document import breaking
@@ -16,6 +15,7 @@ from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import LATEX, anchor, blocks, source_of
 from rbpsym.document.writers.page import Page, Print, page_for, page_of
 from rbpsym.document.writers.pdf import compiled, has_pdflatex
+from rbpsym.frozen import dataclass, replace
 
 # --- what slides show of a document: its figures, its results with the step to which their words point, and what is asked
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, field
 from textwrap import wrap
 
 import click
@@ -14,6 +13,7 @@ from rbpsym.document.escaping import columns, padded
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Chain, System

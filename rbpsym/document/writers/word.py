@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
@@ -14,6 +13,7 @@ from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, prints
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_xml import STAYS, Cell, TableLook, link, paragraph, safe, table_of, text_run
+from rbpsym.frozen import dataclass
 from rbpsym.notation.layout import layout
 from rbpsym.notation.omml import NOTHING, formula, render, to_omml
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
@@ -13,6 +12,7 @@ from rbpsym.document.model import Document, ItemList
 from rbpsym.document.numbering import parts
 from rbpsym.document.pictures import Picture, pictures
 from rbpsym.document.writers.word_xml import UNPRINTABLE, W
+from rbpsym.frozen import dataclass
 from rbpsym.notation.omml import NAMESPACE
 
 LETTERS = "Cambria"

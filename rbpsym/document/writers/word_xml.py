@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 import zlib
 from collections.abc import Sequence
-from dataclasses import dataclass
 from html import escape
+
+from rbpsym.frozen import dataclass
 
 W = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from hashlib import sha256
 from itertools import islice
@@ -12,6 +11,7 @@ from typing import Any
 from rbpsym.document.model import Block, FigureBlock, Inlines
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.frozen import dataclass, field
 from rbpsym.teaching.exports.page import TEX, PictureTag, SetFormula, image, slug, svg, table, zipped
 from rbpsym.teaching.formats import Exported
 from rbpsym.teaching.model import Item, OrderKey, Slip, Worksheet

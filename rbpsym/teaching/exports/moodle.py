@@ -8,11 +8,11 @@ from __future__ import annotations
 import base64
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from markupsafe import Markup
 
 from rbpsym.document.model import Text
+from rbpsym.frozen import dataclass
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 from uuid import UUID, uuid5
 
@@ -12,6 +11,7 @@ from markupsafe import Markup, escape
 
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.writers.page import shell
+from rbpsym.frozen import dataclass
 from rbpsym.notation.latex import to_latex
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m

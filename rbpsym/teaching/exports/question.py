@@ -7,13 +7,13 @@ of `KINDS`: a formula as a choice among known wrong ones, an order pair by pair,
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from markupsafe import escape
 
 from rbpsym.document.model import Math, Text
+from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from rbpsym.algebra import Scalar
@@ -12,6 +11,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.ground import GradingGround

@@ -7,7 +7,6 @@ sum; what is proved with these relations alone holds for the roots. A refutation
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
@@ -17,6 +16,7 @@ from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.decide import cross_difference, scalars_equal
 from rbpsym.equality.factoring import primes
 from rbpsym.equality.verdict import Verdict, undecided
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
 
 from rbpsym.algebra import BARE, Scalar, Scope
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.glyphs import Notation, glyph, renamed
 from rbpsym.notation.letters import without_accents

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
 from operator import add
@@ -15,6 +14,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.enclosure import Enclosure, Number, Outside
 from rbpsym.equality.points import Point, points
 from rbpsym.equality.verdict import Verdict, Witness, refuted, undecided
+from rbpsym.frozen import dataclass, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.tree import Node

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from fractions import Fraction
 from typing import Any
 
 from rbpsym.equality.verdict import Witness
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.teaching.model import Slip
 
 ALL, NONE, HALF = Fraction(1), Fraction(0), Fraction(1, 2)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
 from hashlib import sha256
@@ -13,6 +12,7 @@ from types import MappingProxyType
 
 from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.teaching.batch import TURN, findable, known_plan
 from rbpsym.teaching.executor import Journal, crew, run
 from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet

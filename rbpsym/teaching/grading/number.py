@@ -7,11 +7,11 @@ a guess with a fitting unit earns nothing, and neither does a zero.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor, isfinite, log10, pi
 
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.statement.units import PURE, UnitOf, read_unit
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
@@ -32,7 +32,7 @@ class Wanted:
 
     exact: float
     unit: UnitOf = PURE
-    tolerance: Tolerance = Tolerance()  # noqa: RUF009  (frozen)
+    tolerance: Tolerance = Tolerance()
     anticipated: tuple[Anticipated, ...] = ()
     carried: tuple[float, ...] = ()
     language: str = "en"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.equality import enclosure
 from rbpsym.equality.dimensions import dimension_of
 from rbpsym.equality.enclosure import ends
 from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.units import UnitOf, read_unit

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -11,6 +10,7 @@ from rbpsym.algebra import Scalar, Vector, is_zero
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.errors import NoNumber
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 
 from rbpsym.document.model import Block, Display, FigureBlock, Inlines, Math, Paragraph
+from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 

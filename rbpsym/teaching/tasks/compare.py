@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -13,6 +12,7 @@ from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Display, Math, Paragraph
 from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
 from rbpsym.algebra import Scalar, is_zero, substitute
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
+from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, sentence
 from rbpsym.teaching.codes import Draws

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from rbpsym.algebra import NOTHING
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.model import Block, FigureBlock, Math, Paragraph, Table
 from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ENERGY
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, given_as

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Inlines, Paragraph
+from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench

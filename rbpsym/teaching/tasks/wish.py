@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from fractions import Fraction
 
 from rbpsym.document.model import Block
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.statement.source import SourceItem as Entry
 from rbpsym.statement.source import did_you_mean
 from rbpsym.teaching import model as m
