@@ -7,10 +7,11 @@ the methods are closures over the fields, which the standard library still colle
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import MISSING, FrozenInstanceError
 from dataclasses import field as field
 from operator import attrgetter
+from types import MemberDescriptorType
 from typing import TYPE_CHECKING, Any, NoReturn
 
 if TYPE_CHECKING:
@@ -38,14 +39,17 @@ def _frozen(cls: Any, slots: bool, eq: bool, repr: bool) -> Any:
         cls.__doc__ = cls.__name__  # else its signature would be looked up and written
     cls = dataclasses.dataclass(init=False, eq=False, repr=False, slots=slots)(cls)
     fields = dataclasses.fields(cls)
-    methods = {"__setattr__": _unchanged, "__delattr__": _unchanged, "__init__": _constructor(cls, fields)}
+    methods: dict[str, Any] = {"__setattr__": _unchanged, "__delattr__": _unchanged, "__init__": _constructor(cls, fields)}
     if slots:
         methods |= {"__getstate__": _state, "__setstate__": _restored}
     if repr and "__repr__" not in own:
         methods["__repr__"] = _written
     if eq:
-        equal, hashed = _compared(tuple(f.name for f in fields if f.compare))
-        methods |= {name: made for name, made in (("__eq__", equal), ("__hash__", hashed)) if _is_wanted(name, cls, own)}
+        made = {
+            "__eq__": _equal(_key(f.name for f in fields if f.compare)),
+            "__hash__": _hashed(_key(f.name for f in fields if (f.compare if f.hash is None else f.hash))),
+        }
+        methods |= {name: method for name, method in made.items() if _is_wanted(name, cls, own)}
     for name, method in methods.items():
         setattr(cls, name, method)
     return cls
@@ -57,7 +61,7 @@ def _is_wanted(name: str, cls: Any, own: set[str]) -> bool:
 
 
 def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
-    taken = sorted((f for f in fields if f.init), key=lambda f: f.kw_only)
+    taken = sorted((f for f in fields if f.init), key=lambda f: f.kw_only is True)
     names = tuple(f.name for f in taken)
     puts = tuple(_put(cls, name) for name in names)
     count, places = len(names), sum(not f.kw_only for f in taken)
@@ -99,22 +103,29 @@ def _values(kind: str, fields: Sequence[Any], places: int, values: tuple[Any, ..
 def _put(cls: Any, name: str) -> Callable[[Any, Any], None]:
     """What sets a field although the value is frozen: of the slot itself where there is one."""
     slot = getattr(cls, name, None)
-    if type(slot).__name__ == "member_descriptor":
-        return slot.__set__  # type: ignore[union-attr]
+    if isinstance(slot, MemberDescriptorType):
+        return slot.__set__
     return lambda value, part: object.__setattr__(value, name, part)
 
 
-def _compared(names: tuple[str, ...]) -> tuple[Callable[[Any, Any], Any], Callable[[Any], int]]:
-    """Equality and hash by the values of these fields."""
-    key = attrgetter(*names) if len(names) > 1 else lambda value: tuple(getattr(value, name) for name in names)
+def _key(names: Iterable[str]) -> Callable[[Any], Any]:
+    """The values of these fields."""
+    names = tuple(names)
+    return attrgetter(*names) if len(names) > 1 else lambda value: tuple(getattr(value, name) for name in names)
 
+
+def _equal(key: Callable[[Any], Any]) -> Callable[[Any, Any], Any]:
     def __eq__(self: Any, other: Any) -> Any:
         return key(self) == key(other) if other.__class__ is self.__class__ else NotImplemented
 
+    return __eq__
+
+
+def _hashed(key: Callable[[Any], Any]) -> Callable[[Any], int]:
     def __hash__(self: Any) -> int:
         return hash(key(self))
 
-    return __eq__, __hash__
+    return __hash__
 
 
 def _unchanged(self: Any, name: str, *value: Any) -> NoReturn:
