@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, substitute
+from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, substitute, symbol
 from rbpsym.algebra.present import present
 from rbpsym.ask import in_time
 from rbpsym.ask.begun import before, needed, resting_on
@@ -169,7 +169,7 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> S
     met = (*found.asked, *(found.moment.state.valid if found.moment else ()), *lasts)
     parted = f"{name}_" if "_" not in name else name
     marks = "xy" if not found.told.startswith("osc") else range(1, len(found.values) + 1)
-    letters = [name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
+    letters = [_own_letter(found) or name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
     letters = [draft.free(letter) for letter in letters]
     pairs = zip(letters, found.values, strict=True)
     rows = [t.equation(t.Sym(letter), draft.show(value, factor=True, met=met)) for letter, value in pairs]
@@ -198,6 +198,19 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> S
     phrase = "ask.there" if found.study.at_start else "ask.answer"
     return draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
+
+
+def _own_letter(found: Found) -> str:
+    """At a moment a quantity that has a name keeps it: N_0 at the start, N_1 later, v_1; "" for others."""
+    names = names_in(found.named[0])
+    if found.moment is None or found.study.at_start or found.told or len(names) != 1 or found.named[0] != symbol(*names):
+        return ""
+    [own] = names
+    number = 0 if found.moment.how == "start" else 1
+    base, dot, rate = own.rpartition("_")
+    if alias := found.study.problem.notation.get(own):
+        return f"{alias}_{number}"
+    return f"{base}_{number}_{rate}" if dot and rate in ("dot", "ddot") else f"{own}_{number}"
 
 
 def _direction(draft: Draft, question: Question, found: Found) -> tuple[Step, tuple[Scalar]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import replace
 
+from rbpsym.algebra import names_in, symbol
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused
 from rbpsym.derivation.assertions import Said
@@ -56,7 +57,16 @@ def asked(answers: tuple[Found, ...], stated: Mapping[int, Ref], said: Words) ->
 
 def _stated(found: Found, shown: Mapping[t.Node, Inline]) -> Ref | None:
     """Where a step on the page states an answer as it is."""
-    return next((mark for step in _equal(found) if isinstance(mark := shown.get(ends(step.statement)), Ref)), None)
+    own = found.steps[-1] if _states(found) and len(found.nodes) == 1 and not _has_more(found) else None
+    rows = [*(ends(step.statement) for step in _equal(found)), *(_by_name(own) if own else ())]
+    return next((mark for row in rows if isinstance(mark := shown.get(row), Ref)), None)
+
+
+def _by_name(step: Step) -> Iterator[t.Node]:
+    """What a step says of a letter, said of the quantity with a name for which the letter stands."""
+    for letter, value in step.data.get("of", {}).items() if isinstance(step.data.get("of"), Mapping) else ():
+        if len(names := names_in(value)) == 1 and value == symbol(*names) and isinstance(step.statement, t.Chain):
+            yield t.relation(t.Sym(*names), step.statement.ops[-1], step.statement.items[-1])
 
 
 def _equal(found: Found) -> list[Step]:
@@ -133,7 +143,8 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     """The steps beyond what is told; adds to what is shown."""
     last = found.steps[-1:] if _states(found) else ()
     before = [replace(step, is_result=False) for step in found.steps[: len(found.steps) - len(last)]]
-    known = {step.id: shown[ends(step.statement)] for step in before if ends(step.statement) in shown}
+    rows = ((step.id, row) for step in before for row in (ends(step.statement), *_by_name(step)))
+    known = {id: shown[row] for id, row in rows if row in shown}
     new = [*(step for step in before if step.id not in known), *(() if said.is_brief else last)]
     equal = {step.id for step in _equal(found)}
     if not said.is_brief and any(step.id in equal for step in new):

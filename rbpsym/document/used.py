@@ -13,7 +13,7 @@ from rbpsym.notation import tree as t
 CONCLUSIONS: Mapping[str, Collection[str]] = {
     "kinematics": ("constraint", "no_slip", "taut", "tied"),
     "forces": ("torque", "force"),
-    "motion": ("solution",),
+    "motion": ("solution", "conservation"),
     "reactions": ("solution",),
     "contact": ("substitution", "stays", "inequality", "vanishing", "value_there", "asked", "identity"),
     "oscillations": ("normal_modes", "mode_shape", "hurwitz", "motion_of_mode", "open_balance"),

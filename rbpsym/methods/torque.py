@@ -61,7 +61,10 @@ def _balances(draft: Draft, found: Plan) -> list[Step]:
 
 def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
     if balance.kind == "force":
-        return _push(draft, balance)
+        pushed = _push(draft, balance)
+        if balance.left and not balance.right:
+            _kept_momentum(draft, balance, pushed)
+        return pushed
     whole = _rate(draft, balance, _net_torque(draft, balance))
     if _is_of_parts(draft, balance):
         by_bodies(draft, balance, settled)
@@ -187,6 +190,22 @@ def _push(draft: Draft, balance: Balance) -> Step:
         axis=axis,
         variant="whole" if whole else "one",
         data={"along": balance.where, "bodies": balance.bodies},
+    )
+
+
+def _kept_momentum(draft: Draft, balance: Balance, pushed: Step) -> None:
+    """The momentum along a direction in which no outer force acts, by its name."""
+    states = (draft.study.system.bodies[name] for name in balance.bodies)
+    value = short(sum((state.mass * state.velocity.dot(balance.where) for state in states), NOTHING))
+    letter = draft.define(draft.free(f"P_{balance.label.split(' ')[0]}", "tot"), value)
+    draft.add(
+        f"kept.{balance.label}.{'.'.join(balance.bodies)}",
+        "conservation",
+        t.equation(letter, draft.show(value)),
+        "torque.kept",
+        premises=[pushed.id],
+        letter=letter,
+        data={"value": value},
     )
 
 

@@ -118,19 +118,24 @@ def _total(draft: Draft, bodies: list[str], label: str) -> None:
 
 def kept(draft: Draft) -> list[str]:
     """The ids of the steps that say which momenta ∂E/∂q̇ are kept."""
-    return [
-        draft.add(
-            f"kept.{name}",
-            "conservation",
-            t.equation(draft.define(draft.free(f"p_{name}"), momentum), draft.show(momentum)),
-            "energy.momentum",
-            is_result=True,
-            premises=draft.those(f"motion.{name}"),
-            data={"value": momentum},
-            coordinate=t.Sym(name),
-        ).id
-        for name, momentum in draft.study.kept_momenta.items()
-    ]
+    return [_kept(draft, name, momentum) for name, momentum in draft.study.kept_momenta.items()]
+
+
+def _kept(draft: Draft, name: str, momentum: Scalar) -> str:
+    """The balance of forces may have said it of the whole."""
+    known = (step for step in draft.steps if step.rule == "conservation" and step.data["value"] == momentum)
+    if (said := next(known, None)) is not None:
+        return said.id
+    return draft.add(
+        f"kept.{name}",
+        "conservation",
+        t.equation(draft.define(draft.free(f"p_{name}"), momentum), draft.show(momentum)),
+        "energy.momentum",
+        is_result=True,
+        premises=draft.those(f"motion.{name}"),
+        data={"value": momentum},
+        coordinate=t.Sym(name),
+    ).id
 
 
 def kept_speeds(draft: Draft, wanted: Iterable[str]) -> None:
