@@ -184,7 +184,7 @@ def _braced(reader: LatexReader) -> t.Node:
     found = argument(reader)
     if not reader.pass_sign(mark):
         return found
-    name = argument(reader)
+    name = _end(reader)
     words = all(isinstance(part, (t.Word, t.Mul)) for part in t.walk(name))
     return found if words else formal(reader, start, "named", found, name)
 

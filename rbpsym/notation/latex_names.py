@@ -22,7 +22,7 @@ _DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 _HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
 _LONGEST = 24
 _MARKED = frozenset("+-*=()/<>|;:.")  # what a label may hold beside letters and digits
-_NAMES = ("max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times")
+_NAMES = ("pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times")
 _NAMED = frozenset(rf"\{word}" for word in _NAMES)
 
 
@@ -130,8 +130,24 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
         more, _ = _scripted(reader)  # the vector from A to B
         drawn = replace(drawn, base=drawn.base + drawn.label + more.base, label=more.label)
     if inside:
+        if token.text in _VECTORS and reader.sees_sign("("):
+            _close_before(reader)
         reader.expect("}", opening)
     return _with_accent(drawn, token.text), vector or token.text in _VECTORS
+
+
+def _close_before(reader: LatexReader) -> None:
+    r"""Read \mathbf{r(t)} as \mathbf{r}(t): what is closed behind the parenthesis is closed before it."""
+    depth, place = 0, reader.position
+    while place < len(reader.tokens) - 1:
+        text = reader.tokens[place].text
+        depth += (text == "(") - (text == ")")
+        place += 1
+        if not depth:
+            break
+    if reader.tokens[place].text == "}":
+        begin, tokens = reader.position, reader.tokens
+        reader.tokens = (*tokens[:begin], tokens[place], *tokens[begin:place], *tokens[place + 1 :])
 
 
 def _with_accent(drawn: Drawn, command: str) -> Drawn:
@@ -143,9 +159,10 @@ def _with_accent(drawn: Drawn, command: str) -> Drawn:
     )
 
 
-def label_after(reader: LatexReader) -> str:
-    """The subscript that follows, as one label."""
-    reader.take()
+def label_after(reader: LatexReader, *, begun: bool = False) -> str:
+    """The subscript that follows, as one label; `begun`: behind its sign, or what stands below an accent in it."""
+    if not begun:
+        reader.take()
     if not reader.sees_sign("{"):
         return _label_part(reader)
     opening, label, depth = reader.take(), "", 1
@@ -177,6 +194,8 @@ def _label_part(reader: LatexReader) -> str:
         return ""
     if token.text in _MARKED or token.text in _NAMED:
         return token.text.lstrip("\\")
+    if token.kind == "command" and token.text in _HEADS:
+        return f"{token.text[1:]}({label_after(reader, begun=True)})"
     if token.text[1:] in FUNCTION_WORDS and token.end - token.start > len(token.text):
         return token.text[1:]  # an upright word that is also a function: I_{\mathrm{sec}}
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)

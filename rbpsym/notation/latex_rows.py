@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rbpsym.errors import RbpsymError
+from rbpsym.notation.latex_asides import without_asides
 from rbpsym.notation.latex_tokens import COLUMN, CONDITION, END_COLUMN, NEXT, PUNCTUATION, Token
 from rbpsym.notation.source import Source
 
@@ -27,7 +28,7 @@ _CELLED = frozenset(("array", "cases"))  # whose rows may be no sum, but the val
 
 def laid_out(source: Source, tokens: tuple[Token, ...]) -> tuple[Token, ...]:
     """The tokens of the relations, with a token "row" between two of them. Raises ReadError for what can't be joined."""
-    return _Layout(source, tokens).tokens()
+    return _Layout(source, without_asides(tokens, RELATIONS)).tokens()
 
 
 class _Layout:
@@ -40,12 +41,14 @@ class _Layout:
         self.related = False  # was there a relation sign since the last parting?
         self.stated = False  # and one that is no arrow?
         self.parted = 0  # relations side by side in this row
+        texts = [token.text for token in tokens]
+        self.braced = texts.count(r"\{") == texts.count(r"\}")  # else one opens several rows
 
     def tokens(self) -> tuple[Token, ...]:
         """What is read: things and signs, and what parts relations."""
         found: list[Token] = []
         for k, token in enumerate(self.all):
-            self.depth += (token.text in _DEEPER) - (token.text in _HIGHER) if token.kind == "sign" else 0
+            self.depth += self._step(token)
             if token.text in (COLUMN, END_COLUMN):
                 self.columns = [*self.columns, self.depth] if token.text == COLUMN else self.columns[:-1]
             self.related |= self.depth == 0 and _is_relation(token)
@@ -70,6 +73,11 @@ class _Layout:
         rule = _RULES.get(token.text if token.kind == "sign" or token.text == ARROW else token.kind)
         return rule(self, k, token) if rule else token
 
+    def _step(self, token: Token) -> int:
+        """How much deeper what follows stands."""
+        counts = token.kind == "sign" or (self.braced and token.kind == "command")
+        return (token.text in _DEEPER) - (token.text in _HIGHER) if counts else 0
+
     # --- what stands around
 
     def _near(self, k: int, step: int, *, over_rows: bool = True) -> Token | None:
@@ -89,7 +97,7 @@ class _Layout:
         places, depth = [], 0
         for place in range(k + 1, len(self.all) - 1):
             token = self.all[place]
-            depth += (token.text in _DEEPER) - (token.text in _HIGHER) if token.kind == "sign" else 0
+            depth += self._step(token)
             if depth == 0 and places and (token.kind == "row" or token.text in PUNCTUATION):
                 break
             places += [place] if depth == 0 and token.kind != "row" else []
@@ -168,6 +176,8 @@ class _Layout:
         near = [found.text for found in (self._near(k, -1), self._near(k, 1)) if found]
         if self.depth or RELATIONS.intersection(near):
             return token if self.depth else None
+        if near[0] in PUNCTUATION and self._relates(k):
+            return None
         used = any(self.all[place].text == "&" for place in self._row_before(k))
         if self.related and self._relates(k) and (used or not _SIGNS.intersection(near)):
             return self._part(token, "")

@@ -24,7 +24,7 @@ FUNCTION_WORDS = {
     "arcsen": "asin", "arctg": "atan", **{name: name for name in HYPERBOLIC},
 }  # fmt: skip
 _SILENT = (
-    r"\\(?:,|:|!|>)"
+    r"\\(?:,|:|!|>)|\^\s*\{\s*\}"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
     r"|tiny|small|normalsize|large|Large|LARGE|huge|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
@@ -39,7 +39,7 @@ _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 
     r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
 _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
-    rf"(?<=[\s,~(])(?:\\text(?:rm)?\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}\s*)?\(?\s*(?:{_RUN})\s*\)?"
+    rf"(?<=[\s,~(])(?:\\text(?:rm)?\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}\s*)?\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
     r"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end))"
 )
 _ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
@@ -59,7 +59,7 @@ _PATTERNS = re.compile(
     rf"|(?P<gap>{_GAP})"
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
-    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
+    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dif|partial)(?![A-Za-z]))"
     r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
     rf"|\{{\s*\\rm\s+(?:{'|'.join(FUNCTION_WORDS)})\s*\}})"
     r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"

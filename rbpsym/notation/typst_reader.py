@@ -7,54 +7,38 @@ are not printed.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from rbpsym.notation.latex_tokens import FUNCTION_WORDS
 from rbpsym.notation.letters import LETTERS
+from rbpsym.notation.typst_names import CALLS, NAMES, ROWS, SIGNS, UNBALANCED
 
 DEEPEST = 40
-UNBALANCED = r"\unbalanced "
 _TOKEN = re.compile(
     r"(?P<space>\s+)|(?P<text>\"(?:[^\"\\]|\\.)*+\")|(?P<row>\\(?=\s|\Z))|(?P<escape>\\.)"
-    r"|(?P<name>[A-Za-z][A-Za-z]+(?:\.[A-Za-z]+)*)|(?P<number>\d+(?:\.\d+)?)"
-    r"|(?P<sign><=>|=>|->|<=|>=|!=|:=|\.\.\.)|(?P<char>.)",
+    r"|(?P<gap>#h\([^()\n]*+\))|#<(?P<label>[\w:.-]{1,200})>"
+    r"|(?P<name>(?:[A-Za-z]|#(?=[A-Za-z]+(?![\w.(\[-])))[A-Za-z]+(?:\.[A-Za-z]+)*)|(?P<number>\d+(?:\.\d+)?)"
+    r"|(?P<sign><==>|<=>|==>|=>|-->|->|\|->|<--|<->|<==|<-|<=|>=|!=|::=|:=|=:|<<|>>|\|\||\.\.\.)|(?P<char>.)",
     re.S,
 )
-_SIGNS = {
-    "<=>": r"\Leftrightarrow ", "=>": r"\Rightarrow ", "->": r"\to ", "<=": r"\le ", ">=": r"\ge ", "!=": r"\ne ",
-    "...": r"\dots ", "*": r"\ast ", "{": r"\{", "}": r"\}", "%": r"\%", "#": r"\# ",
-}  # fmt: skip
-_NAMES = {
-    "dot": r"\cdot", "dot.op": r"\cdot", "dot.c": r"\cdot", "times": r"\times", "eq.not": r"\ne", "lt.eq": r"\le",
-    "gt.eq": r"\ge", "eq.def": ":=", "plus.minus": r"\pm", "minus.plus": r"\mp", "arrow.r": r"\to",
-    "arrow.r.double": r"\Rightarrow", "infinity": r"\infty", "oo": r"\infty", "integral": r"\int",
-    "partial": r"\partial", "diff": r"\partial", "dif": r"\mathrm{d}", "wide": r"\qquad", "thin": r"\,", "med": r"\:",
-    "thick": r"\;", "degree": r"^\circ", "planck.reduce": r"\hbar", "prop": r"\propto", "dots.h": r"\dots",
-    "dots.c": r"\cdots", "cross": r"\times", "angle": r"\angle", "tilde.op": r"\sim",
-}  # fmt: skip
-_CALLS = {
-    "frac": r"\frac{%s}{%s}", "sqrt": r"\sqrt{%s}", "root": r"\sqrt[%s]{%s}", "dot": r"\dot{%s}",
-    "dot.double": r"\ddot{%s}", "dot.triple": r"\dddot{%s}", "arrow": r"\vec{%s}", "hat": r"\hat{%s}",
-    "tilde": r"\tilde{%s}", "macron": r"\bar{%s}", "overline": r"\bar{%s}", "bold": r"\boldsymbol{%s}",
-    "cal": r"\mathcal{%s}", "italic": "{%s}", "upright": r"\mathrm{%s}", "abs": r"\left|%s\right|",
-    "norm": r"\left\|%s\right\|", "lr": "%s", "display": "%s", "inline": "%s", "cancel": r"\cancel{%s}",
-    "op": r"\operatorname{%s}",
-}  # fmt: skip
-_ROWS = {"vec": "pmatrix", "mat": "pmatrix", "cases": "cases"}
 _OPEN = {"(": ")", "[": "]", "{": "}"}
 Tokens = list[tuple[str, str]]
 
 
-def typst_to_latex(text: str) -> str:
-    """The LaTeX of a formula between dollar signs; lines stay lines."""
-    return _Reader([(found.lastgroup or "", found[0]) for found in _TOKEN.finditer(text)]).whole()
+def typst_to_latex(text: str, own: Collection[str] = (), given: Sequence[str] = ()) -> str:
+    """The LaTeX of a formula between dollar signs; lines stay lines.
+
+    own: names that the text defines; given: those of the arguments of what is defined by the formula, here #1, #2.
+    """
+    return _Reader([(found.lastgroup or "", found[0]) for found in _TOKEN.finditer(text)], own, given).whole()
 
 
 class _Reader:
     """One pass over the tokens."""
 
-    def __init__(self, tokens: Tokens) -> None:
+    def __init__(self, tokens: Tokens, own: Collection[str], given: Sequence[str]) -> None:
         self.tokens, self.place, self.depth = tokens, 0, 0
+        self.own, self.given = own, given
 
     def whole(self) -> str:
         """All of it; a bracket that was never opened stands as it is."""
@@ -135,16 +119,27 @@ class _Reader:
 
     def _named(self, name: str) -> str:
         """A letter, sign or function by its name, with its arguments if it is a command that takes them."""
-        if self._at("(") and name in _ROWS:
+        hashed, name = name.startswith("#"), name.removeprefix("#")
+        if name in self.given and (hashed or len(name) > 1):
+            return f"#{self.given.index(name) + 1} "
+        if name in self.own:
+            return rf"\{name} "
+        if self._at("(") and name in ROWS:
             rows = [" & ".join(row) for row in self._arguments()]
-            return rf"\begin{{{_ROWS[name]}}}" + r" \\ ".join(rows) + rf"\end{{{_ROWS[name]}}}"
-        if self._at("(") and (drawn := _CALLS.get(name)):
+            return rf"\begin{{{ROWS[name]}}}" + r" \\ ".join(rows) + rf"\end{{{ROWS[name]}}}"
+        if self._at("(") and (drawn := CALLS.get(name)):
             given = [part for row in self._arguments() for part in row]
+            if not isinstance(drawn, str):
+                return drawn(*given)
             return drawn % tuple(given) if len(given) == drawn.count("%s") else UNBALANCED
+        if name in CALLS and name not in NAMES:
+            return UNBALANCED
+        if len(name) == 2 and name[0] == name[1] and name.isupper() and name not in NAMES:
+            return rf"\mathbb{{{name[0]}}} "
         base, _, changed = name.partition(".")
         if name in FUNCTION_WORDS or (base in LETTERS and changed in ("", "alt")):
             return rf"\{base} "
-        return _NAMES.get(name, "\\" + name.replace(".", "")) + " "
+        return NAMES.get(name, "\\" + name.replace(".", "")) + " "
 
     def _arguments(self) -> Iterator[list[str]]:
         """The arguments in parentheses; `;` ends a row of a matrix (of a column, each comma does)."""
@@ -152,7 +147,9 @@ class _Reader:
         self.place += 1
         row: list[str] = []
         while True:
-            row.append(self._sequence(",;").strip(" "))
+            named = self._passed_name()
+            cell = self._sequence(",;").strip(" ")
+            row += [] if named else [cell]
             if not self._at(",", ";"):
                 break
             if self._take()[1] == ";" or column:
@@ -162,11 +159,23 @@ class _Reader:
         self.place += closed
         yield row if closed else [*row, UNBALANCED]
 
+    def _passed_name(self) -> bool:
+        """Pass `delim:` in front of an argument that tells how something is drawn."""
+        self._spaces()
+        ahead = self.tokens[self.place : self.place + 2]
+        named = len(ahead) == 2 and ahead[0][1].isalpha() and ahead[1][1] == ":"
+        self.place += 2 * named
+        return named
+
 
 def _plain(kind: str, text: str) -> str:
-    """A string, an escaped character, the end of a row, or what stands for itself."""
+    """A string, an escaped character, a gap, a label, the end of a row, or what stands for itself."""
+    if kind == "gap":
+        return r"\quad "
+    if kind == "label":
+        return rf"\label{{{text[2:-1]}}}"
     if kind == "text":
         return r"\text{" + re.sub(r"[\\{}$%#&_^]", " ", text[1:-1]) + "}"
     if kind == "row":
         return r"\\"
-    return _SIGNS.get(text, text) if kind != "escape" else {"/": "/", "\\": r"\backslash "}.get(text[1], rf"\{text[1]}")
+    return SIGNS.get(text, text) if kind != "escape" else {"/": "/", "\\": r"\backslash "}.get(text[1], rf"\{text[1]}")

@@ -20,7 +20,7 @@ _HEAD = re.compile(
     r"|\\(?:New|Renew|Provide|Declare)(?:Expandable)?DocumentCommand\s*+\{?\s*+(\\[A-Za-z]++)\s*+\}?\s*+\{([\smoO{}]{0,99})\}\s*+(?=\{)"
     r"|\\let\s*+(\\[A-Za-z]++)\s*+=?\s*+(\\[A-Za-z]++)()"
     r"|\\providecommand\*?\s*+\{?\s*+(\\[A-Za-z]++)\s*+\}?\s*+(?:\[(\d)\])?\s*+(?=\{)"
-    r"|\\(?:long\s*+\\)?def\s*+(\\[A-Za-z]++)((?:#\d)*+)\s*+(?=\{)"
+    r"|\\(?:long\s*+\\)?def\s*+(\\[A-Za-z]++)(\((?:#\d,?)++\)|(?:#\d)*+)\s*+(?=\{)"
     r"|\\DeclareMathOperator\*?\s*+\{\s*+(\\[A-Za-z]++)\s*+\}\s*+(?=\{)"
 )
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -29,11 +29,12 @@ _DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax)(?![A-Za-
 
 @dataclass(frozen=True, slots=True)
 class Macro:
-    """The body of a macro with #1 ... #count, the first of which may have a default."""
+    """The body of a macro with #1 ... #count, the first of which may have a default; `called`: they stand in parentheses."""
 
     body: str
     count: int = 0
     default: str | None = None
+    called: bool = False
 
 
 def definitions(text: str) -> tuple[dict[str, Macro], str, list[tuple[int, str]]]:
@@ -70,7 +71,7 @@ def _macro(head: re.Match[str], body: str) -> Macro:
     if operator:
         return Macro(rf"\operatorname{{{body}}}")
     if by_def:
-        return Macro(body, parameters.count("#"))
+        return Macro(body, parameters.count("#"), called=parameters.startswith("("))
     return Macro(body, int(count or provided_count or 0), default)
 
 
@@ -81,7 +82,7 @@ _SITE = re.compile(
 
 def site_macros(text: str) -> str:
     r"""The macros that the settings of a site give to MathJax or KaTeX, `"name": ["body", 1]`, as \newcommand."""
-    block = re.search(r"macros[\"']?\s*[:=]|^math:", text, re.M)
+    block = re.search(r"macros[\"']?\s*[:=]|^[ \t]*+math:", text, re.M)
     found = _SITE.findall(text, block.end() if block else len(text))
     bodies = ((name.strip("\\"), body if raw else body.replace("\\\\", "\\")) for _, name, raw, _, body in found)
     counted = ((name, max(re.findall(r"#(\d)", body), default="0"), body) for name, body in bodies)
@@ -167,6 +168,8 @@ def _filled(macro: Macro, arguments: list[str]) -> str:
 
 def _arguments(latex: str, position: int, macro: Macro) -> tuple[list[str], int]:
     found: list[str] = []
+    if macro.called:
+        return _in_parentheses(latex, re.compile(r"\s*").match(latex, position).end(), macro.count)
     for place in range(macro.count):
         blank = re.compile(r"\s*").match(latex, position).end()
         if place == 0 and macro.default is not None:
@@ -175,6 +178,21 @@ def _arguments(latex: str, position: int, macro: Macro) -> tuple[list[str], int]
             value, position = _required(latex, blank)
         found.append(value)
     return found, position
+
+
+def _in_parentheses(latex: str, start: int, count: int) -> tuple[list[str], int]:
+    """The arguments of a call, f(x, y), and where it ends."""
+    depth, begin, found = 0, start + 1, []
+    for one in re.compile(r"\\.|[(){}\[\],]").finditer(latex, start):
+        depth += (one[0] in "({[") - (one[0] in ")}]")
+        if depth == 0 or (depth == 1 and one[0] == ","):
+            found.append(latex[begin : one.start()].strip())
+            begin = one.end()
+        if depth == 0:
+            break
+    if latex[start : start + 1] != "(" or depth or len(found) != count:
+        raise ReadError(f"a macro is called with {count} argument{'s' * (count != 1)} in parentheses")
+    return found, begin
 
 
 def _optional(latex: str, position: int, default: str) -> tuple[str, int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
@@ -18,11 +18,14 @@ _TEX = re.compile(r"""["']([\w./-]{1,200}\.tex)["']""")
 MAX_BYTES = 4 * 1024 * 1024
 MAX_LINE = 200_000
 MAX_FILES = 100
+MAX_HEAD = 200_000  # bytes in which a document says what its chapters are
+_CLASS, _BEGIN = r"\documentclass", r"\begin{document}"
 _INPUT = re.compile(
     r"\\(?:(?:sub)?(?:import|includefrom|inputfrom)\*?\s*+\{(?P<folder>[^{}\n]*+)\}\s*+\{(?P<part>[^{}\n]*+)\}"
     r"|(?:input|include|subfile|subfileinclude)(?![A-Za-z])\s*+(?:\{(?P<name>[^{}\n]*+)\}|(?P<word>[\w./-]++)))"
 )
 _PACKAGE = re.compile(r"\\(?:usepackage|RequirePackage|documentclass|LoadClass)\s*+(?:\[[^\]]{0,999}+\]\s*+)?\{([^{}\n]*+)\}")
+_IMPORT = re.compile(r"\\usepackage\{([^{}\n]+\.typ)\}")
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*+)%(?:[ \t]*rbpsym:(.*)|.*)")
 _NOTE = re.compile(f"{NOTE}(.*?){NOTE_END}")
 _VERBATIM = re.compile(
@@ -89,7 +92,7 @@ def read_source(path: Path) -> Text:
     notes = [note for note in notes if not any(begin <= note.offset < end for begin, end in hidden)]
     whole = _VERBATIM.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), whole)
     origins = tuple((line.file, line.number) for line in lines)
-    return Text(whole, tuple(starts), origins, tuple(notes), tuple(files.remarks), files.packages(path.parent, whole))
+    return Text(whole, tuple(starts), origins, tuple(notes), tuple(files.remarks), files.packages(path, whole))
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,12 +105,26 @@ class _Line:
     notes: tuple[str, ...] = ()
 
 
+def files_above(folder: Path, names: Iterable[str]) -> list[Path]:
+    """The files of these names (or patterns) beside a text, and above it up to the folder of the run: the nearest last."""
+    run, folder = Path.cwd(), folder.resolve()
+    above = [one for one in folder.parents if one.is_relative_to(run)] if folder.is_relative_to(run) else []
+    found = (one for place in (*reversed(above), folder) for name in names for one in sorted(place.glob(name)))
+    return [one for one in found if is_inside(one, one.parent)]
+
+
+def is_inside(path: Path, folder: Path) -> bool:
+    """Is it a file in the folder or below it?"""
+    return path.is_file() and path.resolve().is_relative_to(folder.resolve())
+
+
 class _Files:
     """The files of a text, read one within the other: all in one folder, and of bounded size together."""
 
     def __init__(self, folder: Path, given: Path) -> None:
         self.folder, self.given, self.size = folder, given, 0
         self.remarks: list[Remark] = []
+        self.imported: list[Path] = []  # by Typst: what they define is meant
 
     def lines(self, path: Path, around: tuple[Path, ...]) -> Iterator[_Line]:
         """The lines of a file, inputs put in."""
@@ -119,6 +136,8 @@ class _Files:
             said += (comment[2],) if comment and comment[2] else ()
             line, begin = _COMMENT.sub(r"\1", _NOTE.sub("", raw)), 0
             line = line if line.strip() or not raw.strip() else COMMENTED
+            if path.suffix == ".typ":
+                self.imported += [path.parent / name for name in _IMPORT.findall(line)]
             for found in _INPUT.finditer(line):
                 yield _Line(line[begin : found.start()], str(path), number, said)
                 said = ()
@@ -127,22 +146,46 @@ class _Files:
                 begin = found.end()
             yield _Line(line[begin:], str(path), number, said)
 
-    def packages(self, beside: Path, text: str) -> str:
-        """What the packages and classes hold that lie in the folder of the text, and those that they ask for."""
+    def packages(self, path: Path, text: str) -> str:
+        """What the packages and classes hold that lie in the folder of the text, and those that they ask for.
+
+        So do the settings of a site, what Typst imports, and the head of the document that a chapter belongs to.
+        """
         found: dict[Path, str] = {}
-        waiting = [text]
-        for one in (beside / name for name in SITES if (beside / name).is_file()):
+        waiting = [(path.parent, text)]
+        for one in files_above(path.parent, SITES):
             said = self._content(one)
             found[one] = site_macros(said)
-            waiting += [rf"\usepackage{{{name}}}" for name in _TEX.findall(said)]
+            named = (one.parent / name for name in _TEX.findall(said))
+            found |= {other: self._definitions(other) for other in named if is_inside(other, one.parent)}
+        for whole in self._wholes(path, text):
+            found[whole] = self._definitions(whole).partition(_BEGIN)[0]
+            waiting.append((whole.parent, found[whole]))
+        while self.imported and len(found) < MAX_FILES:
+            one = self.imported.pop()
+            if one not in found and is_inside(one, self.folder):
+                found[one] = ""
+                found[one] = "\n".join(line.text for line in self.lines(one, ()))
         while waiting and len(found) < MAX_FILES:
-            names = [name.strip() for group in _PACKAGE.findall(waiting.pop()) for name in group.split(",")]
+            beside, told = waiting.pop()
+            names = [name.strip() for group in _PACKAGE.findall(told) for name in group.split(",")]
             for one in (beside / f"{name}{end}" for name in names for end in (".sty", ".cls", "")):
-                inside = one.resolve().is_relative_to(self.folder)
-                if inside and one.is_file() and one not in found:
-                    found[one] = "\n".join(_COMMENT.sub(r"\1", line) for line in self._content(one).split("\n"))
-                    waiting.append(found[one])
+                if one not in found and is_inside(one, beside):
+                    found[one] = self._definitions(one)
+                    waiting.append((beside, found[one]))
         return "\n".join(found.values())
+
+    def _wholes(self, path: Path, text: str) -> list[Path]:
+        """The document beside a chapter or above it that puts the chapter in."""
+        if path.suffix.lower() not in LATEX or _CLASS in text:
+            return []
+        named = re.compile(rf"\\(?:input|include|subfile|import)[^\n]*?(?<![\w-]){re.escape(path.stem)}(?:\.tex)?\s*\}}")
+        near = [one for one in files_above(path.parent, ("*.tex",)) if one.resolve() != path.resolve()][-MAX_FILES:]
+        heads = ((one, one.read_bytes()[:MAX_HEAD].decode("utf-8", "replace")) for one in near)
+        return [one for one, said in heads if _CLASS in said and named.search(said)][-1:]
+
+    def _definitions(self, path: Path) -> str:
+        return "\n".join(_COMMENT.sub(r"\1", line) for line in self._content(path).split("\n"))
 
     def _content(self, path: Path) -> str:
         text, is_utf8 = latin_or_utf8_in(path, MAX_BYTES - self.size, "the text")

@@ -7,8 +7,13 @@ import re
 from rbpsym.notation.typst_reader import typst_to_latex
 from rbpsym.verify.paper_marks import Marked, blank, comment, display
 
+_LET = (
+    r"#let[ \t]++(?P<let>[A-Za-z]{2,})(?:\((?P<given>[\w ,]*+)\))?[ \t]*+=[ \t]*+"
+    r"(?:(?P<drawn>\[?)\$(?P<body>[^$\n]{1,500})\$\]?|(?:(?:math\.)?op\()?[ \t]*+\"(?P<word>[^\"\\\n{}]{1,40})\"[^\n]*+)"
+)
 _OPENING = re.compile(
-    r"(?<!:)//(?P<line>[^\n]*+)|(?P<block>/\*)|(?P<code>(?<!`)`++)|\\(?P<escaped>.)"
+    rf"{_LET}|#import[ \t]++\"(?P<import>[^\"@\n]{{1,200}}\.typ)\"[^\n]*+"
+    r"|(?<!:)//(?P<line>[^\n]*+)|(?P<block>/\*)|(?P<code>(?<!`)`++)|\\(?P<escaped>.)"
     r"|#include[ \t]++\"(?P<file>[^\"\n]*+)\"|#\w++\([ \t]*+\"[^\"\n]*+\"|(?P<math>\$)|(?P<sign>%)"
 )
 _LABEL = re.compile(r"\s*+<([\w:.-]{1,200})>")
@@ -17,11 +22,16 @@ _CLOSING = r"(?<!\\)\$"
 
 def of_typst(text: str) -> str:
     """The text as LaTeX."""
-    return Marked(text).rewritten(_OPENING, _piece)
+    own = frozenset(found["let"] for found in re.finditer(_LET, text))
+    return Marked(text).rewritten(_OPENING, lambda text, found: _piece(text, found, own))
 
 
-def _piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+def _piece(text: Marked, found: re.Match[str], own: frozenset[str]) -> tuple[str, int]:
     told, start = found.groupdict(), found.end()
+    if told["let"]:
+        return _definition(told, own), start
+    if told["import"]:
+        return rf"\usepackage{{{told['import']}}}", start
     if told["line"] is not None:
         return comment(told["line"]), start
     if told["block"]:
@@ -33,13 +43,21 @@ def _piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
     if told["file"] is not None:
         return rf"\input{{{told['file']}}}", start
     if told["math"] and (closed := text.closing(_CLOSING, start)):
-        return _formula(text, text.text[start : closed[0]], closed[1])
+        return _formula(text, text.text[start : closed[0]], closed[1], own)
     return rf"\{found[0]}" if found[0] in "$%" else blank(found[0]), start
 
 
-def _formula(text: Marked, body: str, end: int) -> tuple[str, int]:
+def _definition(told: dict[str, str | None], own: frozenset[str]) -> str:
+    """A #let of a formula or a word, as a macro; its arguments stand in parentheses where it is called."""
+    given = [name.strip() for name in (told["given"] or "").split(",") if name.strip()]
+    body = typst_to_latex(told["body"], own, given).strip() if told["body"] else rf"\operatorname{{{told['word']}}}"
+    places = ",".join(f"#{number}" for number in range(1, len(given) + 1))
+    return rf"\def\{told['let']}{f'({places})' if given else ''}{{{body}}}"
+
+
+def _formula(text: Marked, body: str, end: int, own: frozenset[str]) -> tuple[str, int]:
     """A display, which has white ends, perhaps with a label, or a formula in the running text."""
-    latex = typst_to_latex(body)
+    latex = typst_to_latex(body, own)
     if not (body[:1].isspace() and body[-1:].isspace()):
         return rf"\({latex}\)", end
     label = _LABEL.match(text.text, end)

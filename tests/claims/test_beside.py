@@ -248,6 +248,52 @@ def test_a_draft_without_a_fit_is_all_guesses(folder, capsys):
     assert "% rbpsym? problem = NAME" in told and "rbpsym:" not in told and "speed of C" in told
 
 
+SITE_TEXT = f"{MD}\n<!-- rbpsym: claim -->\n$$\n\\sq V = \\sq{{\\ell}}\\sq\\w\n$$\n"
+SITES = [
+    ("conf.py", "mathjax3_config = {'tex': {'macros': {'w': r'\\omega', 'sq': ['#1^2', 1]}}}"),
+    ("_config.yml", 'sphinx:\n  config:\n    mathjax3_config:\n      tex:\n        macros:\n          w: "\\\\omega"\n'
+                    '          sq: ["#1^2", 1]\n'),
+    ("myst.yml", "project:\n  math:\n    '\\w': '\\omega'\n    '\\sq': '#1^2'\n"),
+    ("conf.py", "math_defs_filename = '_static/defs.tex'"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("below", ["", "ch/one"])
+@pytest.mark.parametrize(("name", "said"), SITES)
+def test_macros_of_a_site_are_those_of_its_texts(folder, capsys, name, said, below):
+    (folder / "_static").mkdir()
+    (folder / "_static" / "defs.tex").write_text("\\newcommand{\\w}{\\omega}\n\\newcommand{\\sq}[1]{#1^2}\n")
+    (folder / name).write_text(said)
+    (folder / below).mkdir(parents=True, exist_ok=True)
+    code, (found,) = checked(folder, capsys, f"{below}/a.md".lstrip("/"), SITE_TEXT)
+    assert (code, found["outcome"]) == (0, "PROVED")
+
+
+def test_nothing_is_looked_for_above_the_folder_of_the_run(folder, capsys, monkeypatch):
+    (folder / "conf.py").write_text(SITES[0][1])
+    (folder / "inner").mkdir()
+    monkeypatch.chdir(folder / "inner")
+    assert checked(folder / "inner", capsys, "a.md", SITE_TEXT)[0] == 2
+
+
+def test_a_chapter_has_the_macros_of_its_document(folder, capsys):
+    (folder / "parts").mkdir()
+    head = "\\documentclass{book}\n\\newcommand{\\w}{\\omega}\n\\newcommand{\\sq}[1]{#1^2}\n"
+    (folder / "book.tex").write_text(f"{head}\\begin{{document}}\n\\include{{parts/one}}\n\\end{{document}}")
+    (folder / "other.tex").write_text("\\documentclass{book}\n\\newcommand{\\w}{\\theta}\n\\input{parts/two}")
+    text = f"{TEX}\n% rbpsym: claim\n\\[ \\sq V = \\sq{{\\ell}}\\sq\\w \\]"
+    assert checked(folder, capsys, "parts/one.tex", text)[0] == 0
+
+
+def test_what_typst_defines_and_imports_is_read(folder, capsys):
+    (folder / "own").mkdir()
+    (folder / "own" / "setup.typ").write_text("#let sq(body) = $body^2$\n#let om = $omega$\n$ 1 = 2 $\n")
+    text = f'#import "own/setup.typ": *\n#let lsq(#NO) = 3\n#let half = $1/2$\n{TYP}\n// rbpsym: claim\n' \
+           "$ half sq(V) = sq(ell) sq(om)/2 $"
+    code, found = checked(folder, capsys, "a.typ", text)
+    assert (code, [one["outcome"] for one in found]) == (0, ["PROVED"]), found
+
+
 def test_macros_of_packages_beside_the_text_are_those_of_the_text(folder, capsys):
     (folder / "own.sty").write_text("\\RequirePackage{more} % \\newcommand{\\w}{x}\n\\newcommand{\\w}{\\omega}\n")
     (folder / "more.sty").write_text("\\newcommand{\\sq}[1]{#1^2}\n")

@@ -39,3 +39,24 @@ def test_a_frame_says_nothing(frame):
 def test_a_frame_that_is_not_closed_is_told():
     with pytest.raises(RbpsymError):
         read_latex(r"\boxed{U = mg x", TABLE)
+
+
+@pytest.mark.parametrize("number", ["(1)", "(2.3)", "(4.5a)", "(*)"])
+@pytest.mark.parametrize("display", [r"%s \quad {0}", r"%s, \qquad {0}", r"{0} \quad %s", r"& {0}\quad %s"])
+def test_a_number_written_by_hand_says_nothing(number, display):
+    assert read_latex(display.format(number) % FRAMED, TABLE) == read_latex(FRAMED, TABLE)
+
+
+@pytest.mark.parametrize("display", [r"U = mg (1)", r"U = mg\,(1) + k x^2", r"U = mg\quad(1) + k x^2"])
+def test_a_number_in_parentheses_that_may_be_a_factor_is_kept(display):
+    try:
+        found = read_latex(display, TABLE)
+    except RbpsymError:
+        return
+    assert found != read_latex(r"U = mg", TABLE) and found != read_latex(r"U = mg + k x^2", TABLE)
+
+
+@pytest.mark.parametrize("condition", [r"x > 0", r"0 \le x, \theta < \pi"])
+def test_what_stands_in_parentheses_behind_a_gap_says_when_it_holds(condition):
+    parts = condition.replace(",", r" \text{if}")
+    assert read_latex(rf"{FRAMED} \quad ({condition})", TABLE) == read_latex(rf"{FRAMED} \text{{if}} {parts}", TABLE)

@@ -20,6 +20,27 @@ ROWS = [
     ("2(x)/g = dot(x) dot m", r"2\frac{x}{g} = \dot x \cdot m"),
 ]
 
+PACKAGES = [  # what physica adds, and what only forms the page
+    ("pdv(f, x) = dv(f, x, 2)", r"\frac{\partial f}{\partial x} = \frac{d^2 f}{dx^2}"),
+    ("diaer(theta) = dv(,t) (omega)", r"\ddot\theta = \frac{d}{dt}(\omega)"),
+    ("integral_0^x m dd(x) = difference(x)", r"\int_0^x m\,dx = \Delta x"),
+    ("m = underbrace(x + g, \"known\") #h(2em) (3.1)", r"m = x + g"),
+    ("x = g ==> m = g", r"x = g \Rightarrow m = g"),
+    ("mat(delim: \"[\", x, m; g, f) = x", r"\begin{bmatrix} x & m \\ g & f \end{bmatrix} = x"),
+]
+
+
+@pytest.mark.parametrize(("typst", "latex"), PACKAGES)
+def test_packages_are_read(typst, latex):
+    given = [read_latex(text, NAMES, whole=True) for text in (typst_to_latex(typst), latex)]
+    assert given[0] == given[1]
+
+
+@pytest.mark.parametrize("text", ["pdv(f) = x", "dv(f, x, g, 2) = x", "difference(x + g) = x", "vb x = g", "x bar g = x"])
+def test_what_typst_would_print_otherwise_is_refused(text):
+    with pytest.raises(RbpsymError):
+        read_latex(typst_to_latex(text), NAMES)
+
 
 @pytest.mark.parametrize(("typst", "latex"), ROWS)
 def test_it_binds_as_typst_binds(typst, latex):
