@@ -8,7 +8,7 @@ from dataclasses import replace
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_formal import formal, over_an_index, taken_at
-from rbpsym.notation.latex_functions import operand
+from rbpsym.notation.latex_functions import SIGNS, operand
 from rbpsym.notation.latex_grammar import argument, begins_factor, between, expression, multiplied
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
 from rbpsym.notation.latex_tokens import Token
@@ -338,9 +338,14 @@ def _limit(reader: LatexReader) -> t.Node:
 
 @begins("[")
 def _bracket(reader: LatexReader) -> t.Node:
-    """[f] with limits is taken between them; without, it is a parenthesis."""
-    start = reader.token.start
+    """[f] with limits is taken between them; without, it is a parenthesis. [T] alone is the unit of T, and X[0] an element."""
+    start, before = reader.token.start, reader.tokens[reader.position - 1] if reader.position else None
     node = between(reader, "]")
+    if isinstance(node, t.Num) and before is not None and (before.kind in ("letter", "digit", "text") or before.text in ("}", ")")):
+        return reader.spanned(t.Formal("element", (node,)), start)
+    beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (before or reader.tokens[-1], reader.token)]
+    if isinstance(node, (t.Sym, t.Vec)) and all(beside):
+        return reader.spanned(t.Formal("unit", (node,)), start)
     if isinstance(node, t.Formal) or not reader.sees_sign("_"):
         return node
     reader.take()

@@ -52,6 +52,8 @@ SENTENCES: Mapping[str, Sentence] = {
     "condition": ("are these words a condition?", r"Write it as \text{for } x > 0, or as “given” in the claim."),
     "continued": ("what stands on the left of this?", "Write the left side again."),
     "marked": ("only a symbol can have a subscript or prime", "Give all of it a symbol."),
+    "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),
+    "element": ("a number in brackets is an index here", "Write it as a subscript."),
     "factorial": ("a factorial can't be computed", "Write the number."),
 }  # fmt: skip
 

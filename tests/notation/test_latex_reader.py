@@ -149,3 +149,10 @@ def test_hostile_input_is_refused_quickly(kind):
 def test_two_symbols_that_are_printed_alike():
     with pytest.raises(RbpsymError, match="printed alike"):
         read_latex("W_{1,2}", ["W_1_2", "W_12"])
+
+
+@pytest.mark.parametrize("latex", [r"[m] = g", r"x = [m]", r"x[0] = g", r"g = m x[1]", r"g = x^{2}[1] m"])
+def test_a_unit_or_index_in_brackets_is_no_factor(latex):
+    with pytest.raises(RbpsymError):
+        read_latex(latex, {"m": "m", "g": "g", "x": "x"})
+    assert read_latex(latex, {"m": "m", "g": "g", "x": "x"}, whole=True)
