@@ -192,9 +192,13 @@ Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg,
 Ltac same_nonzero x N := match type of N with ?d <> 0 =>
   first [exact N | solve [replace x with d by ring; exact N]
     | solve [replace x with (- d) by ring; apply Ropp_neq_0_compat; exact N]] end.
+Ltac met N := repeat match type of N with ?P -> _ => match goal with G : P |- _ => specialize (N G) end end.
+Ltac as_known x Q s H :=
+  let N := fresh in pose proof (Q s H) as N; met N; cbv beta in N; first [same_nonzero x N | ang_in N; same_nonzero x N].
 Ltac known_nonzero x := match goal with
-  | Q : forall t, ?a < t < ?b -> _ <> 0, H : ?a < ?s < ?b |- _ =>
-      let N := fresh in pose proof (Q s H) as N; cbv beta in N; first [same_nonzero x N | ang_in N; same_nonzero x N]
+  | Q : forall t, ?a < t < ?b -> _ <> 0, H : ?a < ?s < ?b |- _ => as_known x Q s H
+  | Q : forall t, ?a < t < ?b -> _ -> _ <> 0, H : ?a < ?s < ?b |- _ => as_known x Q s H
+  | Q : forall t, ?a < t < ?b -> _ -> _ -> _ <> 0, H : ?a < ?s < ?b |- _ => as_known x Q s H
   end.
 Ltac nonzero := match goal with
   | |- PI <> 0 => exact PI_neq0
@@ -216,8 +220,17 @@ Ltac one_root := match goal with
   | |- context [sqrt ?a] => match goal with
     | |- context [sqrt ?b] => tryif constr_eq a b then fail else
         replace (sqrt b) with (sqrt a) by (f_equal; first [ring | solve [field; pos]]) end end.
+Ltac one_angle := match goal with
+  | |- context [sin ?a] => match goal with
+    | |- context [sin ?b] => tryif constr_eq a b then fail else replace (sin b) with (sin a) by (f_equal; solve [ring | field; pos])
+    end
+  | |- context [cos ?a] => match goal with
+    | |- context [cos ?b] => tryif constr_eq a b then fail else replace (cos b) with (cos a) by (f_equal; solve [ring | field; pos])
+    end
+  end.
 Ltac fld := cbn [INR pred]; first [ring | solve [field; pos] | ang; ring | solve [ang; field; pos]
-  | repeat one_root; first [ring | solve [field; pos]]].
+  | repeat one_root; first [ring | solve [field; pos]]
+  | repeat one_angle; first [ring | solve [field; pos] | ang; repeat one_angle; first [ring | solve [field; pos]]]].
 
 Ltac der := repeat (
   lazymatch goal with

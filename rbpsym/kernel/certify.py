@@ -93,7 +93,7 @@ def _proved(
 ) -> tuple[Claim, Proof, Search]:
     """The claim with its proof; where it needs them, on the conditions that the step prints. known: premises, declared."""
     claims, further = known
-    held = (part for item in claims.values() for part in item.given)
+    held = (part for item in (*claims.values(), *further.values()) for part in item.given)
     conditions = [part for part in dict.fromkeys((*source.conditions(step), *held)) if part not in claim.given]
     made = None
     for given in (claim.given, (*claim.given, *conditions)) if conditions else (claim.given,):

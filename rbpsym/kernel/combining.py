@@ -11,6 +11,7 @@ from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.kernel.certificates import Have, Known, Multiples
 from rbpsym.kernel.claim import tree_of
+from rbpsym.kernel.positive import Sum
 from rbpsym.kernel.ranges import shown, signed
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.notation import tree as t
@@ -90,13 +91,26 @@ def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[Known]) -> 
         poly = search.value(factor).num
         if poly not in seen and not search.is_plain(Scalar(poly)):
             seen |= {poly, poly.scaled(-1)}
-            by, value = Multiples(), Scalar(poly)
-            if any(map(search.order(), poly.atoms())):
-                value, by = search.follow(value, known)
-            if (found := signed(search, value)) is not None:
+            if (why := surely(search, Scalar(poly), known)) is not None:
+                value, found, by = why
                 yield shown(search, f"z{len(seen)}", (search.tree(Scalar(poly)), value), found, by)
             else:
                 search.is_sure = False
+
+
+def surely(search: Search, value: Scalar, known: Sequence[Known]) -> tuple[Scalar, Sum, Multiples] | None:
+    """Why a value does not vanish: what it is by what is known, that as a sum of one sign, and by which multiples."""
+    rest, by = search.follow(value, known) if any(map(search.order(), value.atoms())) else (value, Multiples())
+    if (found := signed(search, rest)) is not None:
+        return rest, found, by
+    for whole in (search.value(item.left) for item in search.met_by if item.kind == "more" and item.right == t.ZERO):
+        rest, by = search.follow(whole, known)
+        ratio = search.ratio(value, rest)  # a multiple of what is more than 0 where the claim has to hold
+        sign = next((s for s in (1, -1) if ratio is not None and search.is_positive(ratio * s)), 0)
+        if ratio is not None and sign and not by.circles:
+            parts = tuple((search.tree(ratio * -1 * search.value(factor)), item) for factor, item in by.known)
+            return ratio * whole, Sum(sign, ratio * whole * sign, (), ()), Multiples(parts)
+    return None
 
 
 def _below(part: t.Node) -> Iterator[t.Node]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import NOTHING, UNITY, Scalar, generator, names_in, substitute, symbol
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Known, Proof, parted, reduced
-from rbpsym.kernel.combining import stays
+from rbpsym.kernel.combining import stays, surely
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import signed
 from rbpsym.notation import tree as t
@@ -38,13 +38,14 @@ def cancelled_rates(search: Search, goal: Scalar, known: Sequence[Known]) -> Pro
 
 
 def multiplied(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
-    """left - right times the letters below it vanishes, and these do not."""
-    order, factor = search.order(), UNITY
-    below = {i: e for i, e in goal.num.content()[1] if e < 0 and order(i)}
-    for index, exponent in below.items():
-        factor = factor * Scalar(generator(index)) ** -exponent
-    for part in (generator(index) for index in below):
-        if not stays(search, search.follow(Scalar(part), known)[0]):
+    """left - right times what holds letters below it vanishes, and that does not."""
+    order = search.order()
+    below = {generator(i): -e for i, e in goal.num.content()[1] if e < 0 and order(i)}
+    below |= {goal.den: 1} if any(map(order, goal.den.atoms())) else {}
+    factor = UNITY
+    for part, exponent in below.items():
+        factor = factor * Scalar(part) ** exponent
+        if not (stays(search, Scalar(part)) or surely(search, Scalar(part), known)):
             raise Undecided("what stands below may vanish")
     if not below:
         raise Undecided("nothing stands below")

@@ -13,7 +13,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, parted, reduced, vanishes, wound
 from rbpsym.kernel.claim import Claim, is_along_time, letter, tree_of
-from rbpsym.kernel.claims import AHEAD, TIME, Source
+from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.combining import based, combined, nonzero
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.courses import courses
@@ -53,6 +53,8 @@ class Search:
         self.nonzero = {atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonzero"}
         self.least = frozenset(atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonnegative")
         self.gaps: set[int] = set()
+        self.met_by: tuple[Claim, ...] = ()  # what the claim is given
+        self.later: set[int] = set()  # positive only where that holds
         self.shifts: dict[str, list[Scalar]] = {}  # what a letter is, by the gap to an end of its range
         self.sums: dict[tuple[Poly, frozenset[int]], Sum | None] = {}
         self.deep = False
@@ -225,11 +227,13 @@ class Search:
         return replace(found, steps=(*signs, *below, *others))
 
     def _sought(self, claim: Claim) -> Proof:
+        self.met_by = claim.given
         for item in claim.given:
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
-            elif item == AHEAD:
+            elif item.kind == "more" and item.right == t.ZERO and isinstance(item.left, t.Sym):
                 self.positive |= self.value(item.left).atoms()
+                self.later |= self.value(item.left).atoms()
         note_gaps(self)
         note_signs(self, signed=claim.kind == "more" or bool(claim.given))
         goal = self.difference(claim)

@@ -30,10 +30,15 @@ def _is_least(value: Scalar) -> bool:
     return found is not None and found >= 0
 
 
+def _is_in_force(search: Search, claim: Claim) -> bool:
+    """Whether something is said to be more where the claim that is sought has to hold."""
+    return claim.kind == "more" and set(claim.given) <= set(search.met_by)
+
+
 def note_signs(search: Search, *, signed: bool) -> None:
     """Sines and cosines that ranges keep positive; only if signs are spoken of, and their ranges are premises, is
     divided by them on the way."""
-    ranges = {name: claim for name, claim in search.given.items() if claim.kind == "more"}
+    ranges = {name: claim for name, claim in search.given.items() if _is_in_force(search, claim)}
     for name in sorted({n for claim in ranges.values() for n in t.names(claim.left) | t.names(claim.right)} - {"pi"}):
         own = t.Sym(name)
         low = {scalar(claim.right): id for id, claim in ranges.items() if claim.left == own}
@@ -46,13 +51,14 @@ def note_signs(search: Search, *, signed: bool) -> None:
                 given = ranges[below].given
                 search.note("sign", Claim(wave, t.ZERO, "more", given), source=f"{below} {above}")
                 search.certain |= search.value(wave).atoms()
+                search.later |= search.value(wave).atoms() if given else set()
                 if signed and (not search.moving(name) or not {below, above} & search.declared):
                     search.positive |= search.value(wave).atoms()
 
 
 def note_gaps(search: Search) -> None:
     """What a range leaves between a letter and its end, as a positive letter; and π - 3."""
-    ends = [(name, item) for name, item in search.given.items() if item.kind == "more"]
+    ends = [(name, item) for name, item in search.given.items() if _is_in_force(search, item)]
     for source, item in (*ends, ("", Claim(t.Sym("pi"), t.Num(3), "more"))):
         node = t.Group(t.Add((item.left, t.Neg(item.right))))
         high, low, gap = scalar(item.left), scalar(item.right), symbol(f"gap {source}")
@@ -62,6 +68,7 @@ def note_gaps(search: Search) -> None:
         search.source.circular[f"gap {source}"] = node
         search.note("gap", Claim(node, t.ZERO, "more", item.given), source=source)
         search.gaps |= gap.atoms()
+        search.later |= gap.atoms() if item.given else set()
 
 
 def signed(search: Search, value: Scalar, *, ranged: bool = True) -> Sum | None:
@@ -103,7 +110,9 @@ def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: 
     angles += [(t.mul(t.Num(found.sign), factor), angle) for factor, angle in by.circles]
     side = node if found.sign > 0 else t.Neg(node)
     how = "nonzero" if kind == "differ" else "positive"
-    return Have(name, how, Claim(node, t.ZERO, kind), side, Multiples(known, tuple(angles)), parts=(above, others))
+    parts = (found.above, *(part for item in (*found.squares, *found.waves) for part in item[:2]))
+    given = search.met_by if any(part.atoms() & search.later for part in parts) else ()
+    return Have(name, how, Claim(node, t.ZERO, kind, given), side, Multiples(known, tuple(angles)), parts=(above, others))
 
 
 def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multiples, tuple[t.Node, ...]]:

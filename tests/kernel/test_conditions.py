@@ -1,0 +1,32 @@
+"""What holds only after the start, or only as long as a contact presses, is proved on that condition, and so written."""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.kernel.certify import Written, written
+from rbpsym.kernel.claims import AHEAD
+from rbpsym.kernel.coqc import compiled
+from tests.kernel.test_certify import needs_coqc
+from tests.library.derived import unsimulated
+
+
+@needs_coqc
+@pytest.mark.parametrize(
+    ("name", "ids"),
+    [
+        ("rod-tipping-over-edge", ("holds.N", "friction.N")),  # the range is open at the start: N > 0 only from then on
+        ("cylinder-off-cylinder", ("friction.N",)),  # what stands below is N by a factor, and N > 0 is the condition
+        ("crate-on-truck", ("friction.N_r",)),  # a sum of forces stands below
+        ("rod-on-turntable", ("position.rod", "reaction.A_x")),  # ωt here, tω there
+    ],
+)
+def test_coqc_accepts_it(name: str, ids: tuple[str, ...]) -> None:
+    whole = written(unsimulated(name))
+    told = compiled(Written(whole.source, {id: whole.lemmas[id] for id in ids}))
+    assert not told.refused
+
+
+def test_a_range_that_holds_from_the_start_on_makes_its_conclusion_hold_only_then() -> None:
+    [lemma] = written(unsimulated("rod-tipping-over-edge")).lemmas["holds.N"]
+    assert lemma.claim.given == (AHEAD,)
