@@ -10,6 +10,7 @@ import dataclasses
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import MISSING, FrozenInstanceError
 from dataclasses import field as field
+from functools import partial
 from operator import attrgetter
 from types import MemberDescriptorType
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -26,38 +27,34 @@ else:
                 changes[f.name] = getattr(value, f.name)
         return value.__class__(**changes)
 
-    def dataclass(*, frozen: bool = False, slots: bool = False, eq: bool = True, repr: bool = True) -> Callable[[type], type]:
-        """The decorator; what is not frozen is left to the standard library."""
-        if not frozen:
-            return dataclasses.dataclass(slots=slots, eq=eq, repr=repr)
-        return lambda cls: _frozen(cls, slots, eq, repr)
+    def dataclass(
+        cls: type | None = None, *, frozen: bool = False, slots: bool = False, eq: bool = True, repr: bool = True
+    ) -> type | Callable[[type], type]:
+        """The decorator, also of what is not frozen."""
+        return partial(_made, frozen, slots, eq, repr) if cls is None else _made(frozen, slots, eq, repr, cls)
 
 
-def _frozen(cls: Any, slots: bool, eq: bool, repr: bool) -> Any:
+def _made(frozen: bool, slots: bool, eq: bool, repr: bool, cls: Any) -> Any:
     own = set(vars(cls))
     if cls.__doc__ is None:
         cls.__doc__ = cls.__name__  # else its signature would be looked up and written
     cls = dataclasses.dataclass(init=False, eq=False, repr=False, slots=slots)(cls)
     fields = dataclasses.fields(cls)
-    methods: dict[str, Any] = {"__setattr__": _unchanged, "__delattr__": _unchanged, "__init__": _constructor(cls, fields)}
-    if slots:
+    methods: dict[str, Any] = {"__init__": _constructor(cls, fields)}
+    if frozen:
+        methods |= {"__setattr__": _unchanged, "__delattr__": _unchanged}
+    if frozen and slots:
         methods |= {"__getstate__": _state, "__setstate__": _restored}
     if repr and "__repr__" not in own:
         methods["__repr__"] = _written
-    if eq:
-        made = {
-            "__eq__": _equal(_key(f.name for f in fields if f.compare)),
-            "__hash__": _hashed(_key(f.name for f in fields if (f.compare if f.hash is None else f.hash))),
-        }
-        methods |= {name: method for name, method in made.items() if _is_wanted(name, cls, own)}
+    if eq and "__eq__" not in own:
+        methods["__eq__"] = _equal(_key(f.name for f in fields if f.compare))
+    if eq and ("__hash__" not in own or ("__eq__" in own and vars(cls)["__hash__"] is None)):  # Python's None beside an __eq__
+        hashed = _hashed(_key(f.name for f in fields if (f.compare if f.hash is None else f.hash)))
+        methods["__hash__"] = hashed if frozen else None
     for name, method in methods.items():
         setattr(cls, name, method)
     return cls
-
-
-def _is_wanted(name: str, cls: Any, own: set[str]) -> bool:
-    """Whether the class left a comparison to us; Python sets __hash__ to None beside a written __eq__."""
-    return name not in own or (name == "__hash__" and "__eq__" in own and vars(cls)["__hash__"] is None)
 
 
 def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:

@@ -9,7 +9,6 @@ factors. A divisor that is no monomial is a generator `factor` until `cleared`.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from fractions import Fraction
 from math import prod
 from typing import Any
@@ -21,6 +20,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import Factors, cleared, divisor, primes, reduced, split
 from rbpsym.equality.signs import sign
 from rbpsym.errors import Undecided
+from rbpsym.frozen import dataclass, field
 
 Turn = tuple[Poly, Poly]
 

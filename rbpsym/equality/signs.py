@@ -8,7 +8,6 @@ Bernstein coefficients in one generator, which are polynomials in the others.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -19,6 +18,7 @@ from rbpsym.equality.factoring import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS,
 from rbpsym.equality.samples import MANY, Samples, samples_of
 from rbpsym.equality.sign_rules import QUICK, RULES, Rule
 from rbpsym.errors import LimitError, Undecided
+from rbpsym.frozen import dataclass, field
 
 MOST_STUDIES, FEW_STUDIES = 600, 150
 DEEPEST = 40

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from fractions import Fraction
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.letters import names_of_letter
 from rbpsym.notation.source import Cursor, Source, refused

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 
 from rbpsym.errors import LimitError
 from rbpsym.frozen import dataclass
@@ -51,7 +52,7 @@ _GAP = (
 )
 PUNCTUATION = (",", ".", ";")
 CONDITION = "if"  # the text of a row token behind which a condition stands
-_PATTERNS = re.compile(
+_PATTERNS = (
     r"(?P<blank>\s+)"
     r"|(?P<empty>\\(?:left|right)\s*\.)"
     r"|(?P<bar>\\(?:left|right|[bB]igg?[lrm]?)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
@@ -143,10 +144,16 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
     return [token for k, token in enumerate(tokens) if k not in dropped]
 
 
+@cache
+def _patterns() -> re.Pattern[str]:
+    """Of the tokens; compiled where LaTeX is read, not where the house is entered."""
+    return re.compile(_PATTERNS)
+
+
 def _tokens(source: Source) -> Iterator[Token]:
     position = 0
     while position < len(source.text):
-        found = _PATTERNS.match(source.text, position)
+        found = _patterns().match(source.text, position)
         if found is None:
             yield _single(source, position)
             position += 1

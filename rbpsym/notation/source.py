@@ -5,10 +5,10 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import check_degree, check_exponent, check_size
 

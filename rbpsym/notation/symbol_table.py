@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
+from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, glyph
 from rbpsym.notation.latex_tokens import Token, tokenize

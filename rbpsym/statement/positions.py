@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 
 from rbpsym.errors import Place
+from rbpsym.frozen import dataclass, field
 
 Path = tuple[str | int, ...]
 Key = list[tuple[str, int, int]]  # the parts of a dotted key, each with its offset and width

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
 from rbpsym.quantities import Dimension
-from rbpsym.statement.printed_units import RAISED, UNITS, scale_of, unit_text
+from rbpsym.statement.printed_units import RAISED, offered, scale_of, unit_text
 from rbpsym.statement.units import unit_named
 from rbpsym.teaching.model import Measure
 
@@ -20,10 +20,10 @@ def si(measure: Measure) -> float:
 
 def known_unit(unit: str, dimension: Dimension, what: str) -> str:
     """The unit, if it is one of the dimension. Raises RbpsymError with those that are."""
-    found = UNITS.get(unit) or unit_named(unit)
+    found = offered().get(unit) or unit_named(unit)
     if found is not None and found[0] == dimension:
         return unit
-    fitting = [name for name, (known, _) in UNITS.items() if known == dimension and name]
+    fitting = [name for name, (known, _) in offered().items() if known == dimension and name]
     what = f"“{unit}” is no unit of {what}" if unit else f"{what} needs a unit"
     raise RbpsymError(what, instead=f"write one of {', '.join(fitting)}." if fitting else "leave the unit out.")
 

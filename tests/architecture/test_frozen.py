@@ -9,12 +9,12 @@ from typing import Any
 
 import pytest
 
-from rbpsym import frozen
+from rbpsym.frozen import dataclass, replace
 
-MAKERS = {"own": frozen.dataclass, "standard": dataclasses.dataclass}
+MAKERS = {"own": dataclass, "standard": dataclasses.dataclass}
 
 
-@frozen.dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True)
 class Place:
     """A place, to be pickled."""
 
@@ -22,10 +22,10 @@ class Place:
     marks: tuple[str, ...] = ()
 
 
-def kinds(make: Callable[..., Any], slots: bool) -> tuple[Any, Any]:
+def kinds(make: Callable[..., Any], **how: bool) -> tuple[Any, Any]:
     """A class and one that adds a field to it."""
 
-    @make(frozen=True, slots=slots)
+    @make(**how)
     class One:
         """One."""
 
@@ -34,7 +34,7 @@ def kinds(make: Callable[..., Any], slots: bool) -> tuple[Any, Any]:
         marks: list[int] = dataclasses.field(default_factory=list, hash=False)
         span: int | None = dataclasses.field(default=None, kw_only=True)
 
-    @make(frozen=True, slots=slots)
+    @make(**how)
     class Two(One):
         """Two."""
 
@@ -64,12 +64,12 @@ CALLS: tuple[Callable[[Any, Any], Any], ...] = (
     lambda one, two: [one(1, span=2) == one(1), one(1, marks=[1]) == one(1)],
     lambda one, two: [hash(one(1)) == hash(one(1, "other")), hash(two(1))],
     lambda one, two: [one(1).marks is one(1).marks, two(1).twice, two.__match_args__],
-    lambda one, two: [frozen.replace(one(1, "a"), x=2), dataclasses.replace(two(1), y=4), frozen.replace(two(1), y=4).twice],
+    lambda one, two: [replace(one(1, "a"), x=2), dataclasses.replace(two(1), y=4), replace(two(1), y=4).twice],
     lambda one, two: one(),
     lambda one, two: one(1, 2, [], 4),
     lambda one, two: one(1, x=2),
     lambda one, two: one(1, other=2),
-    lambda one, two: frozen.replace(one(1), other=2),
+    lambda one, two: replace(one(1), other=2),
     lambda one, two: setattr(one(1), "x", 2),
     lambda one, two: delattr(one(1), "x"),
     lambda one, two: [f.name for f in dataclasses.fields(two)] + [dataclasses.astuple(two(1))],
@@ -78,8 +78,9 @@ CALLS: tuple[Callable[[Any, Any], Any], ...] = (
 
 @pytest.mark.parametrize("call", CALLS, ids=range(len(CALLS)))
 @pytest.mark.parametrize("slots", [True, False])
-def test_it_is_what_the_standard_library_makes(call: Callable[[Any, Any], Any], slots: bool) -> None:
-    own, standard = (shown(call, *kinds(make, slots)) for make in MAKERS.values())
+@pytest.mark.parametrize("frozen", [True, False])
+def test_it_is_what_the_standard_library_makes(call: Callable[[Any, Any], Any], slots: bool, frozen: bool) -> None:
+    own, standard = (shown(call, *kinds(make, slots=slots, frozen=frozen)) for make in MAKERS.values())
     assert own == standard
 
 

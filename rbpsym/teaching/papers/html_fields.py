@@ -14,7 +14,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Node, Sym
-from rbpsym.statement.printed_units import UNITS
+from rbpsym.statement.printed_units import OFFERED, offered
 from rbpsym.teaching import model as m
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
@@ -69,8 +69,8 @@ def _field(label: str, about: str) -> str:
 
 def _number(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     key = item.key
-    dimension = UNITS[key.units[0]][0] if key.units and key.units[0] in UNITS else None
-    units = {unit: scale for unit, (known, scale) in UNITS.items() if known == dimension} or {key.measure.unit: 1.0}
+    dimension = offered()[key.units[0]][0] if key.units and key.units[0] in OFFERED else None
+    units = {unit: scale for unit, (known, scale) in offered().items() if known == dimension} or {key.measure.unit: 1.0}
     slips = [{"exact": si(a.number), "comment": _comment(a.slip, item, worksheet, page)} for a in key.anticipated]
     left = f"{inline_math(key.left, page)} ="
     yield (
