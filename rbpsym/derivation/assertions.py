@@ -24,7 +24,7 @@ MOST_PRODUCTS = 100_000
 IDENTITY = "pivot pin weld contact guide slider sticking distance string prescribed prescribed-angle other"
 CHAPTERS = """
 ask course kinematics inertia instant momentum torque newton_euler work energy oscillations contact phases comparison remark
-theory
+statics theory
 """
 RESTING = """
 oscillations.stable oscillations.asymptotic oscillations.unstable oscillations.unclear oscillations.undecided

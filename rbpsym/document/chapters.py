@@ -185,6 +185,7 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
         return
     figure = Ref(free_bodies_label(said))
     key = "forces" if telling.told_origins(derivation, said) else "forces.center"
+    key = "forces.acting" if telling.tells_statics(derivation, said) else key
     yield from _intro(key, derivation, said, figure=figure, table=Ref(said.prefix + "table.forces"))
     yield free_bodies_figure(derivation, said)
     short = telling.in_one_table(steps, derivation, said)

@@ -64,7 +64,8 @@ def _stated(found: Found, shown: Mapping[t.Node, Inline]) -> Ref | None:
 
 def _by_name(step: Step) -> Iterator[t.Node]:
     """What a step says of a letter, said of the quantity with a name for which the letter stands."""
-    for letter, value in step.data.get("of", {}).items() if isinstance(step.data.get("of"), Mapping) else ():
+    found = step.data.get("of")
+    for value in found.values() if isinstance(found, Mapping) else ():
         if len(names := names_in(value)) == 1 and value == symbol(*names) and isinstance(step.statement, t.Chain):
             yield t.relation(t.Sym(*names), step.statement.ops[-1], step.statement.items[-1])
 

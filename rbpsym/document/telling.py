@@ -24,15 +24,23 @@ PARTIES = ("earth", "ground", "agent", "medium", "string", "link", "spring", "da
 
 
 def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Table:
-    """Each force: the vector, on what and where it acts, by whom, its torque about cm and each origin."""
-    origins = told_origins(derivation, said)
-    header = [said.say(f"header.{key}") for key in ("force", "acts", "torque_center")]
+    """Each force: the vector, on what and where it acts, by whom, its torque about cm and each origin; where balances are
+    taken about other points, their own torques stand in these."""
+    origins, is_about = told_origins(derivation, said), not tells_statics(derivation, said)
+    header = [said.say(f"header.{key}") for key in ("force", "acts", *(("torque_center",) if is_about else ()))]
     header += [said.say("header.torque_about", point=t.Sym(o)) for o in origins]
     pose = DrawnPose(derivation.study)
-    rows = tuple(tuple(_entry(step, origins, pose, said)) for step in steps)
-    return Table(
-        tuple(header), rows, said.say("caption.forces"), "lp" + "c" * (1 + len(origins)), said.prefix + "table.forces"
-    )
+    entries = (tuple(_entry(step, origins, pose, said)) for step in steps)
+    rows = tuple(entry if is_about else (*entry[:2], *entry[3:]) for entry in entries)
+    align = "lp" + "c" * (len(header) - 2)
+    caption = said.say("caption.forces" if is_about else "caption.acting")
+    return Table(tuple(header), rows, caption, align, said.prefix + "table.forces")
+
+
+def tells_statics(derivation: Derivation, said: Words) -> bool:
+    """Do shown balances of what is at rest name their points?"""
+    found = (step for step in derivation.chapter("reactions") if step.phrase.startswith("statics."))
+    return not said.is_full and any(step.id in said.shown for step in found)
 
 
 def told_origins(derivation: Derivation, said: Words) -> list[str]:

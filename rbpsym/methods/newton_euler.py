@@ -11,6 +11,7 @@ from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.methods import statics
 from rbpsym.notation import tree as t
 
 NAME = "newton-euler"
@@ -21,12 +22,13 @@ LARGEST = 8  # bodies times degrees of freedom: beyond this the elimination grow
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
     """The steps; returns the accelerations found by eliminating all forces from all bodies' equations."""
     draft.chapter = "reactions"
-    steps = [_equations(draft, name) for name in draft.study.system.bodies]
-    _reactions(draft, [step for step in steps if step is not None])
+    chosen = statics.write(draft)
+    steps = [_equations(draft, name, FULL if chosen else STANDARD) for name in draft.study.system.bodies]
+    _reactions(draft, chosen or [step for step in steps if step is not None])
     return _accelerations(draft)
 
 
-def _equations(draft: Draft, name: str) -> Step | None:
+def _equations(draft: Draft, name: str, level: int) -> Step | None:
     """F_x = M a_x, F_y = M a_y, τ_cm = I α of one body."""
     state, rows = draft.study.system.bodies[name], []
     forces = draft.study.system.on(name)
@@ -50,6 +52,7 @@ def _equations(draft: Draft, name: str) -> Step | None:
         t.system(rows),
         "newton_euler.body",
         body=BodyRef(name),
+        level=level,
         forces=[force_node(draft, f) for f in forces],
         premises=[f"force.{f.name}.{f.on}" for f in forces],
     )

@@ -90,8 +90,8 @@ def _way(result: Result, name: str) -> str:
 def drops_out(result: Result) -> Iterator[Made]:
     """The forces of ideal constraints, together where they drop out for one reason."""
     study = result.study
-    if result.step.rule not in CAUSED or names_in(result.value) & set(study.system.unknowns):
-        return
+    if result.step.rule not in CAUSED or names_in(result.value) & set(study.system.unknowns) or not study.system.independent:
+        return  # where nothing is free, the forces themselves are what is found
     ideal = [name for name, is_ideal in study.dynamics.workless.items() if is_ideal and not _is_needed(name, result)]
     found: dict[tuple[str, ...], list[str]] = {}
     for name in ideal:
