@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer, Found
 
 LETTER = "Q"
+ANSWERS = ("ask.answer", "ask.there")
 COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, where no formula tells")
 NAMED = {solutions.WEAK: "underdamped", solutions.CRITICAL: "critically damped", solutions.STRONG: "overdamped"}
 LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
@@ -61,7 +62,8 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     begun, earlier = before(asked, place, found)
     for k, part in enumerate(found.since):
         first = certified(asked, question, part, LETTER if not k else f"{LETTER}_{k}")
-        earlier += tuple(replace(step, id=f"since.{k}.{step.id}") for step in first.steps if step not in earlier)
+        parts = (replace(step, phrase="ask.part") if step.phrase in ANSWERS else step for step in first.steps)
+        earlier += tuple(replace(step, id=f"since.{k}.{step.id}") for step in parts if step not in earlier)
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     if found.about is not None:
         _spread(draft, found)

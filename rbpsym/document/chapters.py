@@ -227,7 +227,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     if integrals:
         yield from _integrals(integrals, derivation, said)
     if idle and not said.is_full:
-        forces = list(dict.fromkeys(step.slots["force"] for step in idle))
+        forces = list(dict.fromkeys(telling.whose(step, _on_several(derivation), said) for step in idle))
         yield Paragraph(said.say("work.idle", ground=Said(steps=idle), forces=forces, count=len(forces)))
     for manner in dict.fromkeys(step.phrase for step in kinds["workless"]):
         group = [step for step in kinds["workless"] if step.phrase == manner]
@@ -243,29 +243,33 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
         yield from _done(kinds["work_done"], derivation, said)
 
 
+def _on_several(derivation: Derivation) -> bool:
+    """Whether works are done on more than one body, also such as are zero."""
+    return len({step.slots["body"].name for step in derivation.steps if step.rule == "work"}) > 1
+
+
 def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as integrals: a table, or one below the other if they are long."""
-    table = telling.works_table(steps, said)
+    table = telling.works_table(steps, said, several=_on_several(derivation))
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.intro" if said.is_full else "work.short", table=Ref(table.label)))
         yield table
-        return
-    yield Paragraph(said.say("work.intro_below" if said.is_full else "work.short_below"))
-    yield from (telling.joined([step], said) for step in steps)
+    else:
+        yield Paragraph(said.say("work.intro_below" if said.is_full else "work.short_below"))
+        yield from (telling.joined([step], said) for step in steps)
+    yield from telling.Teller(said).conditions(steps)
 
 
 def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works carried out: a table, or one below the other if the formulas are long."""
-    table, ground = telling.done_table(steps, said), Said(derivation.study, steps=steps)
+    table, ground = telling.done_table(steps, said, several=_on_several(derivation)), Said(derivation.study, steps=steps)
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.done_intro", ground=ground, table=Ref(table.label)))
         yield table
-        return
-    if not said.is_full:
-        return
-    yield Paragraph(said.say("work.done_below", ground=ground))
-    for group in _by_force(steps):
-        yield telling.joined(group, said)
+    elif said.is_full:
+        yield Paragraph(said.say("work.done_below", ground=ground))
+        yield from (telling.joined(group, said) for group in _by_force(steps))
+    yield from telling.Teller(said).conditions(steps)
 
 
 def _by_force(steps: list[Step]) -> list[list[Step]]:
@@ -285,6 +289,7 @@ def _halves(steps: list[Step], teller: telling.Teller, said: Words, ground: Said
     if len(steps) <= telling.MOST_ROWS:
         yield Paragraph(said.say("work.theorem.half", ground=ground, count=len(steps)))
         yield telling.joined(steps, said)
+        yield from teller.conditions(steps)
         return
     yield Paragraph(said.say("work.theorem.halves_each"))
     for body in dict.fromkeys(step.slots["body"] for step in steps):
@@ -301,6 +306,7 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
         forces = [step.slots["force"] for step in still]
         yield Paragraph(said.say("contact.constant", ground=Said(steps=still), forces=forces, count=len(still)))
         yield telling.joined(still, said)
+        yield from teller.conditions(still)
     for boxed in (True, False):
         group = [step for step in along if step.is_result is boxed and step not in still]
         forces = [step.slots["force"] for step in group]
@@ -331,13 +337,18 @@ def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Ite
     silent = [s for s in derivation.chapter("oscillations") if s.rule == "equilibrium" and not s.slots["told"]]
     unstable = [step for step in silent if step.phrase == "oscillations.unstable" and step not in steps]
     for step in derivation.chapter("oscillations"):
-        if step in steps:
-            yield from (telling.display(step, said),) if step.slots.get("told", False) else teller.step(step)
+        if step in steps and step.slots.get("told", False):
+            yield telling.display(step, said)
+            yield from teller.conditions([step])
+        elif step in steps:
+            yield from teller.step(step)
         elif step in silent and not (step in unstable and len(unstable) > 1):
             yield Paragraph(teller.sentence(step, step.phrase, **step.slots))
+            yield from teller.own_conditions([step])
     if len(unstable) > 1:
         places = [said.say("oscillations.place", place=step.slots["place"]) for step in unstable]
         yield Paragraph(said.say("oscillations.unstable_many", ground=Said(steps=unstable), places=places))
+        yield from teller.own_conditions(unstable)
 
 
 BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]] = {

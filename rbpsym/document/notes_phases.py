@@ -46,7 +46,8 @@ def phase_words(derivation: Derivation, said: Words, speaker: Speaker) -> Iterat
     before = [(derivation, said)]
     for number, phase in enumerate(derivation.phases, 2):
         prefix = f"{said.prefix}phase{number}."
-        own = without_repetition(phase.derivation, speaker(phase.derivation, prefix), before)
+        own = replace(speaker(phase.derivation, prefix), locate=said.locate)  # ends are called as the figure shows them
+        own = without_repetition(phase.derivation, own, before)
         before.append((phase.derivation, own))
         yield begin_words(phase, said, prefix), own
 

@@ -105,10 +105,9 @@ def _at(label: str, on: str, pose: DrawnPose, said: Words) -> Inlines:
     return point_name(PointRef(label, body, point), pose, said) if known else said.say("plain", text=label)
 
 
-def works_table(steps: list[Step], said: Words) -> Table:
-    """Both works of each force as integrals, with unknown forces as symbols."""
-    several = len({step.slots["body"].name for step in steps}) > 1
-    rows = tuple((_whose(step, several, said), *_halves(step)) for step in steps)
+def works_table(steps: list[Step], said: Words, *, several: bool) -> Table:
+    """Both works of each force as integrals, with unknown forces as symbols; of `several` bodies each says on which it acts."""
+    rows = tuple((whose(step, several, said), *_halves(step)) for step in steps)
     align = "pll" if several else "lll"
     return Table(_header(said), rows, said.say("caption.works"), align, said.prefix + "table.works")
 
@@ -117,7 +116,8 @@ def _header(said: Words) -> tuple[Inlines, ...]:
     return tuple(said.say(f"header.{key}") for key in ("force", "translational", "rotational"))
 
 
-def _whose(step: Step, several: bool, said: Words) -> Inlines:
+def whose(step: Step, several: bool, said: Words) -> Inlines:
+    """A force, and among several bodies on which it acts: it is not its opposite."""
     force = step.slots["force"]
     return said.say("forces.on", force=force, body=step.slots["body"]) if several else (Math(force),)
 
@@ -136,13 +136,12 @@ def _half(row: t.Chain) -> str:
     return "theta" if row.items[0].name.startswith("cal_W_theta") else "T"
 
 
-def done_table(steps: list[Step], said: Words) -> Table:
+def done_table(steps: list[Step], said: Words, *, several: bool) -> Table:
     """The works that could be worked out, force by force."""
     found: dict[str, dict[str, Step]] = {}
     for step in steps:
         _, half, rest = step.id.split(".", 2)
         found.setdefault(rest, {})[half] = step
-    several = len({step.slots["body"].name for step in steps}) > 1
     rows = tuple(_done_row(halves, several, said) for halves in found.values())
     return Table(_header(said), rows, said.say("caption.done"), "pll" if several else "lll", said.prefix + "table.done")
 
@@ -150,7 +149,7 @@ def done_table(steps: list[Step], said: Words) -> Table:
 def _done_row(halves: dict[str, Step], several: bool, said: Words) -> tuple[Inlines, ...]:
     step = next(iter(halves.values()))
     values = [halves[half].statement.items[-1] if half in halves else t.ZERO for half in ("T", "theta")]
-    return (_whose(step, several, said), *((Math(value),) for value in values))
+    return (whose(step, several, said), *((Math(value),) for value in values))
 
 
 # ---
@@ -185,8 +184,15 @@ class Teller:
 
     def conditions(self, steps: Sequence[Step]) -> Iterator[Block]:
         """As long as what is not implied by the declared signs and ranges the formulas hold."""
-        owed = merged(node for step in steps for node in self.said.owed.get(step.id, ()))
-        if owed:
+        yield from self._owed(steps, (node for step in steps for node in self.said.owed.get(step.id, ())))
+
+    def own_conditions(self, steps: Sequence[Step]) -> Iterator[Block]:
+        """The same of what a sentence alone says."""
+        duties = (duty for step in steps for duty in step.certificate.verdict.open_obligations)
+        yield from self._owed(steps, (duty.relation for duty in duties))
+
+    def _owed(self, steps: Sequence[Step], nodes: Iterable[t.Node]) -> Iterator[Block]:
+        if owed := merged(nodes):
             yield Paragraph(self.said.say("obligation.told", conditions=list(owed), count=len(steps)))
 
     def sentence(self, step: Step, key: str, **slots: object) -> Inlines:

@@ -10,13 +10,17 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import ask
 from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
+from rbpsym.document import notes as document_notes
+from rbpsym.document.needless import owed_by
 from rbpsym.document.plots.motion import motion
+from rbpsym.document.telling import Teller
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
 from rbpsym.solve import results
 from rbpsym.statement.loader import load_text
 from tests.derivation.test_assertions import said_in
+from tests.library.derived import derived
 
 PULLED = """
 [parameters]
@@ -185,7 +189,7 @@ def test_an_equilibrium_is_told_with_what_it_asks_for(detail):
     [equilibrium] = [step for step in found.steps if step.id == "equilibrium.1"]
     assert equilibrium.obligations and set(equilibrium.obligations) <= set(linear.obligations)
     text = said_in(found, detail)
-    assert "This holds as long as" in text[text.index("They do so at") : text.index("This equilibrium is stable")]
+    assert "k − mΩ² > 0" in text[text.index("the forces balance") : text.index("This equilibrium is stable")]
 
 
 def test_curves_end_where_static_friction_does():
@@ -195,3 +199,38 @@ def test_curves_end_where_static_friction_does():
     numbers = moving.way.legs[-1].at(moment)
     assert name == "f_N" and numbers["N"] > 0
     assert abs(numbers["f_N"]) == pytest.approx(numbers["mu"] * numbers["N"], rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["rod-caught-at-end", "falling-rod-hooked"])
+def test_an_end_keeps_its_name_in_later_phases(name):
+    """The ends are called as the one figure shows them."""
+    text = said_in(derived(name))
+    assert "left end of the rod" in text and "upper end" not in text and "lower end" not in text
+
+
+def test_a_force_that_does_no_work_is_not_its_opposite():
+    """The friction on the lever does none, that on the drum takes the energy."""
+    text = said_in(derived("brake-drum"), "standard")
+    assert "on the lever does no work" in text and "It is not constant: it changes at the rate at which" in text
+
+
+@pytest.mark.parametrize("detail", ["standard", "full"])
+@pytest.mark.parametrize("found", [lambda: stated(TURNED), lambda: derived("rod-over-rim-of-bowl")], ids=["turned", "rim"])
+def test_each_open_condition_is_told_somewhere(found, detail, monkeypatch):
+    """What is not said again because the page has said it, the page has said."""
+    owed, told, tell = [], [], Teller._owed
+
+    def noted(steps, shown):
+        conditions = owed_by(steps, shown)
+        owed.extend(node for nodes in conditions.values() for node in nodes)
+        return conditions
+
+    def telling(teller, steps, nodes):
+        nodes = list(nodes)
+        told.extend(nodes)
+        yield from tell(teller, steps, nodes)
+
+    monkeypatch.setattr(document_notes, "owed_by", noted)
+    monkeypatch.setattr(Teller, "_owed", telling)
+    document_notes.notes(found(), "en", detail)
+    assert owed and set(owed) <= set(told)

@@ -171,9 +171,11 @@ def leg(
 
 
 def arrival(flow: Flow, start: State, ending: Ending) -> Event:
-    """The coordinate that moves most comes to its place at the end of a phase."""
+    """The coordinate that moves most comes to its place at the end of a phase, or to rest where it only touches it."""
     begin, goals = flow.numbers(start), {name: at(ending.places[name], flow.given) for name in flow.shown}
     name = max(goals, key=lambda name: abs(goals[name] - begin[name]) / flow.sizes[name])
+    if at(ending.speeds[name], flow.given) ** 2 < EDGE * begin[f"{name}_dot"] ** 2:
+        return Event(lambda _, state: flow.numbers(state)[f"{name}_dot"])
     return Event(lambda _, state: flow.numbers(state)[name] - goals[name])
 
 
