@@ -227,7 +227,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     if integrals:
         yield from _integrals(integrals, derivation, said)
     if idle and not said.is_full:
-        forces = list(dict.fromkeys(telling.whose(step, _on_several(derivation), said) for step in idle))
+        forces = list(dict.fromkeys(telling.whose(step, telling.on_several(derivation), said) for step in idle))
         yield Paragraph(said.say("work.idle", ground=Said(steps=idle), forces=forces, count=len(forces)))
     for manner in dict.fromkeys(step.phrase for step in kinds["workless"]):
         group = [step for step in kinds["workless"] if step.phrase == manner]
@@ -243,14 +243,9 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
         yield from _done(kinds["work_done"], derivation, said)
 
 
-def _on_several(derivation: Derivation) -> bool:
-    """Whether works are done on more than one body, also such as are zero."""
-    return len({step.slots["body"].name for step in derivation.steps if step.rule == "work"}) > 1
-
-
 def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as integrals: a table, or one below the other if they are long."""
-    table = telling.works_table(steps, said, several=_on_several(derivation))
+    table = telling.works_table(steps, said, several=telling.on_several(derivation))
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.intro" if said.is_full else "work.short", table=Ref(table.label)))
         yield table
@@ -262,7 +257,7 @@ def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 
 def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works carried out: a table, or one below the other if the formulas are long."""
-    table, ground = telling.done_table(steps, said, several=_on_several(derivation)), Said(derivation.study, steps=steps)
+    table, ground = telling.done_table(steps, said, several=telling.on_several(derivation)), Said(derivation.study, steps=steps)
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.done_intro", ground=ground, table=Ref(table.label)))
         yield table

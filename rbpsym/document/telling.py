@@ -105,6 +105,11 @@ def _at(label: str, on: str, pose: DrawnPose, said: Words) -> Inlines:
     return point_name(PointRef(label, body, point), pose, said) if known else said.say("plain", text=label)
 
 
+def on_several(derivation: Derivation) -> bool:
+    """Whether works are done on more than one body, also such as are zero."""
+    return len({step.slots["body"].name for step in derivation.steps if step.rule == "work"}) > 1
+
+
 def works_table(steps: list[Step], said: Words, *, several: bool) -> Table:
     """Both works of each force as integrals, with unknown forces as symbols; of `several` bodies each says on which it acts."""
     rows = tuple((whose(step, several, said), *_halves(step)) for step in steps)
