@@ -6,11 +6,14 @@ Conditions for the speeds are no slip and taut strings; those that are rates of 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
+from rbpsym.algebra.normal import has_roots
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, StatementError
 from rbpsym.mechanics.constraints import JOINTS
@@ -80,7 +83,10 @@ def full_rates(names: Sequence[str]) -> dict[str, Scalar]:
 
 def all_conditions(problem: Problem, geometry: Geometry) -> tuple[Condition, ...]:
     """Every scalar condition of every constraint on the position, as `value = 0`, in the poses as given."""
-    return tuple(c for element in problem.constraints for c in _of(element, problem, geometry))
+    given = declared(problem.parameters).assumptions
+    found = (c for element in problem.constraints for c in _of(element, problem, geometry))
+    # √((a² + h²)/a²), of an angle atan(h/a), is √(a² + h²)/a by the declared signs
+    return tuple(replace(c, value=neat(c.value, given)) if has_roots(c.value) else c for c in found)
 
 
 def _of(element: Element, problem: Problem, geometry: Geometry) -> list[Condition]:

@@ -9,6 +9,8 @@ from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension
 from rbpsym.statement.printed_units import unit_of
 from rbpsym.statement.units import unit_named
 
+SIGNS = ("positive", "nonnegative", "nonzero", "real", "acute")  # acute: an angle between 0 and π/2
+
 # word of ours -> the usual ones for which it may stand
 OTHER_WORDS: Mapping[str, str] = {
     "rod": "bar stick beam ladder pendulum",
@@ -76,7 +78,9 @@ def in_radians(value: float, dimension: Dimension | None) -> str:
 
 
 def for_a_dimension(word: str, hint: str) -> str:
-    """Where a number with its unit, or the meaning alone, stands for a dimension."""
+    """Where a number with its unit, a sign, or the meaning alone, stands for a dimension."""
+    if word in SIGNS:
+        return f'“{word}” is a sign and stands after the dimension: "{"angle" if word == "acute" else "length"}, {word}: ..."'
     number, _, unit = word.strip().partition(" ")
     if re.match(r"[-+]?\d", number):
         found = unit_named(unit) if unit else None

@@ -16,6 +16,9 @@ from tests.ask.test_unseen import asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 
 ANSWERS = (
+    ("truss", "magnitude of T", "P*a/(2*h)"),
+    ("truss", "magnitude of C", "P*sqrt(a**2 + h**2)/(2*h)"),
+    ("truss", "N", "P/2"),
     ("telescope", "speed of phi as a function of t", "omega_0*(I+m*r_0**2)/(I+m*(r_0+u*t)**2)"),
     ("telescope", "speed of phi where t = r_0/u", "omega_0*(I+m*r_0**2)/(I+4*m*r_0**2)"),
     ("telescope", "D as a function of t", "-m*(r_0+u*t)*omega_0**2*(I+m*r_0**2)**2/(I+m*(r_0+u*t)**2)**2"),
