@@ -8,7 +8,7 @@ from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, names_in, su
 from rbpsym.algebra.present import present
 from rbpsym.ask.moments import Asked
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.elimination import short
+from rbpsym.algebra.normal import short
 from rbpsym.notation.machine import to_machine
 
 MEETS = re.compile(

@@ -125,9 +125,20 @@ def _waves(poly: Poly, cos: int, sin: int, name: str) -> list[Scalar]:
     for base, other, kind in ((cos, sin, "acos"), (sin, cos, "asin")):
         powers = _quadratic_parts(poly, base, other)
         if powers and not any(depends_on(part, name) for part in powers):
+            if slope := _tangent(*powers, kind):
+                return [slope, -slope, PI - slope, slope - PI]
             solutions = [function(kind, value) for value in _solve_quadratic(*powers)]
             return [way for first in solutions for way in (first, -first if kind == "acos" else PI - first)]
     return []
+
+
+def _tangent(a: Scalar, b: Scalar, c: Scalar, kind: str) -> Scalar | None:
+    """The acute angle with a u² + c = 0 for its cosine (or sine) u by its tangent, where that is shorter."""
+    rest = short(a + c)
+    if not is_zero(b) or len(rest.num) >= len(short(a).num):
+        return None
+    ratio = short(-(rest / c) if kind == "acos" else -(c / rest))
+    return function("atan", simplified_root(ratio, lambda name: False))
 
 
 def _quadratic_parts(poly: Poly, base: int, other: int) -> tuple[Scalar, Scalar, Scalar] | None:

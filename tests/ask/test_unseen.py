@@ -210,6 +210,12 @@ ANSWERS = (
     ("half-ring-on-end", "stable equilibrium of theta", "-atan(2/pi)"),
     ("half-ring-on-end", "frequency of theta", "sqrt(g*sqrt(1+4/pi**2)/(2*R))"),
     ("half-ring-on-end", "largest magnitude of speed of theta", "sqrt(g*(2/pi+sqrt(1+4/pi**2))/R)"),
+    ("double-wedge", "acceleration of x",
+     "g*(m_1*sin(alpha)-m_2*sin(beta))*(m_1*cos(alpha)+m_2*cos(beta))/((M+m_1+m_2)*(m_1+m_2)-(m_1*cos(alpha)+m_2*cos(beta))**2)"),
+    ("double-wedge", "m_1 for which acceleration of x = 0", "m_2*sin(beta)/sin(alpha)"),
+    ("free-hinged-rods", "speed of theta when struck begins", "-9*P/(4*m*a)"),
+    ("free-hinged-rods", "kinetic energy when struck begins", "7*P**2/(4*m)"),
+    ("free-hinged-rods", "impulse of N_y when struck begins", "-P/4"),
 )  # fmt: skip
 
 
