@@ -70,6 +70,7 @@ thorough: $(VENV)/dev.stamp
 	$(BIN)/python -m pytest $(TESTS) -m thorough
 	@echo "examples drawn with SEED=$(SEED)"
 	$(BIN)/python -m pytest $(TESTS) --hypothesis-profile=random --hypothesis-seed=$(SEED) $$(grep -rl "^ *@given" tests)
+	$(BIN)/python -m tests.claims.errata 2000 $(SEED)
 	$(BIN)/python -m tests.oracles.random_run 0 2000 $(OUT)/systems.jsonl
 	RBPSYM_COVERING=$(OUT)/covering.json $(BIN)/python -m pytest -p no:xdist -p tests.thorough.covering tests > /dev/null
 	$(BIN)/python -m tests.thorough.mutants $(OUT)/covering.json

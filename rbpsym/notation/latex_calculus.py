@@ -341,7 +341,7 @@ def _bracket(reader: LatexReader) -> t.Node:
     """[f] with limits is taken between them; without, it is a parenthesis. [T] alone is the unit of T, and X[0] an element."""
     start, before = reader.token.start, reader.tokens[reader.position - 1] if reader.position else None
     node = between(reader, "]")
-    if isinstance(node, t.Num) and before is not None and (before.kind in ("letter", "digit", "text") or before.text in ("}", ")")):
+    if isinstance(node, t.Num) and before and (before.kind in ("letter", "digit", "text") or before.text in ("}", ")")):
         return reader.spanned(t.Formal("element", (node,)), start)
     beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (before or reader.tokens[-1], reader.token)]
     if isinstance(node, (t.Sym, t.Vec)) and all(beside):

@@ -24,7 +24,7 @@ from rbpsym.verify.claims_check import decide
 from rbpsym.verify.claims_ground import Ground, Question, holds_unknowns
 from rbpsym.verify.claims_integrals import prepared
 from rbpsym.verify.claims_model import Claim, Outcome
-from rbpsym.verify.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits
+from rbpsym.verify.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
 from rbpsym.verify.diagnosis_numbers import TOLERANCE, samples
 
 
@@ -166,7 +166,7 @@ def _exponents(path: Path, node: t.Node) -> Iterator[Change]:
     if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
         for step in (-1, 1):
             yield t.power(node.base, node.exponent.value + step), f"exponent of {to_text(node.base)}"
-    elif isinstance(node, t.Sym) and (not path or path[-1][0] != "base"):
+    elif isinstance(node, (t.Sym, t.Fn, t.Group)) and (not path or path[-1][0] != "base"):
         yield t.Pow(node, t.TWO), f"exponent of {to_text(node)}"
 
 
@@ -203,7 +203,8 @@ def _turned(path: Path, node: t.Node) -> Iterator[Change]:
 
 
 RULES: tuple[Rule, ...] = (
-    anywhere(_products), _signs, anywhere(_functions), _factors, _extra, *map(anywhere, (_exponents, _limits, _turned)), _symbols,
+    anywhere(_products), _signs, anywhere(_functions), anywhere(numbers), _factors, _extra,
+    *map(anywhere, (_exponents, _limits, _turned)), _symbols,
 )  # fmt: skip
 
 

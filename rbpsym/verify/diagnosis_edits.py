@@ -22,7 +22,8 @@ from rbpsym.verify.claims_model import Claim
 
 _FAR = re.compile(r"\b(where|when|until|in|frequency|period|time|start|unknown|constant|defined|smallest|largest)\b")
 LARGEST = 12  # number that is tried in place of another
-MOST = 20  # other symbols that are tried
+MOST = 24  # other symbols that are tried
+MOST_SUMS, LONGEST = 16, 12  # places where a term may be missing; parts of such a term
 TURNS = ("sin", "cos", "tan")
 Change = tuple[t.Node, str]  # what stands in place of a part, and what was changed in words
 Rule = Callable[[t.Chain], Iterator["Repair"]]
@@ -51,7 +52,8 @@ def anywhere(change: Callable[[Path, t.Node], Iterator[Change]], ground: Ground 
 def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
     """The ground with symbols of a claim that its formula does not use, and their phrases by name."""
     bounds, phrases = dict(ground.bounds), {}
-    for latex, meaning in claim.setting.symbols.items():
+    own = set(ground.world.symbols.values())
+    for latex, meaning in sorted(claim.setting.symbols.items(), key=lambda item: item[1].phrase in own):  # the author's first
         key = ground.glossary.names.get(latex)
         if key is None or _FAR.search(meaning.phrase) or len(phrases) >= MOST:
             continue
@@ -64,7 +66,7 @@ def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
 def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
     """All of them, the likeliest first."""
     wide, phrases = known(claim, ground)
-    for change in (_degrees, _numbers, _angles, partial(_others, phrases), partial(_lost, phrases)):
+    for change in (_degrees, _angles, partial(_others, phrases), partial(_lost, phrases)):
         yield from anywhere(change, wide)(relation)
     yield from _missing(relation, wide, phrases)
 
@@ -74,7 +76,7 @@ def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
         yield t.mul(node, DEGREE), f"{to_text(node)} is in degrees"
 
 
-def _numbers(path: Path, node: t.Node) -> Iterator[Change]:
+def numbers(path: Path, node: t.Node) -> Iterator[Change]:
     """Another small number, wherever one stands."""
     for other in range(1, LARGEST + 1) if isinstance(node, t.Num) and isinstance(node.value, int) else ():
         if other != node.value:
@@ -95,16 +97,51 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
     """The one term by which the sides differ."""
     named = {phrase: name for name, phrase in phrases.items()}
     question = Question(ground)
+    found: dict[t.Chain, tuple[int, t.Node]] = {}
+    alone = {side.name for side in relation.items if isinstance(side, t.Sym)}
     for depth in ("identity", "motion"):
-        left, right = (valued(side, ground) for side in relation.items)
-        if isinstance(left, Space) or isinstance(right, Space):
-            return
-        term = present(question.seen(left, depth) - question.seen(right, depth))
-        if any(isinstance(part, t.Add) for part in t.walk(term)) or not t.names(term) - {"pi"} <= named.keys():
-            continue
-        term = renamed(term, named)
-        repaired = t.Chain((relation.items[0], t.add(relation.items[1], term)), ("=",))
+        for path, node in _summands(relation):
+            term = _that_is_missing(relation, path, node, question, depth)
+            size = 0 if term is None else len([part for part in t.walk(term) if not isinstance(part, t.Neg)])
+            sums = 0 if term is None else sum(isinstance(part, t.Add) for part in t.walk(term))
+            if term is None or size > LONGEST or sums > 1 or isinstance(term, t.Add) or alone & t.names(term):
+                continue
+            if t.names(term) - {"pi"} <= named.keys():
+                term = renamed(term, named)
+                found.setdefault(put(relation, path, t.add(node, term)), (size, term))
+    for repaired, (_, term) in sorted(found.items(), key=lambda item: item[1][0]):
         yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
+
+
+def _summands(relation: t.Chain) -> list[tuple[Path, t.Node]]:
+    """Where one more term can stand: sides, the right one first, parentheses, above and below the bar."""
+    parents = dict(sites(relation))
+    found = [(path, node) for path, node in parents.items() if path and node != t.ZERO and _is_summand(path, node, parents)]
+    return sorted(found, key=lambda item: item[0][0] != ("items", 1))[:MOST_SUMS]
+
+
+def _is_summand(path: Path, node: t.Node, parents: Mapping[Path, t.Node]) -> bool:
+    kind = path[-1][0]
+    if kind == "factors":  # a parenthesis of which one term is left
+        return isinstance(node, (t.Sym, t.Fn, t.Num))
+    return kind in ("items", "num", "den") or (kind == "arg" and isinstance(parents[path[:-1]], t.Group))
+
+
+def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Question, depth: str) -> t.Node | None:
+    """The term x for which the gap (a + b x)/(1 + d x) of the sides is zero, found from its values at 0, 1 and 2."""
+    gaps = []
+    for number in range(3):
+        sides = put(relation, path, t.add(node, t.Num(number)) if number else node).items
+        left, right = (valued(side, question.ground) for side in sides)
+        if isinstance(left, Space) or isinstance(right, Space):
+            return None
+        gaps.append(question.seen(left, depth) - question.seen(right, depth))
+    first, second, third = gaps
+    if first == second or second == third:
+        return None
+    d = (second * 2 - third - first) / ((third - second) * 2)
+    b = second * (d + 1) - first
+    return None if b == first - first else present(-first / b)
 
 
 def renamed(node: t.Node, names: dict[str, str]) -> t.Node:
@@ -127,9 +164,27 @@ def _lost(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]
     if not path or path[-1][0] not in ("terms", "items", "num", "den", "arg") or node == t.ZERO:
         return
     for symbol in map(t.Sym, phrases):
-        yield t.mul(node, symbol), f"the factor {to_text(symbol)} is missing"
+        if not _holds_quotient(node):  # above the bar, and behind the sign
+            yield _among_factors(node, symbol), f"the factor {to_text(symbol)} is missing"
         if symbol.name in t.names(node):
             yield t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
+
+
+def _holds_quotient(node: t.Node) -> bool:
+    inner = node.arg if isinstance(node, t.Neg) else node
+    return inner is not node or any(isinstance(part, t.Div) and t.names(part) for part in getattr(inner, "factors", (inner,)))
+
+
+def _among_factors(node: t.Node, symbol: t.Sym) -> t.Node:
+    """The product with one more factor, in front of functions and parentheses."""
+    factors = node.factors if isinstance(node, t.Mul) else (node,)
+    plain = [isinstance(part.base if isinstance(part, t.Pow) else part, (t.Num, t.Sym)) or _is_number(part) for part in factors]
+    place = plain.index(False) if False in plain else len(plain)
+    return t.mul(*factors[:place], symbol, *factors[place:])
+
+
+def _is_number(node: t.Node) -> bool:
+    return not t.names(node)
 
 
 # --- a repaired relation in the author's own LaTeX: what was not changed stays as it is printed
@@ -152,14 +207,14 @@ def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping
         before, text = before[:-1].rstrip(), f"- {text[1:].lstrip()}"
     elif isinstance(old, t.Neg) and not text.startswith("-") and not re.search(r"(?:[=({\[&]|\\approx|\\\\)$", before) and before:
         text = f"+ {text}"
-    elif isinstance(new, t.Add) and not re.search(r"(?:[=+&]|\\approx|\\\\)$", before) and before:
+    elif isinstance(new, t.Add) and before and not _stands_alone(before, behind):
         text = rf"\left({text}\right)"
     return f"{before}{gap}{text}{behind}".strip()
 
 
 def _only_change(old: t.Node, new: t.Node) -> tuple[t.Node, t.Node] | None:
     """The only part in which two nodes of one kind differ; None if they differ themselves."""
-    if type(old) is not type(new):
+    if type(old) is not type(new) or _is_printed_in_one(old):
         return None
     ones, others = ([node for path, node in sites(node) if len(path) == 1] for node in (old, new))
     if len(ones) != len(others):
@@ -171,12 +226,28 @@ def _only_change(old: t.Node, new: t.Node) -> tuple[t.Node, t.Node] | None:
     return pairs[0] if len(pairs) == 1 and whole and pairs[0][0].span else None
 
 
+def _stands_alone(before: str, behind: str) -> bool:
+    """May a sum stand here without parentheses?"""
+    inside = before.endswith(("{", "(", "[")) and behind.lstrip().startswith(("}", ")", "]", r"\right"))
+    return inside or bool(re.search(r"(?:[=+&]|\\approx|\\\\)$", before))
+
+
+def _is_printed_in_one(node: t.Node) -> bool:
+    r"""Does the exponent stand within its base, as in \\sin^2 x?"""
+    inner = (node.base.span, node.exponent.span) if isinstance(node, t.Pow) else (None, None)
+    return None not in inner and inner[0][0] <= inner[1][0] < inner[0][1]
+
+
 def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str]) -> str:
     """The LaTeX of a part: as printed if it was there, else its symbols as the author prints them."""
     if id(node) in kept:
         return latex[slice(*node.span)].strip()
     if isinstance(node, t.Neg):
         return f"-{_written(node.arg, latex, kept, symbols)}"
+    if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[:-1]):
+        sign, last = ("-", node.terms[-1].arg) if isinstance(node.terms[-1], t.Neg) else ("+", node.terms[-1])
+        begin = latex[node.terms[0].span[0] : node.terms[-2].span[1]].strip()
+        return f"{begin} {sign} {_written(last, latex, kept, symbols)}"
     names = sorted(t.names(node) - {"pi"})
     marks = {name: f"Q_{place}" for place, name in enumerate(names, 101)}
     for path, part in list(sites(node)):

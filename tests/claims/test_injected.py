@@ -14,6 +14,7 @@ from rbpsym.verify.claims_model import Outcome, Printed
 from rbpsym.verify.claims_run import Worlds
 from rbpsym.verify.diagnosis import diagnosis
 from rbpsym.verify.diagnosis_edits import corrected
+from tests.claims.errata import run
 from tests.claims.injected import injected
 
 FOLDER = library_folder() / "claims"
@@ -56,6 +57,34 @@ def test_errors_of_one_token_are_caught_and_repaired():
     assert counts["tried"] == COUNT and counts[Outcome.UNDECIDED] <= 1, counts
     assert counts[Outcome.PROVED] <= 1, counts  # an error that leaves the formula true is none
     assert counts["repaired"] >= 0.85 * counts[Outcome.REFUTED], left
+
+
+LOST = [  # a claims file, a claim, what is printed, and the repair
+    ("block-on-table", "acceleration", r"a = \frac{m_2 g}{m_1 +\frac{1}{2}M}", r"a = \frac{m_2 g}{m_1 +\frac{1}{2}M + m_2}"),
+    ("spool-on-rails", "acceleration", r"a = \frac{g\sin\theta}{1 }", r"a = \frac{g\sin\theta}{1 + \frac{k^2}{r^2}}"),
+    ("cylinder-in-rolling-pipe", "rolling", r"r\dot\psi = -v-(R )\dot\theta", r"r\dot\psi = -v-(R - r)\dot\theta"),
+    ("ball-and-hinged-rod", "spin", r"\omega = \frac{(1) m v_0 b}{I + m b^2}", r"\omega = \frac{(1 + e) m v_0 b}{I + m b^2}"),
+    ("braking-wheel", "friction", r"F = -\frac{m B}{I + m r^2}", r"F = -\frac{m B r}{I + m r^2}"),
+    ("scotch-yoke", "motion", r"(I+MR^2\sin\theta)\alpha = T-MR^2\omega^2\sin\theta\cos\theta",
+     r"(I+MR^2\sin^2\theta)\alpha = T-MR^2\omega^2\sin\theta\cos\theta"),
+    ("rod-dropped-on-rough-floor", "energy", r"\Delta K = \frac{M v^2}{8} (1 + 3 \cos^2\beta)",
+     r"\Delta K = \frac{M v^2}{8} (1 + 3 \sin^2\beta)"),
+    ("ring-with-bob", "energy-integral", r"\theta^2 = \frac{g}{R}(\cos\theta - \cos\theta_0)",
+     r"\omega^2 = \frac{g}{R}(\cos\theta - \cos\theta_0)"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "claimed", "latex", "repair"), LOST, ids=[f"{row[0]}: {row[2]}" for row in LOST])
+def test_what_is_lost_is_put_where_it_stood(name, claimed, latex, repair):
+    (claim,) = [claim for claim in load_claims(FOLDER / f"{name}.toml").claims if claim.id == claimed]
+    found = Checker(Worlds(FOLDER), diagnosis).check(claim, Printed(latex))
+    assert found.outcome is Outcome.REFUTED and "".join(found.fix.split()) == "".join(repair.split())
+
+
+@pytest.mark.thorough
+def test_errata_of_all_that_ships():
+    said = []
+    assert run(300, 1, said.append), said
 
 
 X, Y = t.Sym("x", span=(4, 5)), t.Sym("y", span=(8, 9))
