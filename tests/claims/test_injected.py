@@ -70,7 +70,7 @@ LOST = [  # a claims file, a claim, what is printed, and the repair
     ("rod-dropped-on-rough-floor", "energy", r"\Delta K = \frac{M v^2}{8} (1 + 3 \cos^2\beta)",
      r"\Delta K = \frac{M v^2}{8} (1 + 3 \sin^2\beta)"),
     ("ring-with-bob", "energy-integral", r"\theta^2 = \frac{g}{R}(\cos\theta - \cos\theta_0)",
-     r"\omega^2 = \frac{g}{R}(\cos\theta - \cos\theta_0)"),
+     r"\dot{\theta}^2 = \frac{g}{R}(\cos\theta - \cos\theta_0)"),
 ]  # fmt: skip
 
 
