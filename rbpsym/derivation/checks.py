@@ -160,22 +160,22 @@ def _by_rates(context: Context, step: Step, *depths: str) -> Verdict:
         for depth in depths:
             rates = agree(context, *grown, depth)
             if rates.kind is PROVED:
-                return weakest([rates, same(context, _begin(context, left), _begin(context, right))])
+                return weakest([rates, same(context, begin(context, left), begin(context, right))])
         return rates
 
     return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))
 
 
-def _begin(context: Context, node: t.Node) -> Scalar:
+def begin(context: Context, node: t.Node) -> Scalar:
     """The value at the start, where every integral along the motion is zero."""
     if isinstance(node, (t.Integral, t.PathIntegral, t.Delta)):
         return NOTHING
     if isinstance(node, t.Add):
-        return sum((_begin(context, term) for term in node.terms), NOTHING)
+        return sum((begin(context, term) for term in node.terms), NOTHING)
     if isinstance(node, t.Sum):
-        return _begin(context, node.term)
+        return begin(context, node.term)
     if isinstance(node, (t.Neg, t.Group)):
-        inner = _begin(context, node.arg)
+        inner = begin(context, node.arg)
         return -inner if isinstance(node, t.Neg) else inner
     if isinstance(node, t.Sym) and node.name in context.works:
         return NOTHING

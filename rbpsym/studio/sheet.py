@@ -16,7 +16,7 @@ from rbpsym.derivation import checks
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.notes import notation_of
-from rbpsym.equality.verdict import Verdict
+from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree as t
@@ -25,12 +25,14 @@ from rbpsym.notation.infix import read_relation
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.symbol_table import symbol_table
+from rbpsym.studio.refuting import Refuter
 from rbpsym.studio.slips import Slip, slip
 from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.verify.claims_check import relations
 
 CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
+IN_STATES, ORDERS = (checks.identity, checks.on_motion, checks.along_motion), ("<", "<=", ">", ">=")
 INEQUALITY, PRINTED = re.compile(r"[<>≤≥]"), re.compile(r"[\\']")
 
 
@@ -171,13 +173,18 @@ class Sheet:
         return names_in(one) - self._given == names_in(other) - self._given and names_in(one / other) <= self._given
 
     def holds(self, read: t.Node) -> Verdict:
-        """What the checks of steps find: the first proof, else what the last says."""
-        context, step = self.context, Step("line", "identity", read, "", "")
-        for check in CHECKS:
-            found = checks.guarded(lambda check=check: check(context, step))
-            if found.is_proved:
-                break
-        return found
+        """REFUTED with a state of the motion; else what the checks of steps find: the first proof, or UNDECIDED."""
+        found = self.refutation(read)
+        is_proved = not found.is_refuted and (shown := proof(self.context, read)).is_proved
+        return shown if is_proved else found
+
+    def refutation(self, read: t.Node) -> Verdict:
+        """REFUTED with a state of the motion, or UNDECIDED with the reason."""
+        return self._refuter.refutation(read)
+
+    @cached_property
+    def _refuter(self) -> Refuter:
+        return Refuter(self.context, tuple(self.steps.values()), self.begins)
 
     def slip(self, read: t.Node) -> Slip:
         """How a wrong line differs from a step."""
@@ -190,6 +197,18 @@ class Sheet:
                 return one
             best = max(best, one, key=lambda each: each.right)
         return best
+
+
+def proof(context: Context, read: t.Node) -> Verdict:
+    """The first proof that a check of steps finds, else what the last says."""
+    step, ops = Step("line", "identity", read, "", ""), {op for _, op, _ in t.relations(read)}
+    if not ops <= {"=", *ORDERS}:
+        return undecided("only equations and inequalities are decided")
+    for check in CHECKS if ops == {"="} else IN_STATES:
+        found = checks.guarded(lambda check=check: check(context, step))
+        if found.is_proved:
+            break
+    return found
 
 
 def _ends(statement: t.Node) -> list[t.Chain]:

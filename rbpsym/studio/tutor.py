@@ -25,6 +25,7 @@ from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.text import to_text
 from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import Sheet, sheets
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_model import Claim, Printed, Setting
@@ -32,6 +33,7 @@ from rbpsym.verify.diagnosis import diagnosis
 
 TRUE, UNUSED, UNJUSTIFIED = "true", "true, not used", "true, not yet justified"
 WRONG, UNDECIDED, UNREAD = "wrong", "undecided", "unread"
+RANK = {TRUE: 0, UNUSED: 1, UNDECIDED: 2, WRONG: 3, UNREAD: 4}  # what a line is, that is each of these in a phase of its own
 ACCEPTED = frozenset({TRUE, UNUSED, UNJUSTIFIED})
 PRINCIPLES: Mapping[str, str] = {  # by the rule of a step: what is asked of it where it teaches
     **dict.fromkeys(("constraint", "no_slip", "tied", "taut"), "constraint"),
@@ -126,14 +128,10 @@ class Tutor:
     def _judged(self, line: str) -> tuple[str, str, str]:
         """(verdict, what is said, the step) without regard to the lines above, of the phase in which it fits best.
 
-        What is a named slip beside a step of one phase is not taken for what merely holds in a later one.
+        It is wrong if it is so in all phases in which it can be read.
         """
         found = [self._in_phase(line, name) for name in self.sheets]
-        named = [verdict == WRONG and says != self._say("wrong") for verdict, says, _ in found]
-        rank = {TRUE: 0, UNUSED: 3, WRONG: 4, UNDECIDED: 5, UNREAD: 6}
-        ranks = [2 if is_named else rank[verdict] for (verdict, *_), is_named in zip(found, named, strict=True)]
-        ranks[0] = min(ranks[0], 1) if found[0][0] == UNUSED else ranks[0]
-        return found[ranks.index(min(ranks))]
+        return min(found, key=lambda one: (RANK[one[0]], one[1] == self._say("wrong")))
 
     def _in_phase(self, line: str, phase: str) -> tuple[str, str, str]:
         sheet = self.sheets[phase]
@@ -154,16 +152,18 @@ class Tutor:
         return self._refused(read, sheet, found)
 
     def _refused(self, read: t.Node, sheet: Sheet, found: Verdict) -> tuple[str, str, str]:
-        """What a line that was not proved seems to mean."""
+        """What a line that was not proved seems to mean: it is wrong if a state of the motion refutes it."""
         slip = sheet.slip(read)
         part = to_text(slip.part, self.notation) if slip.part is not None else ""
         told = self._say(f"slip.{slip.kind}", part=part, by=slip.by) if slip.kind else ""
-        told = told or (self._near_miss(read) if found.is_refuted else "")
+        if not found.is_refuted:
+            seems = (self._say("seems"), told) if told else ()
+            why = self._say(f"why.{found.reason}") if found.reason in REASONS else found.reason
+            return UNDECIDED, " ".join((*seems, self._say("undecided"), why)), ""
+        told = told or self._near_miss(read)
         if slip.right and not slip.kind:
             told = " ".join(filter(None, (told, self._say("right_terms", count=slip.right, of=slip.terms))))
-        if slip.kind or found.is_refuted:
-            return WRONG, told or self._say("wrong"), ""
-        return UNDECIDED, " ".join((self._say("undecided"), found.reason)), ""
+        return WRONG, told or self._say("wrong"), ""
 
     def _near_miss(self, read: t.Node) -> str:
         """What the judge of `check` says."""

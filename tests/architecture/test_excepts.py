@@ -33,6 +33,7 @@ ALLOWED = {
     "statement/files.py": READS,
     "statement/loader.py": READS,
     "studio/api.py": READS,
+    "studio/following.py": "a name that the point does not have",
     "teaching/executor.py": f"a cluster's client that is closed twice; {READS}",
     "teaching/grading/intervals.py": "an enclosure that has no value, a name that the point does not have",
     "teaching/grading/quantity.py": "an enclosure that has no value, told as a ReadError",
