@@ -25,6 +25,7 @@ from rbpsym.notation import tree as t
 from rbpsym.quantities import Dimension
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+from rbpsym.teaching.misconceptions.told import is_true
 from rbpsym.teaching.model import Measure, Slip
 from rbpsym.teaching.retold import Retelling, first_wrong
 from rbpsym.teaching.targets import Target
@@ -106,7 +107,7 @@ def pool(derivation: Derivation, names: Iterable[str] = ()) -> Pool:
 def _applied(misconception: Misconception, study: Study) -> Iterator[Wrong]:
     try:
         for site in misconception.sites(study):
-            yield from _made(misconception, site)
+            yield from _made(misconception, site) if is_true(misconception.name, study, site) else ()
     except (RbpsymError, ZeroDivisionError):
         return  # a site that needs what this problem has not
 

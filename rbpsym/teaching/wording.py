@@ -16,12 +16,35 @@ from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.model import Item, Slip, Worksheet
 
-# What asserts something of a system, and who decides that it is so; all other phrases ask, name or narrate.
+# What asserts something of a system or of an answer, and who decides that it is so; all other phrases ask, name or narrate.
+MARKED = {  # remarks on an answer, by the module that makes them when it has decided so
+    "answer": ("equation wanted", "other equation"),
+    "choices": (
+        "several options", "wrong option", "wrong order", "not an order", "rows", "cancelling", "not signs", "not an option",
+    ),
+    "desk": ("numbers put in", "wrong line", "right line", "wrong correction"),
+    "formula": (
+        "zero division", "circular", "chain", "number beside", "identity", "unsolved", "unfinished", "sign", "factor",
+        "dimension", "dimensions", "carried",
+    ),
+    "judgement": ("invalid", "undecided", "wrong", "slip", "first wrong", "empty"),
+    "number": (
+        "zero", "wrong value", "power of ten", "degrees", "unit missing", "unit wrong", "unit cycles", "too few figures",
+        "too many figures",
+    ),
+    "quantity": ("rounded",),
+}  # fmt: skip
 ASSERTIONS: Mapping[str, str] = {
     **{f"ask.{task}.frequency": "targets.ASSERTED" for task in ("choose", "number", "formula", "compare")},
     **{f"ask.{task}.loss": "targets.ASSERTED" for task in ("choose", "number", "formula")},
+    **{f"remark.{key}": f"grading.{module}" for module, keys in MARKED.items() for key in keys},
     "compare.why": "tasks.compare._answer",
-    "misconception": "misconceptions.model.Site",
+    "misconception": "misconceptions.told.is_true",
+    "paper.also": "distractors.Pool",
+    "paper.first_phase": "papers.solution.statement_blocks",
+    "principle": "tasks.derivations",
+    "solution.case": "solving._special_case",
+    "solution.unit": "solving._check",
 }
 
 FOLDER = Path(__file__).with_name("phrases")

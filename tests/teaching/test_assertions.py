@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from importlib import import_module
+from inspect import getsource
+
 import pytest
 
+from rbpsym.teaching.distractors import pool
+from rbpsym.teaching.misconceptions.model import Site
+from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+from rbpsym.teaching.misconceptions.told import SAYS_WHAT_WAS_DONE, TRUE_OF
 from rbpsym.teaching.targets import targets
-from rbpsym.teaching.wording import ASSERTIONS, teaching_phrases
+from rbpsym.teaching.wording import ASSERTIONS, MARKED, teaching_phrases
 from tests.library.derived import unsimulated
 
 NARRATION = """ask.choose ask.number ask.formula ask.compare ask.place ask.fill-in ask.order ask.find-the-slip ask.signs
 ask.explain hint compare.doubled compare.shape compare.welded compare.free compare.first compare.second compare.same
-compare.one compare.other shape signs principle rubric solution paper remark feedback exports reader"""
+compare.one compare.other shape signs rubric solution.from solution.derivation solution.answers solution.numbers paper
+remark.at remark.blank remark.decided remark.open remark.equation remark.read_as remark.other_side feedback exports reader"""
 
 
 def _kind(key: str) -> str:
-    parts = key.split(".")
+    parts = key.replace("read as", "read_as").replace("other side", "other_side").split(".")
     stems = (".".join(parts[:k]) for k in range(len(parts), 0, -1))
     return next((stem for stem in stems if stem in ASSERTIONS or stem in NARRATION.split()), "")
 
@@ -24,7 +33,59 @@ def test_there_is_no_third_kind() -> None:
     for language in ("en", "es"):
         assert not [key for key in teaching_phrases(language) if not _kind(key)]
     for told in (*ASSERTIONS, *NARRATION.split()):
-        assert any(f"{key}.".startswith(f"{told}.") for key in teaching_phrases("es")), told
+        assert any(f"{key}.".startswith(f"{told.replace('_', ' ')}.") for key in teaching_phrases("es")) or any(
+            f"{key}.".startswith(f"{told}.") for key in teaching_phrases("es")
+        ), told
+
+
+@pytest.mark.parametrize("decider", sorted(set(ASSERTIONS.values())))
+def test_who_decides_is_there(decider: str) -> None:
+    """A module, or something in one, of the room."""
+    parts = decider.split(".")
+    for cut in (len(parts), len(parts) - 1):
+        with suppress(ModuleNotFoundError):
+            found = import_module(".".join(("rbpsym.teaching", *parts[:cut])))
+            assert all(hasattr(found, name) for name in parts[cut:])
+            return
+    raise AssertionError(decider)
+
+
+@pytest.mark.parametrize(("module", "keys"), MARKED.items())
+def test_a_remark_is_made_where_it_is_decided(module: str, keys: tuple[str, ...]) -> None:
+    source = getsource(import_module(f"rbpsym.teaching.grading.{module}"))
+    assert all(f'"{key}"' in source for key in keys)
+
+
+# --- feedback: true of the system, or no place for the misconception
+
+
+def test_each_feedback_is_true_of_its_place_or_says_what_was_done() -> None:
+    assert set(TRUE_OF) | SAYS_WHAT_WAS_DONE == set(MISCONCEPTIONS)
+    assert not set(TRUE_OF) & SAYS_WHAT_WAS_DONE
+
+
+@pytest.mark.parametrize(
+    ("name", "misconception", "forces"),
+    [
+        ("sliding-ladder", "contact-forces-do-no-work", {"N_w": "one", "N_f": "one"}),
+        ("rod-and-disk-free", "contact-forces-do-no-work", {"F": "one", "N": "several"}),
+        ("sliding-ladder", "works-add-up", {"N_w": None, "N_f": None}),
+        ("rod-and-disk-free", "works-add-up", {"F": None}),
+        ("disk-on-incline", "works-add-up", {"f": None}),
+        ("sliding-ladder-with-spring", "works-always-cancel", {"F_s": None}),
+    ],
+)
+def test_cancelling_is_said_of_what_cancels(name: str, misconception: str, forces: dict) -> None:
+    """Of the pin between two bodies neither work is the opposite of the other."""
+    found = pool(unsimulated(name), [misconception]).wrongs
+    assert {wrong.site.slots["force"].name: wrong.site.slots.get("variant") for wrong in found} == forces
+
+
+def test_a_centripetal_acceleration_is_not_missed_on_a_straight_path() -> None:
+    """The forces on a ball in the air depend on its speed, and its path is straight."""
+    study = unsimulated("ball-thrown-up-in-air").study
+    assert not TRUE_OF["centripetal-forgotten"](study, Site({}, lambda: study))
+    assert TRUE_OF["centripetal-forgotten"](unsimulated("sliding-ladder").study, Site({}, lambda: study))
 
 
 @pytest.mark.parametrize(("name", "asked"), [("rod-pendulum", True), ("rod-with-damper", False)])

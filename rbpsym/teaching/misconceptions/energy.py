@@ -118,7 +118,8 @@ NO_WORK = Work({}, NOTHING)
 def _contact_forces_workless(study: Study) -> Iterator[Site]:
     """“A force of contact does no work”: each of its two works is taken for zero."""
     for name in dict.fromkeys(f.name for f in study.system.forces if f.unknowns):
-        yield Site({"force": t.Vec(name)}, partial(_with_works, study, partial(_workless, name)))
+        variant = "one" if len({force.on for force in study.system.named(name)}) == 1 else "several"
+        yield Site({"force": t.Vec(name), "variant": variant}, partial(_with_works, study, partial(_workless, name)))
 
 
 def _workless(name: str, item: ForceWork) -> ForceWork:

@@ -1,0 +1,100 @@
+"""Which feedback asserts something of the system beside what the student did, and what decides that it is true there.
+
+A misconception stands in one of both tables (a test says so). What is not true at a place is no place for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.study import Study
+from rbpsym.teaching.misconceptions.model import Site
+
+Condition = Callable[[Study, Site], bool]
+
+
+def powers(study: Study, name: str) -> dict[str, tuple[Scalar, Scalar]]:
+    """By body on which a force acts: its power along the path of the centre of mass, and that of its torque about it."""
+    found: dict[str, tuple[Scalar, Scalar]] = {}
+    for force in study.system.named(name):
+        state, (along, turning) = study.system.bodies[force.on], found.get(force.on, (NOTHING, NOTHING))
+        found[force.on] = (along + force.vector.dot(state.velocity), turning + torque_about_center(force, state) * state.omega)
+    return found
+
+
+def are_opposite(study: Study, name: str) -> bool:
+    """Whether a force acts on one body, and does two works there that cancel, neither of which is zero."""
+    pairs = list(powers(study, name).values())
+    return len(pairs) == 1 and is_zero(sum(pairs[0], NOTHING)) and not is_zero(pairs[0][0])
+
+
+def cancel_among_bodies(study: Study, name: str) -> bool:
+    """Whether the works of a force on several bodies cancel, and are not all zero."""
+    works = [power for pair in powers(study, name).values() for power in pair]
+    return len(works) > 2 and is_zero(sum(works, NOTHING)) and not all(map(is_zero, works))
+
+
+def _works_cancel(study: Study, site: Site) -> bool:
+    return {"one": are_opposite, "several": cancel_among_bodies}[site.slots["variant"]](study, site.slots["force"].name)
+
+
+def _works_are_opposite(study: Study, site: Site) -> bool:
+    return are_opposite(study, site.slots["force"].name)
+
+
+def _works_do_not_cancel(study: Study, site: Site) -> bool:
+    return not any(is_zero(sum(pair, NOTHING)) for pair in powers(study, site.slots["force"].name).values())
+
+
+def _friction_gives_what_it_takes(study: Study, site: Site) -> bool:
+    return are_opposite(study, site.slots["friction"].name)
+
+
+def _path_is_curved(study: Study, site: Site) -> bool:
+    """The centre of mass of a body has an acceleration with squares of speeds."""
+    parts = [part for state in study.system.bodies.values() for part in (state.acceleration.x, state.acceleration.y)]
+    return any(depends_on(part, speed) for part in parts for speed in study.system.speeds)
+
+
+def _acceleration_changes(study: Study, site: Site) -> bool:
+    name = site.slots["coordinate"].name
+    return not is_zero((study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING)) and any(
+        depends_on(study.dynamics.accelerations[f"{name}_ddot"], key) for key in (name, f"{name}_dot")
+    )
+
+
+TRUE_OF: Mapping[str, Condition] = {
+    "contact-forces-do-no-work": _works_cancel,
+    "works-add-up": _works_are_opposite,
+    "works-always-cancel": _works_do_not_cancel,
+    "static-friction-drains-energy": _friction_gives_what_it_takes,
+    "centripetal-forgotten": _path_is_curved,
+    "centripetal-outward": _path_is_curved,
+    "instantaneous-center-for-accelerations": _path_is_curved,
+    "uniform-acceleration-formula": _acceleration_changes,
+}
+
+WHAT_WAS_DONE = """
+action-along-reaction all-mass-at-centers all-work-is-rotational angular-velocity-kept diameter-for-radius
+end-of-rod-taken-for-axis energy-kept f-is-ma-at-contact-point force-acts-at-center force-sign forces-as-at-rest
+free-taken-as-welded friction-along-slip friction-is-mu-n friction-wrong-way half-forgotten-in-kinetic-energy
+half-forgotten-in-rotational-energy half-forgotten-in-spring-energy half-length-for-length inertia-of-one-body-left-out
+kinetic-friction-left-out length-for-elongation mass-dropped moment-about-wrong-point moment-of-another-shape
+momentum-kept-at-hinge normal-force-is-weight one-body-not-in-the-sum one-of-two-parts-of-string orbital-part-dropped
+parallel-axis-forgotten parallel-axis-twice rolling-taken-as-sliding rolls-while-slipping rotational-energies-subtract
+rotational-energy-left-out same-tension-on-both-sides shift-by-whole-length sine-for-cosine sine-for-cosine-in-lever-arm
+sine-for-cosine-in-momentum small-angle-for-large speed-of-end-for-center spin-dropped spin-of-carrier
+start-speed-forgotten struck-at-center-of-mass tension-is-weight third-law-forgotten torque-about-accelerating-contact
+torque-about-axis-in-work torque-sign translational-energy-left-out turning-force-moves-nothing
+weight-at-middle-of-shape weight-left-out weight-sign welded-taken-as-free whole-length-for-lever-arm
+whole-weight-along-slope work-at-application-point work-sign wrong-sense-of-rotation
+"""  # beside that, it tells what the place itself is chosen for (a weld, a slope, a force off the centre), or a law
+SAYS_WHAT_WAS_DONE = frozenset(WHAT_WAS_DONE.split())
+
+
+def is_true(name: str, study: Study, site: Site) -> bool:
+    """Whether the feedback of a misconception is true of this place in the system."""
+    condition = TRUE_OF.get(name)
+    return condition is None or condition(study, site)
