@@ -7,7 +7,7 @@
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
 # make distractors  every wrong answer of every problem, for 200 students: none may look right
 # make certify  each step of every problem that ships, re-proved by Rocq; the report in build/certify.txt
-# make lint    style, by ruff
+# make lint    style, by ruff; types of the rooms that pyproject.toml names, by mypy
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
 # make docs    write the reference pages of docs/ anew and build the site, with the gallery, in build/docs
@@ -95,6 +95,7 @@ certify: $(VENV)/run.stamp
 
 lint: $(VENV)/dev.stamp
 	$(BIN)/ruff check .
+	$(BIN)/python -m mypy
 
 bench: $(VENV)/dev.stamp
 	@for file in benchmarks/*.py; do echo "$$file"; $(BIN)/python "$$file" || exit 1; done

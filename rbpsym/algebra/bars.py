@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from rbpsym.algebra import atoms
-from rbpsym.algebra.normal import partner
+from rbpsym.algebra.normal import partner_of
 from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, clean, times
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.trig import cosine, sine
@@ -34,7 +36,7 @@ def ratio(above: list[t.Node], sums: list[Piece], lower: list[t.Node], functions
     return t.mul(*above, t.div(t.mul(*inside), t.mul(*lower)), *sums_before_functions([*functions, *outside]))
 
 
-def over(head: t.Node, sums: list[Piece], behind: list[t.Node]) -> t.Node:
+def over(head: t.Div, sums: list[Piece], behind: list[t.Node]) -> t.Node:
     """A fraction that has a parameter below it, times sums and what moves.
 
     Short sums of parameters stand above the bar; where nothing else does, unknowns or any short sums do.
@@ -71,7 +73,7 @@ def without_shared(upper: list[Piece], lower: list[Piece]) -> tuple[list[Piece],
     return upper, lower
 
 
-def powered(node: t.Node) -> tuple[t.Node, int]:
+def powered(node: t.Node) -> tuple[t.Node, Coefficient]:
     """Base and exponent of a factor."""
     if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
         return node.base, node.exponent.value
@@ -98,8 +100,8 @@ def sums_before_functions(factors: list[t.Node]) -> list[t.Node]:
 
 def without_tall_roots(factors: list[t.Node]) -> tuple[list[t.Node], list[t.Node]]:
     """The factors that may stand above a bar, and roots, which stand behind it if one is of a fraction."""
-    roots = [node for node in factors if isinstance(node, t.Sqrt)]
-    if not any(isinstance(node.arg, t.Div) for node in roots):
+    roots: list[t.Node] = [node for node in factors if isinstance(node, t.Sqrt)]
+    if not any(isinstance(node, t.Sqrt) and isinstance(node.arg, t.Div) for node in roots):
         return factors, []
     return [node for node in factors if node not in roots], roots
 
@@ -112,7 +114,7 @@ def roots_last(factors: list[t.Node]) -> list[t.Node]:
     return sorted(plain, key=lambda node: isinstance(powered(node)[0], t.Sqrt))
 
 
-Terms = dict[Monomial, Coefficient]
+Terms = Mapping[Monomial, Coefficient]
 TRIG = {"cos", "sin"}
 
 
@@ -138,9 +140,10 @@ def _joined(terms: Terms, m: Monomial, c: Coefficient, first: int, second: int) 
     """The sum with this term and its partner joined, None if it has no partner."""
     a, b = atoms.atom(first), atoms.atom(second)
     rest = tuple(item for item in m if item[0] not in (first, second))
-    if {partner(first), partner(second)} & {index for index, exponent in rest if exponent < 0}:
+    others = partner_of(first), partner_of(second)
+    if set(others) & {index for index, exponent in rest if exponent < 0}:
         return None  # tan A cos B + sin B stays
-    other = times(rest, tuple(sorted([(partner(first), 1), (partner(second), 1)])))
+    other = times(rest, tuple(sorted((index, 1) for index in others)))
     size = terms.get(other)
     if size is None or abs(size) != abs(c):
         return None

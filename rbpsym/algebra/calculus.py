@@ -82,7 +82,7 @@ def _self(index: int) -> Scalar:
     return Scalar(generator(index))
 
 
-OUTER = {
+OUTER: dict[str, Callable[[Scalar, int], Scalar]] = {
     "cos": lambda arg, index: -sine(arg),
     "sin": lambda arg, index: cosine(arg),
     "root": lambda arg, index: 1 / (2 * _self(index)),
@@ -124,7 +124,7 @@ def function(name: str, arg: Scalar) -> Scalar:
     return FUNCTIONS[name](arg)
 
 
-def _known(name: str, values: Mapping[Scalar, Scalar]):
+def _known(name: str, values: Mapping[Scalar, Scalar]) -> Callable[[Scalar], Scalar]:
     return lambda arg: values[arg] if arg in values else generator_of(name, arg)
 
 
@@ -134,7 +134,8 @@ def _powered(arg: Scalar) -> Scalar:
     found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == 1 and not more and (2 * c).denominator == 1 else None
     if not found or found.kind != "ln":
         return generator_of("exp", arg) if arg else UNITY
-    return found.arg ** int(c // 1) * (root(found.arg) if (2 * c) % 2 else UNITY)
+    base: Scalar = found.arg
+    return base ** int(c // 1) * (root(base) if (2 * c) % 2 else UNITY)
 
 
 def _logarithm(arg: Scalar) -> Scalar:
@@ -144,7 +145,7 @@ def _logarithm(arg: Scalar) -> Scalar:
     return _logarithm(found.arg) / 2 if found and found.kind == "root" else _known("ln", {UNITY: NOTHING})(arg)
 
 
-def _turned(name: str, values: Mapping[Scalar, Scalar]):
+def _turned(name: str, values: Mapping[Scalar, Scalar]) -> Callable[[Scalar], Scalar]:
     """Of an odd function: -f(x) for f(-x)."""
     plain = _known(name, values)
 
@@ -164,7 +165,7 @@ SINES = _odd({lift(HALF): PI / 6, root(lift(HALF)): PI / 4, root(lift(3)) / 2: P
 TANGENTS = _odd({root(lift(3)) / 3: PI / 6, UNITY: PI / 4, root(lift(3)): PI / 3})
 
 
-FUNCTIONS = {
+FUNCTIONS: dict[str, Callable[[Scalar], Scalar]] = {
     "cos": cosine,
     "sin": sine,
     "tan": lambda a: sine(a) / cosine(a),
@@ -192,7 +193,7 @@ def substitute(value: Scalar, images: Mapping[str, Scalar]) -> Scalar:
 
 
 @remembered
-def _poly_substitute(poly: Poly, key: tuple) -> Scalar:
+def _poly_substitute(poly: Poly, key: tuple[tuple[str, Scalar], ...]) -> Scalar:
     names = [name for name, _ in key]
     touched = [i for i in poly.atoms() if not atom_names(i).isdisjoint(names)]
     return _with_images(poly, {i: image for i in touched if (image := _atom_substitute(i, key)) is not None})
@@ -216,7 +217,7 @@ def _times_images(rest: Poly, key: Monomial, images: Mapping[int, Scalar]) -> Sc
 
 
 @lru_cache(maxsize=16384)
-def _atom_substitute(index: int, key: tuple) -> Scalar | None:
+def _atom_substitute(index: int, key: tuple[tuple[str, Scalar], ...]) -> Scalar | None:
     found = atoms.atom(index)
     if found.kind == "symbol":
         return dict(key).get(found.arg)

@@ -17,11 +17,11 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cached_property, wraps
 from math import inf
-from typing import Any, ParamSpec, Self, TypeVar, overload
+from typing import Any, Self, TypeVar, TypeVarTuple, overload
 
 from rbpsym.errors import LimitError, WorkSpent
 
-P = ParamSpec("P")
+Ts = TypeVarTuple("Ts")
 T = TypeVar("T")
 COUNTABLE = 10**15
 MOST_KEPT = 4096  # results of a function
@@ -112,12 +112,12 @@ class kept(cached_property[T]):
             return super().__get__(instance, owner)
 
 
-def remembered(function: Callable[P, T]) -> Callable[P, T]:
+def remembered(function: Callable[[*Ts], T]) -> Callable[[*Ts], T]:
     """A pure function that keeps its results; what it spent is spent again, so that no bound depends on what was asked before."""
     kept: dict[tuple[object, ...], tuple[T, float]] = {}
 
     @wraps(function)
-    def call(*args: P.args) -> T:
+    def call(*args: *Ts) -> T:
         held = kept.get(args)
         if held is not None:
             spend(held[1])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import TypeVar
+from typing import Any, TypeVar
 
 N = TypeVar("N", float, complex)
 
@@ -31,8 +31,10 @@ def _means(m: N) -> tuple[N, N]:
     """(K, 1 - E/K)."""
     if not m.real < 1:
         raise ValueError("an elliptic integral of a modulus that is not less than 1")
-    root = cmath.sqrt if isinstance(m, complex) else math.sqrt
-    a, b, gone, weight = 1.0, root(1 - m), m / 2, 0.5
+    root: Any = cmath.sqrt if isinstance(m, complex) else math.sqrt  # of the kind of m
+    weight = 0.5
+    a: N
+    a, b, gone = 1.0, root(1 - m), m / 2
     for _ in range(MOST):
         c, weight = (a - b) / 2, weight * 2
         a, b, gone = (a + b) / 2, root(a * b), gone + weight * c * c

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import reduce
+from operator import add
 from typing import Any
 
 from rbpsym.algebra.calculus import derivative, function, rate_along, substitute
@@ -111,8 +112,8 @@ UNITS = {"x": Space(EX), "y": Space(EY), "z": Space(z=UNITY)}
 def _sum(node: t.Add, scope: Scope) -> Value:
     found = [value(term, scope) for term in node.terms]
     if any(isinstance(part, Space) for part in found):
-        found = [part if isinstance(part, Space) else _no_scalar(part) for part in found]
-    return reduce(lambda a, b: a + b, found)
+        return reduce(add, [part if isinstance(part, Space) else _no_scalar(part) for part in found])
+    return reduce(add, [part for part in found if not isinstance(part, Space)])
 
 
 def _no_scalar(part: Scalar) -> Space:
@@ -125,9 +126,12 @@ def _product(node: t.Mul, scope: Scope) -> Value:
     result: Value = UNITY
     for factor in node.factors:
         found = value(factor, scope)
-        if isinstance(found, Space) and isinstance(result, Space):
+        if not isinstance(found, Space):
+            result = result * found
+        elif isinstance(result, Space):
             raise ReadError("two vectors are multiplied without a dot or a cross")
-        result = found * result if isinstance(found, Space) else result * found
+        else:
+            result = found * result
     return result
 
 
@@ -170,6 +174,8 @@ def _derivative(node: t.Deriv, scope: Scope) -> Value:
     for _ in range(node.order):
         if node.wrt == "t":
             found = space_derivative(found, scope) if isinstance(found, Space) else time_derivative(found, scope)
+        elif isinstance(found, Space):
+            raise ReadError("a vector is differentiated by the time alone")
         else:
             found = derivative(found, node.wrt)
     return found
@@ -289,9 +295,9 @@ def _product_rate(node: t.Mul, scope: Scope) -> Scalar:
 
 
 def _path_rate(node: t.PathIntegral, scope: Scope) -> Scalar:
-    along = space_derivative(vector(node.path, scope), scope) if node.product == "dot" else rate(node.path, scope)
-    integrand = value(node.integrand, scope)
-    return integrand.dot(along) if isinstance(integrand, Space) else integrand * along
+    if node.product == "dot":
+        return vector(node.integrand, scope).dot(space_derivative(vector(node.path, scope), scope))
+    return scalar(node.integrand, scope) * rate(node.path, scope)
 
 
 def _integral_rate(node: t.Integral, scope: Scope) -> Scalar:

@@ -29,4 +29,5 @@ def cofactors(a: Any, b: Any) -> tuple[Any, Any] | None:
 
 def factor_list(value: Any) -> tuple[Any, list[tuple[Any, int]]]:
     """Coefficient and irreducible factors."""
-    return value.factor()
+    coefficient, found = value.factor()
+    return coefficient, found

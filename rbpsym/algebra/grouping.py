@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import combinations
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, tidy, times
+from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, size_of, tidy, times
 from rbpsym.algebra.style import Style, is_quadratic, moves, split, term_key
 from rbpsym.quantities import LENGTH, MASS, NUMBER
 
@@ -83,8 +83,9 @@ def is_inertia(poly: Poly, style: Style) -> bool:
 def _is_inertia_term(fixed: Monomial, style: Style) -> bool:
     total = NUMBER
     for index, exponent in fixed:
-        dimension = style.dimensions.get(atoms.symbol_name(index), NUMBER)
-        if atoms.symbol_name(index) is None or (dimension == LENGTH and exponent % 2):
+        name = atoms.symbol_name(index)
+        dimension = style.dimensions.get(name, NUMBER) if name else NUMBER
+        if name is None or (dimension == LENGTH and exponent % 2):
             return False
         total = total * dimension**exponent
     return total == MASS * LENGTH**2
@@ -174,11 +175,11 @@ def leads_positive(poly: Poly, style: Style) -> bool:
 
 def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:
     """The two symbols of c (a xⁿ - b yⁿ), a ≥ b, x the one with the sign `first`; c may hold further factors."""
-    found = {}
+    found: dict[int, tuple[str | None, int, Coefficient]] = {}
     poly = poly.scaled(1, divisors(poly))
     for m, c in poly.scaled(1, inverse(_common_powers(poly))).terms.items():
         if len(m) == 1 and m[0][1] > 0:
-            found[1 if c > 0 else -1] = (atoms.symbol_name(m[0][0]), m[0][1], abs(c))
+            found[1 if c > 0 else -1] = (atoms.symbol_name(m[0][0]), m[0][1], size_of(c))
     if len(found) < 2 or found[1][1] != found[-1][1] or found[first][2] < found[second][2]:
         return (None, None)
     return found[first][0], found[second][0]
@@ -191,7 +192,9 @@ def perfect_power(poly: Poly) -> tuple[Coefficient, Poly, int] | None:
     for first, second in combinations(pure, 2):
         number = poly.content()[0] * (1 if first[1] > 0 or n % 2 else -1)
         (x, c), (y, d) = ((tuple((i, e // n) for i, e in m), _root(c / number, n)) for m, c in (first, second))
-        for sign in (1, -1)[: 2 - n % 2] if c and d else ():
+        if not c or not d:
+            continue
+        for sign in (1, -1)[: 2 - n % 2]:
             side = Poly({x: c, y: sign * d})
             if (side**n).scaled(number) == poly:
                 return tidy(number), side, n
@@ -216,7 +219,7 @@ def shared_coefficient(groups: list[dict[Monomial, Coefficient]]) -> Poly | None
     return shared if all(ratio_to(g, shared) is not None for g in groups) else None
 
 
-def ratio_to(group: dict[Monomial, Coefficient], shared: Poly) -> Coefficient | None:
+def ratio_to(group: Mapping[Monomial, Coefficient], shared: Poly) -> Coefficient | None:
     """The number that makes one group of the other, None if there is none."""
     ratios = {Fraction(c) / shared.terms[m] for m, c in group.items()}
     return tidy(ratios.pop()) if len(ratios) == 1 else None

@@ -63,15 +63,15 @@ def _by_roots(num: Poly, below: Scalar, index: int, name: str) -> Scalar | None:
 
 def _monomial(m: Monomial, name: str) -> Scalar | None:
     """An antiderivative of variable^n × sines and cosines of it."""
-    power, angles, growths = 0, {}, []
+    power, angles, growths = 0, dict[Poly, list[int]](), list[Scalar]()
     for index, exponent in m:
         found = atoms.atom(index)
         if found.kind == "symbol":
             power = exponent
         elif found.kind in ("cos", "sin") and _rate(found.arg, name):
             angles.setdefault(found.arg, [0, 0])[found.kind == "sin"] += exponent
-        elif found.kind == "exp" and isinstance(found.arg, Scalar | Poly) and _rate(found.arg, name):
-            growths.append(_rate(found.arg, name) * exponent)
+        elif found.kind == "exp" and isinstance(found.arg, Scalar | Poly) and (rate := _rate(found.arg, name)):
+            growths.append(rate * exponent)
         else:
             return None
     if growths:
@@ -86,7 +86,7 @@ def _monomial(m: Monomial, name: str) -> Scalar | None:
     return _by_waves(power, angles, name) if is_whole else None
 
 
-def _rate(angle: Poly, name: str) -> Scalar | None:
+def _rate(angle: Poly | Scalar, name: str) -> Scalar | None:
     """d(angle)/d(variable) if constant, else None."""
     rate = derivative(angle if isinstance(angle, Scalar) else Scalar(angle), name)
     return None if depends_on(rate, name) else rate
@@ -99,7 +99,7 @@ def _power(n: int, name: str) -> Scalar:
 
 def _single_angle(angle: Poly, cosines: int, sines: int, name: str) -> Scalar | None:
     """∫ cos^a sin^b of one angle: by substitution of the other if one power is odd, of the tangent, or by waves."""
-    c, s, rate = cosine(Scalar(angle)), sine(Scalar(angle)), 1 / _rate(angle, name)
+    c, s, rate = cosine(Scalar(angle)), sine(Scalar(angle)), 1 / derivative(Scalar(angle), name)
     if cosines > 0 and cosines % 2:
         return _times_rate(_substituted(s, -1, cosines // 2, sines), rate)
     if sines > 0 and sines % 2:
@@ -123,7 +123,7 @@ def _lowered(angle: Poly, cosines: int, sines: int, name: str) -> Scalar | None:
         parts = [_single_angle(angle, cosines + more, sines - 2, name) for more in (0, 2)]
     else:
         return None
-    return None if None in parts else parts[0] - parts[1]
+    return None if parts[0] is None or parts[1] is None else parts[0] - parts[1]
 
 
 def _substituted(u: Scalar, sign: int, halves: int, power: int) -> Scalar | None:
@@ -155,8 +155,11 @@ def _waves(angles: dict[Poly, list[int]]) -> dict[Poly, tuple[Fraction, Fraction
     return waves
 
 
-def _times(waves: dict, angle: Poly, kind: str) -> dict:
-    result: dict[Poly, tuple[Fraction, Fraction]] = {}
+Waves = dict[Poly, tuple[Fraction, Fraction]]
+
+
+def _times(waves: Waves, angle: Poly, kind: str) -> Waves:
+    result: Waves = {}
     for base, (c, s) in waves.items():
         for sign in (1, -1):
             turned = base + angle if sign > 0 else base - angle

@@ -129,7 +129,7 @@ def _constant_turn(turns: int | Fraction) -> tuple[Poly, Poly]:
 @lru_cache(maxsize=4096)
 def _multiple(m: Monomial, denominator: int, times: int) -> tuple[Poly, Poly]:
     angle = Poly({m: Fraction(1, denominator) if denominator > 1 else 1})
-    point = tuple(generator(atoms.intern(kind, angle)) for kind in ("cos", "sin"))
+    point = generator(atoms.intern("cos", angle)), generator(atoms.intern("sin", angle))
     return turned(point, times, (ONE, ZERO))
 
 
@@ -153,6 +153,14 @@ def partner(index: int) -> int | None:
     return atoms.intern(other, found.arg) if other else None
 
 
+def partner_of(index: int) -> int:
+    """The same for what is a sine or cosine."""
+    other = partner(index)
+    if other is None:
+        raise ValueError("this is neither a sine nor a cosine")
+    return other
+
+
 def reduce_squares(poly: Poly) -> Poly:
     """sin² replaced by 1 - cos² everywhere."""
     for index in poly.atoms():
@@ -166,7 +174,7 @@ def without_squares(poly: Poly, index: int) -> Poly:
     powers = [next((e for i, e in m if i == index), 0) for m in poly.terms]
     if max(powers, default=0) < 2:
         return poly
-    other, result = partner(index), {}
+    other, result = partner_of(index), dict[Monomial, int]()
     denominator, terms = poly.whole()
     for power, (m, c) in zip(powers, terms.items(), strict=True):
         if power < 2:
@@ -217,7 +225,7 @@ def shorten(poly: Poly) -> Poly:
 def _merges(poly: Poly, index: int) -> bool:
     """Whether some term with a square of the sine (or cosine) differs from another by sines and cosines of its angle alone."""
     other = partner(index)
-    rests, squares = set(), set()
+    rests, squares = set[Monomial](), set[Monomial]()
     for m in poly.terms:
         power, rest = 0, m
         for i, e in m:

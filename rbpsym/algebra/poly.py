@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd, lcm
+from typing import Any
 
 from rbpsym.algebra.effort import spend
 from rbpsym.errors import LimitError
@@ -50,6 +51,11 @@ def inverse(a: Monomial) -> Monomial:
 def tidy(value: Coefficient) -> Coefficient:
     """An int where the fraction is one."""
     return value.numerator if type(value) is Fraction and value.denominator == 1 else value
+
+
+def size_of(value: Coefficient) -> Coefficient:
+    """The number without its sign."""
+    return -value if value < 0 else value
 
 
 @lru_cache(maxsize=65536)
@@ -152,8 +158,9 @@ class Poly:
         if not self._denominator:
             fractions = {type(c) for c in self.terms.values()} - {int}
             self._denominator = lcm(*[c.denominator for c in self.terms.values()]) if fractions else 1
+        terms: Any = self.terms
         d = self._denominator
-        return d, self.terms if d == 1 else {m: c.numerator * (d // c.denominator) for m, c in self.terms.items()}
+        return d, terms if d == 1 else {m: c.numerator * (d // c.denominator) for m, c in self.terms.items()}
 
     def atoms(self) -> frozenset[int]:
         """Indices of all atoms that occur."""
@@ -217,7 +224,7 @@ def _sum(a: Poly, b: Poly, sign: int) -> Poly:
     if not a._denominator == b._denominator == 1:
         return accumulate(((1, a), (sign, b)))
     spend(len(a.terms) + len(b.terms))
-    result = dict(a.terms)
+    result: dict[Monomial, Any] = dict(a.terms)
     for m, c in b.terms.items():
         result[m] = result.get(m, 0) + sign * c
     return divided(result, 1)

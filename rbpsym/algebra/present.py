@@ -7,6 +7,7 @@ scalar it was made of (the derivation proves it again for every tree that it pri
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
@@ -42,7 +43,7 @@ from rbpsym.algebra.grouping import (
     starts_negative,
     taken_out,
 )
-from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy, times
+from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, size_of, tidy, times
 from rbpsym.algebra.roots import side_of, with_numbers_inside
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.signs import is_upside_down, positive_first, turned, turned_below
@@ -91,7 +92,7 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     upper, lower = without_shared(upper, lower)
     coefficient, upper = turned(Fraction(b) * further / (a * more), upper, style)
     coefficient, lower = turned_below(coefficient, lower, style)
-    node = _quotient(abs(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style, as_ratio)
+    node = _quotient(size_of(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style, as_ratio)
     return t.neg(node) if coefficient < 0 else node
 
 
@@ -144,15 +145,16 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
     return _assembled(coefficient, common, pieces, style)
 
 
-def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:
+def _assembled(coefficient: Coefficient, common: Monomial, pieces: list[Piece], style: Style) -> t.Node:
     coefficient, pieces = turned(coefficient, pieces, style)
     before, behind = split(common, style)
     behind, tangents = _tangents(behind, style)
     fixed = [node for node, moving in pieces if not moving]
     moving = [*tangents, *(node for node, moves in pieces if moves)]
     low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
-    head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind) and not low)
-    if not low and (is_over_parameter(head) or (is_half(head, pieces) and not is_quadratic(behind))):
+    head = _monomial_node(size_of(coefficient), before, style, is_quadratic(behind) and not low)
+    over_it = is_over_parameter(head) or (is_half(head, pieces) and not is_quadratic(behind))
+    if not low and over_it and isinstance(head, t.Div):
         node = over(head, [*pieces, *((tangent, True) for tangent in tangents)], _powers(behind, style))
         return t.neg(node) if coefficient < 0 else node
     factors = sums_before_functions([*_powers(behind, style), *moving])
@@ -166,7 +168,7 @@ def _groups(poly: Poly, style: Style, factor: bool) -> Pieces:
     parts = by_moving(poly, style)
     shared = shared_coefficient(list(parts.values())) if len(parts) > 1 else None
     if shared is not None:
-        rest = Poly({m: ratio_to(fixed, shared) for m, fixed in parts.items()})
+        rest = Poly({m: ratio for m, fixed in parts.items() if (ratio := ratio_to(fixed, shared)) is not None})
         return _product(_group(shared, style, factor), _group(rest, style, factor))
     return _group(poly, style, factor)
 
@@ -195,7 +197,7 @@ def _sum_by_parameters(poly: Poly, style: Style) -> t.Node:
     return t.add(*positive_first([present_poly(Poly(part), style, True) for _, part in ordered]))
 
 
-def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
+def _factor_pieces(coefficient: Coefficient, found: Iterable[tuple[Poly, int]], style: Style) -> Pieces:
     pieces = []
     for base, power in joined_squares([(with_joined_angles(base), power) for base, power in found]):
         content = base.content()[0]
@@ -223,7 +225,7 @@ def _plain_sum(poly: Poly, style: Style) -> t.Node:
     if found is not None:
         number, side, n = found
         whole = t.power(_plain_sum(-side if n % 2 == 0 and leads_negative(side, style) else side, style), n)
-        size = t.mul(_monomial_node(abs(number), UNIT, style), whole)
+        size = t.mul(_monomial_node(size_of(number), UNIT, style), whole)
         return t.neg(size) if number < 0 else size
     inner, parts = replace(style, gathered=True), gathered(poly, style)
     plain = _of_parts(parts, inner) if len(parts) > 1 else _in_order(poly, style)
@@ -258,10 +260,10 @@ def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
 def _signed(c: Coefficient, m: Monomial, style: Style) -> t.Node:
     before, behind = split(m, style)
     behind, tangents = _tangents(behind, style)
-    node = t.mul(_monomial_node(abs(c), before, style, is_quadratic(behind)), *_powers(behind, style))
+    node = t.mul(_monomial_node(size_of(c), before, style, is_quadratic(behind)), *_powers(behind, style))
     deeper = tuple((i, -e) for i, e in behind if e < 0)
     if deeper:
-        node = _with_denominator(abs(c), before, behind, style)
+        node = _with_denominator(size_of(c), before, behind, style)
     node = t.mul(*([] if node == t.ONE and tangents else [node]), *tangents)
     return t.neg(node) if c < 0 else node
 
@@ -274,8 +276,8 @@ def _tangents(m: Monomial, style: Style) -> tuple[Monomial, list[t.Node]]:
     powers, nodes = dict(m), []
     for index, exponent in m if style.tangents else ():
         found = atoms.atom(index)
-        other, name = QUOTIENTS.get(found.kind, (None, ""))
-        below = atoms.intern(other, found.arg) if other else None
+        other, name = QUOTIENTS.get(found.kind, ("", ""))
+        below = atoms.intern(other, found.arg) if other else -1
         low = -powers.get(below, 0)
         if exponent >= low > 0:
             nodes.append(t.power(t.Fn(name, angle_node(found.arg, style)), low))
@@ -286,9 +288,9 @@ def _tangents(m: Monomial, style: Style) -> tuple[Monomial, list[t.Node]]:
 
 def _with_denominator(c: Coefficient, before: Monomial, behind: Monomial, style: Style) -> t.Node:
     """A term that has moving quantities below the bar."""
-    top = [t.Num(c.numerator)] if c.numerator != 1 else []
+    top: list[t.Node] = [t.Num(c.numerator)] if c.numerator != 1 else []
     top += _powers(tuple(i for i in before if i[1] > 0), style) + _powers(tuple(i for i in behind if i[1] > 0), style)
-    low = [t.Num(c.denominator)] if c.denominator != 1 else []
+    low: list[t.Node] = [t.Num(c.denominator)] if c.denominator != 1 else []
     low += _powers(tuple((i, -e) for i, e in before if e < 0), style)
     low += _powers(tuple((i, -e) for i, e in behind if e < 0), style)
     return t.div(t.mul(*top), t.mul(*low))

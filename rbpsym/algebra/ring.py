@@ -85,7 +85,7 @@ def factors(poly: Poly) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]]:
     return number(coefficient), tuple((_poly(terms, order), int(k)) for terms, k in listed)
 
 
-def _key(item: list) -> tuple:
+def _key(item: Any) -> tuple[Any, ...]:
     """By the degree in the first generator, the multiplicity, and the coefficients."""
     terms, k = item
     return terms[0][0][0], k, _nested(terms, 0, len(terms[0][0]))
@@ -95,7 +95,7 @@ def _nested(terms: list[tuple[Powers, Any]], place: int, count: int) -> Any:
     """The coefficients by falling powers of the generators, one within the other."""
     if place == count:
         return terms[0][1] if terms else 0
-    parts: dict[int, list] = {}
+    parts: dict[int, list[tuple[Powers, Any]]] = {}
     for term in terms:
         parts.setdefault(int(term[0][place]), []).append(term)
     return [_nested(parts.get(k, []), place + 1, count) for k in range(max(parts, default=-1), -1, -1)]

@@ -38,10 +38,10 @@ def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
     below = tidied(Scalar(value.den), sense) if has_below else Scalar(value.den)
     if below.num != value.den:
         return tidied(Scalar(value.num) / below, sense)
-    above, below = value.num.content()[1], value.den.content()[1]
-    common = times(above, inverse(below))
+    high, low = value.num.content()[1], value.den.content()[1]
+    common = times(high, inverse(low))
     if any(_is_root(i) for i, _ in common):
-        rest = Scalar(value.num.scaled(1, inverse(above))) / Scalar(value.den.scaled(1, inverse(below)))
+        rest = Scalar(value.num.scaled(1, inverse(high))) / Scalar(value.den.scaled(1, inverse(low)))
         value = _product(common, rest, sense, is_whole=True)
     elif any(map(_is_root, value.num.atoms())):
         below, [index, *others] = UNITY / Scalar(value.den), filter(_is_root, value.num.atoms())
@@ -53,8 +53,9 @@ def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
         value = parted if parted.den is ONE else total(_product(m, lift(c), sense) for m, c in terms) * below
     value = value if value.den is ONE or any(map(_is_root, value.den.atoms())) else with_root_taken_out(value)
     for index in _sizes(value):  # what is even in √(x²) is a function of x
-        if _replaced(value, index, -Scalar(generator(index))) == value:
-            value = _replaced(value, index, side_of(atoms.atom(index).arg))
+        side = side_of(atoms.atom(index).arg)
+        if side is not None and _replaced(value, index, -Scalar(generator(index))) == value:
+            value = _replaced(value, index, side)
     return value
 
 
@@ -67,8 +68,8 @@ def with_root_taken_out(value: Scalar) -> Scalar:
         rest = Scalar(parts[0]) / radicand
         below = Scalar(value.den) / radicand if value.den is not ONE else UNITY
         if rest.den is below.den is ONE:
-            above = Scalar(parts[1]) + rest * Scalar(generator(index))
-            return above * Scalar(generator(index)) ** (1 if value.den is ONE else -1) / below
+            whole: Scalar = Scalar(parts[1]) + rest * Scalar(generator(index))
+            return whole * Scalar(generator(index)) ** (1 if value.den is ONE else -1) / below
     return value
 
 
@@ -114,7 +115,7 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int], *, 
 
 def _factored(value: Scalar) -> tuple[Fraction, dict[Poly, int]]:
     """A number and irreducible factors with their powers, those below the bar negative."""
-    size, found = Fraction(1), {}
+    size, found = Fraction(1), dict[Poly, int]()
     for poly, way in ((value.num, 1), (value.den, -1)):
         low = tuple((i, e) for i, e in poly.content()[1] if e < 0)
         number, parts = factors(poly.scaled(1, inverse(low)))

@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.effort import remembered
-from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, accumulate, constant, generator, inverse, ratio
+from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, generator, inverse, ratio
 
 
 class Scalar:
@@ -140,7 +140,7 @@ def quotient(num: Poly, den: Poly) -> Scalar:
     return Scalar(num.scaled(factor, by), den.scaled(factor, by))
 
 
-def _order(m: tuple) -> tuple:
+def _order(m: Monomial) -> tuple[int, Monomial]:
     return (-len(m), m)
 
 
@@ -180,7 +180,7 @@ def _show(poly: Poly) -> str:
     return " + ".join(_term(m, c) for m, c in poly.terms.items()) or "0"
 
 
-def _term(m: tuple, c: int | Fraction) -> str:
+def _term(m: Monomial, c: int | Fraction) -> str:
     parts = [] if c == 1 and m != UNIT else [str(c)]
     return "*".join(parts + [name_of(i) + (f"**{e}" if e != 1 else "") for i, e in m])
 
@@ -189,6 +189,6 @@ def name_of(index: int) -> str:
     """A short, stable text for an atom."""
     found = atoms.atom(index)
     if found.kind == "symbol":
-        return found.arg
+        return str(found.arg)
     inner = _show(found.arg) if isinstance(found.arg, Poly) else str(found.arg)
     return f"{found.kind}({inner})"

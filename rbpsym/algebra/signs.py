@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rbpsym.algebra.bars import Piece
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.grouping import leads_negative, leads_positive, perfect_power
 from rbpsym.algebra.poly import Coefficient, Poly
@@ -20,7 +21,7 @@ def is_upside_down(den: Poly, style: Style) -> bool:
     return bool(still) and all(c < 0 for c in still)
 
 
-def turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: Style) -> tuple[Coefficient, list]:
+def turned(coefficient: Coefficient, pieces: list[Piece], style: Style) -> tuple[Coefficient, list[Piece]]:
     """-(a - b) is printed b - a, unless a is known to be the greater."""
     if coefficient > 0:
         return coefficient, pieces
@@ -31,7 +32,7 @@ def turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: S
     return coefficient, pieces
 
 
-def turned_below(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: Style) -> tuple[Coefficient, list]:
+def turned_below(coefficient: Coefficient, pieces: list[Piece], style: Style) -> tuple[Coefficient, list[Piece]]:
     """The same of a denominator: -c/(a - b) is printed c/(b - a), but for 4 - 3 sin² θ, which is never negative."""
     return (coefficient, pieces) if any(_is_bounded(node) for node, _ in pieces) else turned(coefficient, pieces, style)
 
@@ -40,7 +41,8 @@ def _is_bounded(node: t.Node) -> bool:
     """Whether it is a number less no greater a multiple of sines and cosines."""
     if not isinstance(node, t.Add) or not isinstance(node.terms[0], t.Num) or not t.is_negative(node.terms[1]):
         return False
-    first, *others = (part for part in getattr(node.terms[1].arg, "factors", (node.terms[1].arg,)))
+    less = getattr(node.terms[1], "arg", node.terms[1])
+    first, *others = less.factors if isinstance(less, t.Mul) else (less,)
     size, waves = (first.value, others) if isinstance(first, t.Num) else (1, [first, *others])
     bases = (wave.base if isinstance(wave, t.Pow) else wave for wave in waves)
     return size <= node.terms[0].value and all(isinstance(base, t.Fn) and base.name in ("sin", "cos") for base in bases)
@@ -52,7 +54,7 @@ def _may_turn(node: t.Add, style: Style) -> bool:
     return style.sense(scalar(node).num) <= 0
 
 
-def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | None]:
+def _compared(first: t.Node | None, second: t.Node | None) -> tuple[str | None, str | None]:
     """The names a, b of a - b, aⁿ - bⁿ and 1 - b/a."""
     if isinstance(second, t.Div) and first == t.ONE:
         return _compared(second.den, second.num)
@@ -64,7 +66,7 @@ def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | N
     return getattr(first, "name", None), getattr(second, "name", None)
 
 
-def _counted(node: t.Node | None) -> tuple[int, t.Node | None]:
+def _counted(node: t.Node | None) -> tuple[Coefficient, t.Node | None]:
     """The number before a product, and the rest."""
     if isinstance(node, t.Mul) and isinstance(node.factors[0], t.Num):
         return node.factors[0].value, t.mul(*node.factors[1:])

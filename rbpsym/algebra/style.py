@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cached_property
+from typing import Any
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import Monomial, Poly
@@ -11,6 +12,7 @@ from rbpsym.algebra.scalar import Scalar, name_of
 from rbpsym.frozen import dataclass, field, replace
 from rbpsym.quantities import Dimension
 
+Key = tuple[Any, ...]  # what is sorted by
 DERIVED = ("_dot", "_ddot")
 COEFFICIENT, OTHER = 0.4, 5  # ranks: a number such as μ is the first factor, but makes no term the first
 
@@ -30,7 +32,7 @@ class Style:
     With `tangents`, sin A / cos A is printed tan A. In a `gathered` sum, no factor is taken out of some of its terms.
     """
 
-    rank: Mapping[str, tuple] = field(default_factory=dict)
+    rank: Mapping[str, Key] = field(default_factory=dict)
     moving: frozenset[str] = frozenset()
     dimensions: Mapping[str, Dimension] = field(default_factory=dict)
     whole: bool = False
@@ -81,7 +83,7 @@ def is_quadratic(moving: Monomial) -> bool:
 KIND_RANK = {"root": 6, "symbol": 5, "cos": 9, "sin": 8}
 
 
-def atom_key(index: int, style: Style) -> tuple:
+def atom_key(index: int, style: Style) -> Key:
     """Sorting key of a factor."""
     found = atoms.atom(index)
     if found.kind == "symbol":
@@ -89,7 +91,7 @@ def atom_key(index: int, style: Style) -> tuple:
     return KIND_RANK.get(found.kind, 10), name_of(index)
 
 
-def _default_rank(name: str) -> tuple:
+def _default_rank(name: str) -> Key:
     if name.endswith("_ddot"):
         return (7, 1, name)
     if name == "pi":  # a number
@@ -97,7 +99,7 @@ def _default_rank(name: str) -> tuple:
     return (7, 0, name) if name.endswith("_dot") else (5, 0, name)
 
 
-def term_key(m: Monomial, style: Style) -> tuple:
+def term_key(m: Monomial, style: Style) -> Key:
     """Terms with accelerations first, then by parameters, constants of motion last."""
     names = [atoms.symbol_name(i) or "" for i, _ in m]
     second = 0 if any(n.endswith("_ddot") for n in names) else 1
@@ -105,5 +107,5 @@ def term_key(m: Monomial, style: Style) -> tuple:
     return (second, [(str(k), e) for k, e in keys])
 
 
-def _among_terms(key: tuple) -> tuple:
+def _among_terms(key: Key) -> Key:
     return (OTHER, *key[1:]) if key[0] == COEFFICIENT else key

@@ -41,7 +41,8 @@ def cofactors(a: Any, b: Any) -> tuple[Any, Any] | None:
 
 def factor_list(value: Any) -> tuple[Any, list[tuple[Any, int]]]:
     """Coefficient and irreducible factors."""
-    return value.factor_list()
+    coefficient, found = value.factor_list()
+    return coefficient, found
 
 
 def groebner_basis(elements: list[Any]) -> tuple[Any, ...]:
@@ -71,7 +72,8 @@ def plain_names(names: Iterable[str]) -> dict[str, str]:
 @lru_cache(maxsize=1)
 def _exported() -> frozenset[str]:
     """What sympy exports, read in its source: to import it takes as long as to solve a problem."""
-    source = ast.parse(Path(find_spec("sympy").origin).read_text(encoding="utf-8"))
+    found = find_spec("sympy")
+    source = ast.parse(Path(found.origin).read_text(encoding="utf-8") if found and found.origin else "")
     listed = (node.value for node in source.body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__")
     return frozenset(ast.literal_eval(next(listed)))
 

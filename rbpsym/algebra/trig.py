@@ -6,6 +6,7 @@ is reduced to a quarter turn at most, cos(-a) = cos a, and multiples of π/6 and
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 
@@ -91,7 +92,7 @@ def _side(value: Scalar) -> Scalar:
     return root(value)
 
 
-UNDONE = {
+UNDONE: dict[str, Callable[[Scalar], tuple[Scalar, Scalar]]] = {
     "acos": lambda x: (x, _side(1 - x * x)),
     "asin": lambda x: (_side(1 - x * x), x),
     "atan": lambda x: (1 / _side(1 + x * x), x / _side(1 + x * x)),
@@ -107,7 +108,7 @@ def _special(turns: Fraction) -> tuple[Scalar, Scalar]:
     if turns == 0:
         return UNITY, NOTHING
     values = SPECIAL.get(turns)
-    return tuple(map(_root_sum, values)) if values else _atoms(Poly({}), turns)
+    return (_root_sum(values[0]), _root_sum(values[1])) if values else _atoms(Poly({}), turns)
 
 
 def _root_sum(parts: tuple[tuple[Fraction, tuple[int, ...]], ...]) -> Scalar:

@@ -7,13 +7,13 @@ never a sum of four terms. Counter-clockwise is positive.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import rate_along, substitute
-from rbpsym.algebra.poly import ONE, Poly
+from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift, total
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
 from rbpsym.frozen import dataclass
@@ -110,7 +110,7 @@ class Vector:
         return vector_sum((substitute(n, images), substitute(a, images)) for a, n in self.parts.items())
 
 
-def _pairs(a: Vector, b: Vector, of) -> Scalar:
+def _pairs(a: Vector, b: Vector, of: Callable[[Scalar], Scalar]) -> Scalar:
     return total(
         length_a * length_b * turn
         for angle_a, length_a in a.parts.items()
@@ -120,7 +120,7 @@ def _pairs(a: Vector, b: Vector, of) -> Scalar:
 
 
 @lru_cache(maxsize=16384)
-def _between(angle_a: Scalar, angle_b: Scalar, of) -> Scalar:
+def _between(angle_a: Scalar, angle_b: Scalar, of: Callable[[Scalar], Scalar]) -> Scalar:
     return of(angle_b - angle_a)
 
 
@@ -146,7 +146,7 @@ def _polar_over_sum(length: Scalar, angle: Scalar) -> Vector:
     return Vector({angle - PI * whole: -length if whole % 2 else length})
 
 
-def vector_sum(parts) -> Vector:
+def vector_sum(parts: Iterable[tuple[Scalar, Scalar]]) -> Vector:
     """Σ length × u(angle) over (length, angle) pairs."""
     found: dict[Scalar, Scalar] = {}
     for length, angle in parts:
@@ -174,7 +174,7 @@ def _plain(x: Scalar, y: Scalar) -> Vector:
     return vector_sum(((x, NOTHING), (y, QUARTER)))
 
 
-def _match(m, c, rest_y: dict) -> Vector | None:
+def _match(m: Monomial, c: Coefficient, rest_y: dict[Monomial, Coefficient]) -> Vector | None:
     """Takes the partner of an x term out of `rest_y` and returns both as one direction."""
     for place, (index, exponent) in enumerate(m):
         found = atoms.atom(index)

@@ -110,7 +110,8 @@ def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: 
     angles += [(t.mul(t.Num(found.sign), factor), angle) for factor, angle in by.circles]
     side = node if found.sign > 0 else t.Neg(node)
     how = "nonzero" if kind == "differ" else "positive"
-    parts = (found.above, *(part for item in (*found.squares, *found.waves) for part in item[:2]))
+    pairs = (*found.squares, *((factor, wave) for factor, wave, _ in found.waves))
+    parts = (found.above, *(part for pair in pairs for part in pair))
     given = search.met_by if any(part.atoms() & search.later for part in parts) else ()
     return Have(name, how, Claim(node, t.ZERO, kind, given), side, Multiples(known, tuple(angles)), parts=(above, others))
 

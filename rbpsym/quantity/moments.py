@@ -11,12 +11,11 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, substitute
+from rbpsym.algebra import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, short, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import by_letters

@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import cmp_to_key
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import PI, Scalar, function, is_zero
+from rbpsym.algebra import PI, Scalar, function, is_zero, short
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics import orbit, solutions, solved
-from rbpsym.mechanics.elimination import determinant, short
+from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.orbit import swing_of
 from rbpsym.mechanics.oscillation import Equilibrium, amplitudes, decaying, where_stable
 from rbpsym.notation.infix import read_infix

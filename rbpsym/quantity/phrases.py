@@ -9,12 +9,22 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, ORIGIN, Space, cartesian, function, space_derivative, substitute, symbol, time_derivative
+from rbpsym.algebra import (
+    NOTHING,
+    ORIGIN,
+    Space,
+    cartesian,
+    function,
+    short,
+    space_derivative,
+    substitute,
+    symbol,
+    time_derivative,
+)
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.rooted import root_of
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.energy import potentials, rotational_energy, stretched, translational_energy
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantities import NUMBER

@@ -7,6 +7,7 @@ interaction; what it becomes where something is small; which way it goes with it
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
 
 from rbpsym.algebra import NOTHING, at_most, depends_on, is_zero, names_in, substitute
 from rbpsym.algebra.present import present
@@ -76,7 +77,7 @@ def _limit(result: Result, name: str, key: str, slots: Mapping[str, object]) -> 
     if any(not sign(one, result.given).is_nonzero for one in {*divisors(found.coefficient)} - {*divisors(result.value)}):
         return  # where this vanishes the limit is another one
     given = result.given.with_signs({SMALL: "positive"})
-    data = {"value": found.image, "name": SMALL, "order": 0, "coefficient": found.coefficient, "given": given}
+    data: dict[str, Any] = {"value": found.image, "name": SMALL, "order": 0, "coefficient": found.coefficient, "given": given}
     verdict = checked("limit", **data)["verdict"]
     value = present(neat(found.coefficient, result.given), result.study.style, factor=True)
     yield Made(key, {"quantity": result.name, "name": t.Sym(name), "value": value, **slots}, verdict, (key, name))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
-from rbpsym.algebra import Scalar, Vector, depends_on, derivative, is_zero, names_in, substitute, symbol
+from rbpsym.algebra import Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.derivation.step import BodyRef
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.quantities import MASS, NUMBER, Dimension
@@ -54,7 +54,7 @@ def _makes_no_number(names: Sequence[str], result: Result) -> bool:
 
 def _rank(dimensions: Sequence[Dimension]) -> int:
     """The number of independent ones, by elimination."""
-    rows, rank = [[d.mass, d.length, d.time] for d in dimensions], 0
+    rows, rank = [[Fraction(d.mass), Fraction(d.length), Fraction(d.time)] for d in dimensions], 0
     for column in range(3):
         pivot = next((row for row in rows[rank:] if row[column]), None)
         if pivot is None:
