@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
+from rbpsym.algebra.normal import short
 from rbpsym.algebra.present import present
 from rbpsym.ask.moments import Asked
 from rbpsym.errors import StatementError
-from rbpsym.algebra.normal import short
 from rbpsym.notation.machine import to_machine
 
 MEETS = re.compile(

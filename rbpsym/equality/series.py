@@ -81,7 +81,8 @@ def exp(a: Series) -> Series:
 
 def turn(first: tuple[Number, Number], a: Series) -> tuple[Series, Series]:
     """(cos a, sin a), of which the first coefficients are given."""
-    cos, sin = ((one,) for one in first)
+    cos: Series = first[:1]
+    sin: Series = first[1:]
     slope = _slope(a)
     for k in range(1, len(a)):
         up, down = (_mixed(slope, one, k, range(1, k + 1)) * Fraction(1, k) for one in (cos, sin))
