@@ -164,7 +164,7 @@ NARRATIVE = """
 block bodies body callout caption checked checks.lagrange checks.open checks.simulation_differs checks.some
 dimension explorer figure forces functions grammar growth header index it latex library line list method notation
 notebook number obligation own_text question part plain plots point ref results roads section shape skipped spoken statement
-symbols tutor verdict
+symbols verdict
 kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
 newton_euler.short work.short work.short_below
@@ -174,8 +174,10 @@ phases.blow phases.impulses_then
 phases.clock phases.event phases.impulses phases.same_motion phases.title oscillations.carried oscillations.doubtful
 oscillations.place comparison.figure comparison.intro comparison.title comparison.because theory.figure theory.intro
 theory.heading
-"""  # names things, says what is done next, repeats the statement; the tutor's words are those of what was judged
+"""  # names things, says what is done next, repeats the statement
 NARRATION = frozenset(NARRATIVE.split())
+
+ELSEWHERE: Mapping[str, str] = {"tutor": "studio.tutor.TELLS"}  # what is said of a student's line, by who judged it
 
 LATER = ("_unseen", "_again", "_known")
 

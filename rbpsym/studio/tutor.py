@@ -35,6 +35,12 @@ TRUE, UNUSED, UNJUSTIFIED = "true", "true, not used", "true, not yet justified"
 WRONG, UNDECIDED, UNREAD = "wrong", "undecided", "unread"
 RANK = {TRUE: 0, UNUSED: 1, UNDECIDED: 2, WRONG: 3, UNREAD: 4}  # what a line is, that is each of these in a phase of its own
 ACCEPTED = frozenset({TRUE, UNUSED, UNJUSTIFIED})
+TELLS: Mapping[str, frozenset[str]] = {  # what a sentence asserts of a line: the verdicts with which alone it is said
+    "true": frozenset({TRUE}), "unused": frozenset({UNUSED}), "unjustified": frozenset({UNJUSTIFIED}),
+    **dict.fromkeys(("wrong", "right_terms"), frozenset({WRONG})), "slip": frozenset({WRONG, UNDECIDED}),
+    **dict.fromkeys(("undecided", "why", "seems"), frozenset({UNDECIDED})), "no_equation": frozenset({UNREAD}),
+}  # fmt: skip
+NARRATES = frozenset({"in_phase", "principle", "all_written"})  # the last one is said where `next_step` finds none
 PRINCIPLES: Mapping[str, str] = {  # by the rule of a step: what is asked of it where it teaches
     **dict.fromkeys(("constraint", "no_slip", "tied", "taut"), "constraint"),
     "mass_integral": "inertia", "parallel_axis": "inertia", "differentiation": "kinematics", "balance": "momentum",
@@ -95,11 +101,17 @@ class Tutor:
             self.known[line] = self._judged(line)
         verdict, says, id = self.known[line]
         if id and self._lacks_reasons(id, before):
-            verdict, says = UNJUSTIFIED, self._say("unjustified")
+            verdict, says = UNJUSTIFIED, self._told(UNJUSTIFIED, "unjustified")
         return Judged(line, verdict, says, id, PRINCIPLES.get(self.steps[id].rule, "") if id else "")
 
     def _say(self, key: str, **slots: object) -> str:
         return plain(f"tutor.{key}", self.language, **slots)
+
+    def _told(self, verdict: str, key: str, **slots: object) -> str:
+        """A sentence that asserts something, with the verdict for which it does. Raises ValueError for another one."""
+        if verdict not in TELLS[key.partition(".")[0]]:
+            raise ValueError(f"“{key}” is not said of what is {verdict}")
+        return self._say(key, **slots)
 
     def _reasons(self, id: str) -> set[str]:
         """The steps on which one rests."""
@@ -137,33 +149,34 @@ class Tutor:
         sheet = self.sheets[phase]
         where = f" {self._say('in_phase', phase=phase)}" if phase else ""
         if ids := sheet.printed.get("".join(line.split())):
-            return TRUE, self._say("true") + where, ids[0]
+            return TRUE, self._told(TRUE, "true") + where, ids[0]
         try:
             read = sheet.read(line)
         except RbpsymError as error:
             return UNREAD, str(error), ""
         if not isinstance(read, (t.Chain, t.System)):
-            return UNREAD, self._say("no_equation"), ""
+            return UNREAD, self._told(UNREAD, "no_equation"), ""
         if id := sheet.step_of(read):
-            return TRUE, self._say("true") + where, id
+            return TRUE, self._told(TRUE, "true") + where, id
         found = sheet.holds(read)
         if found.is_proved:
-            return UNUSED, self._say("unused") + where, ""
+            return UNUSED, self._told(UNUSED, "unused") + where, ""
         return self._refused(read, sheet, found)
 
     def _refused(self, read: t.Node, sheet: Sheet, found: Verdict) -> tuple[str, str, str]:
         """What a line that was not proved seems to mean: it is wrong if a state of the motion refutes it."""
         slip = sheet.slip(read)
         part = to_text(slip.part, self.notation) if slip.part is not None else ""
-        told = self._say(f"slip.{slip.kind}", part=part, by=slip.by) if slip.kind else ""
-        if not found.is_refuted:
-            seems = (self._say("seems"), told) if told else ()
-            why = self._say(f"why.{found.reason}") if found.reason in REASONS else found.reason
-            return UNDECIDED, " ".join((*seems, self._say("undecided"), why)), ""
+        verdict = WRONG if found.is_refuted else UNDECIDED
+        told = self._told(verdict, f"slip.{slip.kind}", part=part, by=slip.by) if slip.kind else ""
+        if verdict == UNDECIDED:
+            seems = (self._told(verdict, "seems"), told) if told else ()
+            why = self._told(verdict, f"why.{found.reason}") if found.reason in REASONS else found.reason
+            return verdict, " ".join((*seems, self._told(verdict, "undecided"), why)), ""
         told = told or self._near_miss(read)
         if slip.right and not slip.kind:
-            told = " ".join(filter(None, (told, self._say("right_terms", count=slip.right, of=slip.terms))))
-        return WRONG, told or self._say("wrong"), ""
+            told = " ".join(filter(None, (told, self._told(verdict, "right_terms", count=slip.right, of=slip.terms))))
+        return verdict, told or self._told(verdict, "wrong"), ""
 
     def _near_miss(self, read: t.Node) -> str:
         """What the judge of `check` says."""

@@ -13,6 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 from rbpsym.cli import main
+from rbpsym.document.phrases import languages, phrases
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex
@@ -20,7 +21,7 @@ from rbpsym.notation.places import put, sites
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
 from rbpsym.studio.sheet import Sheet
-from rbpsym.studio.tutor import ACCEPTED, TRUE, UNDECIDED, UNJUSTIFIED, WRONG, Tutor
+from rbpsym.studio.tutor import ACCEPTED, NARRATES, TELLS, TRUE, UNDECIDED, UNJUSTIFIED, WRONG, Tutor
 from rbpsym.verify.claims_check import relations
 from tests.library.derived import NAMES, derived
 
@@ -191,3 +192,18 @@ def test_in_the_terminal(tmp_path: Path) -> None:
     assert "wrong. The sign of" in done.output
     verdicts = [row["verdict"] for row in json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))["lines"]]
     assert verdicts[0] == WRONG and verdicts[1] in (TRUE, UNJUSTIFIED)
+
+
+# --- what its sentences assert
+
+
+@pytest.mark.parametrize("language", languages())
+def test_each_sentence_asserts_with_a_verdict_or_narrates(language):
+    """No third kind: what asserts something of a line is said with the verdict that says so."""
+    heads = {key.split(".")[1] for key in phrases(language) if key.startswith("tutor.")}
+    assert heads == TELLS.keys() | NARRATES and not TELLS.keys() & NARRATES
+
+
+def test_a_sentence_is_not_said_with_another_verdict():
+    with pytest.raises(ValueError, match="is not said of what is undecided"):
+        tutor("rod-pendulum")._told(UNDECIDED, "wrong")
