@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
+from functools import cache
 from pathlib import Path
 
 from rbpsym.errors import Place, ReadError
@@ -20,7 +21,12 @@ def library_folder() -> Path:
 
 def problem_files() -> dict[str, Path]:
     """The files of the library by the name of their problem: all but those of the other kinds' folders."""
-    folder = library_folder()
+    return dict(_problems_in(library_folder()))
+
+
+@cache
+def _problems_in(folder: Path) -> Mapping[str, Path]:
+    """Looked for once: what ships does not change while the program runs."""
     files = (path for path in folder.rglob("*.toml") if not _OTHER_KINDS & set(path.relative_to(folder).parts[:-1]))
     return {path.stem: path for path in sorted(files, key=lambda path: path.stem)}
 

@@ -249,6 +249,19 @@ class Remembering(Checker):
         self.cache.put(key, found)
         return found
 
+    def look_at(self, setting: Setting) -> None:
+        """Raises ReadError or StatementError where the problem of a setting can't be read; one that could be is remembered."""
+        try:
+            parts = (self._problems(setting), setting.theory, setting.phase)
+        except (RbpsymError, OSError):
+            parts = ()
+        if setting.problem and isinstance(self.world, Worlds) and self.world.closed:
+            check_closed(problem_path(setting.problem, self.folder, setting), self.folder)
+        key = digest(self.cache.engine, "read", *parts) if parts and self.cache.folder else ""
+        if not key or self.cache.get(key) is None:
+            self.world(setting)
+            self.cache.put(key, Result("read", "", "", 0, "", "", Outcome.DEFINITION, True))
+
     def _key(self, claim: Claim, printed: Printed | None) -> str:
         if self.cache.folder is None:
             return ""
@@ -308,7 +321,7 @@ def check_paper(
     known = [(own[file.file], file.setting) for file in files] + [(here, scope.setting) for scope in said.scopes]
     for one, setting in known:
         if setting is not None:
-            one.world(setting)  # a problem that can't be read is no matter of one formula
+            one.look_at(setting)  # a problem that can't be read is no matter of one formula
     scopes = tuple(Scope(file, own[file.file]) for file in files)
     judged = everything or bool(files and not (claims or said.pairs))
     walker = PaperChecker(paper, checkers, scopes, said, here, judged)

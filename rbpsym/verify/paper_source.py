@@ -128,23 +128,27 @@ class _Files:
 
     def lines(self, path: Path, around: tuple[Path, ...]) -> Iterator[_Line]:
         """The lines of a file, inputs put in."""
-        for number, raw in lines_of(self._content(path), str(path), path.suffix.lower()):
+        ending, file = path.suffix.lower(), str(path)
+        for number, raw in lines_of(self._content(path), file, ending):
             if len(raw) > MAX_LINE:
                 raise LimitError(f"a line of more than {MAX_LINE} characters", place=Place(str(path), number))
-            said = tuple(note[1] for note in _NOTE.finditer(raw))
-            comment = _COMMENT.search(raw)
-            said += (comment[2],) if comment and comment[2] else ()
-            line, begin = _COMMENT.sub(r"\1", _NOTE.sub("", raw)), 0
+            said, line, begin = (), raw, 0
+            if NOTE in raw:
+                said, line = tuple(note[1] for note in _NOTE.finditer(raw)), _NOTE.sub("", raw)
+            if "%" in line:
+                comment = _COMMENT.search(line)
+                said += (comment[2],) if comment and comment[2] else ()
+                line = _COMMENT.sub(r"\1", line)
             line = line if line.strip() or not raw.strip() else COMMENTED
-            if path.suffix == ".typ":
+            if ending == ".typ":
                 self.imported += [path.parent / name for name in _IMPORT.findall(line)]
-            for found in _INPUT.finditer(line):
-                yield _Line(line[begin : found.start()], str(path), number, said)
+            for found in _INPUT.finditer(line) if "\\" in line else ():
+                yield _Line(line[begin : found.start()], file, number, said)
                 said = ()
                 if (target := self._followed(found, path, number, around)) is not None:
                     yield from self.lines(target, (*around, path.resolve()))
                 begin = found.end()
-            yield _Line(line[begin:], str(path), number, said)
+            yield _Line(line[begin:], file, number, said)
 
     def packages(self, path: Path, text: str) -> str:
         """What the packages and classes hold that lie in the folder of the text, and those that they ask for.

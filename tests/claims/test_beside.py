@@ -248,6 +248,14 @@ def test_a_draft_without_a_fit_is_all_guesses(folder, capsys):
     assert "% rbpsym? problem = NAME" in told and "rbpsym:" not in told and "speed of C" in told
 
 
+def test_what_was_decided_before_derives_nothing(folder, capsys, monkeypatch):
+    text = f"{TEX}\n% rbpsym: claim\n\\[ {RIGHT} \\]"
+    first = checked(folder, capsys, "a.tex", text)
+    monkeypatch.setattr("rbpsym.verify.claims_run.Worlds.problem", lambda *_: pytest.fail("a problem is derived"))
+    code, found = checked(folder, capsys, "a.tex", text)
+    assert (code, [one["outcome"] for one in found]) == (0, [one["outcome"] for one in first[1]])
+
+
 SITE_TEXT = f"{MD}\n<!-- rbpsym: claim -->\n$$\n\\sq V = \\sq{{\\ell}}\\sq\\w\n$$\n"
 SITES = [
     ("conf.py", "mathjax3_config = {'tex': {'macros': {'w': r'\\omega', 'sq': ['#1^2', 1]}}}"),
