@@ -131,6 +131,10 @@ def _products(path: Path, node: t.Node) -> Iterator[Change]:
         yield replace(node, left=node.right, right=node.left), "order of the vector product"
 
 
+def _coefficients(path: Path, node: t.Node) -> Iterator[Change]:
+    return iter(()) if is_in_exponent(path) else numbers(path, node)
+
+
 def _extra(relation: t.Chain) -> Iterator[Repair]:
     for path, node in terms(relation):
         if path[-1][0] == "terms":
@@ -203,7 +207,7 @@ def _turned(path: Path, node: t.Node) -> Iterator[Change]:
 
 
 RULES: tuple[Rule, ...] = (
-    anywhere(_products), _signs, anywhere(_functions), anywhere(numbers), _factors, _extra,
+    anywhere(_products), _signs, anywhere(_functions), anywhere(_coefficients), _factors, _extra,
     *map(anywhere, (_exponents, _limits, _turned)), _symbols,
 )  # fmt: skip
 

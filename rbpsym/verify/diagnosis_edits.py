@@ -66,7 +66,7 @@ def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
 def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
     """All of them, the likeliest first."""
     wide, phrases = known(claim, ground)
-    for change in (_degrees, _angles, partial(_others, phrases), partial(_lost, phrases)):
+    for change in (_degrees, numbers, _angles, partial(_others, phrases), partial(_lost, phrases)):
         yield from anywhere(change, wide)(relation)
     yield from _missing(relation, wide, phrases)
 

@@ -217,7 +217,7 @@ OWN = r"""\newcommand{\w}{\omega} \newcommand{\half}[2][2]{\frac{#2 g}{#1\ell}}
 def test_a_patch_keeps_the_macros_comments_and_labels_of_the_author(folder, capsys):
     checked(folder, capsys, "a.tex", OWN, "--fix", "a.patch")
     plus = [line[1:] for line in (folder / "a.patch").read_text().split("\n") if line[:1] == "+" and line[:3] != "+++"]
-    fixed = r"\[ \ddot{\theta} = \boxed{-\half[4]{3} \cos\theta} \]"
+    fixed = r"\[ \alpha = \boxed{-\half[4]{3} \cos\theta} \]"
     assert plus == [r"   - \sin\theta), \label{a} \\ x &= 1 \end{align}", fixed]
 
 
