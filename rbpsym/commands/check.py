@@ -63,6 +63,7 @@ class CheckRun:
 @click.option("--sarif", metavar="FILE", type=file_path, help="Write SARIF 2.1.0, for programs that show findings.")
 @click.option("--baseline", metavar="FILE", type=file_path, help="Findings that are known, and no fault of this run.")
 @click.option("--write-baseline", "anew", is_flag=True, help="Write what is found now to the file of --baseline.")
+@click.option("--compare", metavar="OLD NEW", type=file_path, nargs=2, help="Tell what differs in two baselines or --json files.")
 @click.option("--github", is_flag=True, help="Print annotations for GitHub's pages too.")
 @click.option("--only", metavar="WORD", default="", help="Only formulas whose id, number, label or erratum is this.")
 @click.option("--failures", is_flag=True, help="Show only what is not as expected.")
@@ -73,8 +74,8 @@ class CheckRun:
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
 def command(
     names: Names, problems: Names, every: bool, init: bool, fix: Path | None, as_json: bool, junit: Path | None,
-    html: Path | None, sarif: Path | None, baseline: Path | None, anew: bool, github: bool, only: str,
-    failures: bool, cache: Path | None, no_cache: bool, simulation: bool,
+    html: Path | None, sarif: Path | None, baseline: Path | None, anew: bool, compare: tuple[Path, Path] | None,
+    github: bool, only: str, failures: bool, cache: Path | None, no_cache: bool, simulation: bool,
 ) -> int:  # fmt: skip
     """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
 
@@ -85,6 +86,7 @@ def command(
       rbpsym check book.tex notes.md lab.ipynb        papers with claims in comments (% rbpsym: claim)
       rbpsym check --init book.tex                    a first draft of these comments
       rbpsym check book.tex --fix repairs.patch       what would make refuted formulas true
+      rbpsym check --compare old.json new.json        what differs between two runs, or two versions
       rbpsym check PAPER.tex --problems claims.toml   a paper, with its symbols bound by claims
       rbpsym check PAPER.tex --problems claims.toml --html report.html --junit report.xml --github
 
@@ -102,6 +104,10 @@ def command(
 
     if anew and not baseline:
         raise click.UsageError("--write-baseline belongs to --baseline FILE.")
+    if compare:
+        told, worse = findings.compared(*compare)
+        click.echo(told, nl=False)
+        return DOUBTFUL if worse else FINE
     if init:
         click.echo("".join(patches.draft_of(Path(name)) for name in names), nl=False)
         return FINE

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
+from collections import Counter, defaultdict
 from dataclasses import replace
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.commands.reports import lines, name_of, place, shown, word
 from rbpsym.errors import Place, ReadError
+from rbpsym.statement.files import text_in
 from rbpsym.verify.claims_model import Outcome, Result
 from rbpsym.verify.claims_run import digest
 from rbpsym.verify.paper_check import plain
@@ -48,10 +50,12 @@ def without_known(found: CheckRun, path: Path, anew: bool) -> CheckRun:
 
     Raises ReadError for what is no baseline."""
     from rbpsym.commands.check import CheckRun, written
-    from rbpsym.statement.files import text_in
 
     if anew:
         written(path, as_baseline(found))
+    if not path.is_file():
+        instead = "write it once, by the same command with --write-baseline, and commit it."
+        raise ReadError("there is no baseline yet", instead=instead, place=Place(str(path)))
     try:
         rows = json.loads(text_in(path, MOST_BYTES, "the baseline"))["findings"]
         left = Counter((str(row["file"]), str(row["formula"]), str(row["verdict"])) for row in rows)
@@ -65,6 +69,39 @@ def without_known(found: CheckRun, path: Path, anew: bool) -> CheckRun:
     gone = sum(left.values())
     said = f"{gone} findings of the baseline are gone; write it anew with --write-baseline"
     return CheckRun(results, [*found.remarks, *([(str(path), 1, said)] if gone else [])])
+
+
+def compared(old: Path, new: Path) -> tuple[str, bool]:
+    """What changed from one run to another, both as baselines or as --json wrote them; is anything worse?"""
+    before, after = _verdicts(old), _verdicts(new)
+    rows, worse = [], False
+    for key in sorted({*before, *after}):
+        ones, others = sorted((before[key] - after[key]).elements()), sorted((after[key] - before[key]).elements())
+        worse |= any(verdict not in FINE for verdict in others)
+        changes = zip_longest(ones, others, fillvalue="-")
+        rows += [f"{key[0]}: {key[1]}\n  {one} -> {other}" for one, other in changes]
+    same = sum(sum((before[key] & after[key]).values()) for key in before)
+    return "\n".join((*rows, f"{len(rows)} changed, {same} as before.")) + "\n", worse
+
+
+FINE = (str(Outcome.PROVED), str(Outcome.DEFINITION))
+
+
+def _verdicts(path: Path) -> defaultdict[tuple[str, str], Counter[str]]:
+    """The verdicts of a file by what is judged. Raises ReadError for what holds none."""
+    found: defaultdict[tuple[str, str], Counter[str]] = defaultdict(Counter)
+    try:
+        said = json.loads(text_in(path, MOST_BYTES, "the findings"))
+        told = [(row["file"], row["formula"], row["verdict"]) for row in said.get("findings", ())]
+        told += [(shown(row["file"]), plain(row["latex"]) or row["id"], row["outcome"]) for row in said.get("results", ())]
+        if not {"findings", "results"} & said.keys():
+            raise KeyError("findings")
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        instead = "compare two files that --write-baseline or --json wrote."
+        raise ReadError("this holds no findings", instead=instead, place=Place(str(path))) from None
+    for file, formula, verdict in told:
+        found[str(file), str(formula)][str(verdict)] += 1
+    return found
 
 
 def as_sarif(found: CheckRun) -> str:

@@ -98,7 +98,7 @@ class Server:
         uri, place = params["textDocument"]["uri"], params["position"]
         lines = self.texts.get(uri, "").split("\n")[: place["line"] + 1]
         line = lines[-1][: place["character"]] if len(lines) > place["line"] else ""
-        words = _of_toml(line, lines) if uri.endswith(".toml") else _of_comment(line)
+        words = _of_toml(line, lines) if uri.endswith(".toml") else _of_comment(line, Path(unquote(urlparse(uri).path)).parent)
         return [{"label": word, "detail": meaning} for word, meaning in words.items()]
 
 
@@ -146,17 +146,27 @@ def _of_toml(line: str, lines: list[str]) -> Mapping[str, str]:
     return {**dict(keys), **known["keys"].get(section, {})}
 
 
-def _of_comment(line: str) -> Mapping[str, str]:
-    """The words of comments behind `rbpsym:`, or what a symbol may mean behind “is”."""
+def _of_comment(line: str, folder: Path) -> Mapping[str, str]:
+    """The words of comments behind `rbpsym:`, problems behind `problem =`, or what a symbol may mean behind “is”."""
     from rbpsym.studio.completing import tables
     from rbpsym.verify.paper_claims import OF_CLAIM, OF_SETTING
 
     if "rbpsym:" not in line:
         return {}
+    if re.search(r"rbpsym:\s*problem\s*=", line):
+        return _problems(folder)
     if re.search(r"\bis\b", line):
         known: Any = tables()
         return dict.fromkeys(known["quantities"], "what a symbol may mean")
     return {"claim": "the next display is claimed", **{f"{key} =": "of this text" for key in (*OF_SETTING, *OF_CLAIM)}}
+
+
+def _problems(folder: Path) -> Mapping[str, str]:
+    """The files beside the text, and the problems that ship, with their titles."""
+    from rbpsym.commands.shelf import shelf
+
+    beside = {path.name: "beside the text" for path in sorted(folder.glob("*.toml"))}
+    return {**beside, **{entry.name: entry.title() for entry in shelf() if entry.kind == "problem"}}
 
 
 def _meanings() -> Mapping[str, str]:

@@ -95,6 +95,42 @@ def test_what_is_no_baseline_is_told(folder, text):
         check("--baseline", "known.json")
 
 
+def test_a_baseline_that_was_never_written_says_how(folder):
+    with pytest.raises(RbpsymError, match="no baseline yet") as told:
+        check("--baseline", "known.json")
+    assert "--write-baseline" in told.value.instead
+
+
+@pytest.mark.parametrize("option", [("--baseline", "--write-baseline"), ("--json",)])
+def test_two_runs_are_compared(folder, capsys, option):
+    def run(name):
+        capsys.readouterr()
+        check(*((option[0], name, option[1]) if len(option) == 2 else option))
+        if len(option) == 1:
+            (folder / name).write_text(capsys.readouterr().out)
+        capsys.readouterr()
+
+    run("old.json")
+    path = folder / "book" / "part" / "b.tex"
+    path.write_text(PART.replace(WRONG, RIGHT))
+    run("better.json")
+    path.write_text(PART.replace(WRONG, RIGHT.replace("^2", "^5")))
+    run("worse.json")
+    tell = lambda *names: (  # noqa: E731
+        main.main(["check", "--compare", *names], standalone_mode=False), capsys.readouterr().out)
+    code, told = tell("old.json", "better.json")
+    assert code == 0 and "REFUTED -> -" in told and "- -> REFUTED" not in told
+    assert tell("old.json", "worse.json")[0] == 1
+    assert tell("worse.json", "worse.json")[1].startswith("0 changed")
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"findings": [1]}', '{"results": [{"file": 1}]}'])
+def test_what_can_not_be_compared_is_told(folder, text):
+    (folder / "old.json").write_text(text)
+    with pytest.raises(RbpsymError, match="no findings"):
+        main.main(["check", "--compare", "old.json", "old.json"], standalone_mode=False)
+
+
 def test_the_page_shows_the_texts_with_what_was_read(folder):
     check("--html", "a.html")
     page = (folder / "a.html").read_text()

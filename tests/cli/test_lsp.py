@@ -38,6 +38,7 @@ def test_an_editor_is_told_findings_meanings_and_what_can_be_written(tmp_path, m
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     paper, problem = tmp_path / "ladder.tex", tmp_path / "ladder.toml"
     paper.write_text(TEXT, encoding="utf-8")
+    (tmp_path / "own.toml").write_text(TOML)
     opened = {"jsonrpc": "2.0", "method": "textDocument/didOpen"}
     tex, toml = paper.as_uri(), problem.as_uri()
     told = talk([
@@ -48,6 +49,7 @@ def test_an_editor_is_told_findings_meanings_and_what_can_be_written(tmp_path, m
         {**opened, "params": {"textDocument": {"uri": toml, "text": TOML}}},
         asked(4, "textDocument/hover", toml, 4, 2),
         asked(5, "textDocument/completion", toml, 4, 9),
+        asked(8, "textDocument/completion", tex, 1, 20),
         asked(6, "textDocument/rename", toml),
         asked(7, "shutdown"),
         {"jsonrpc": "2.0", "method": "exit"},
@@ -60,6 +62,9 @@ def test_an_editor_is_told_findings_meanings_and_what_can_be_written(tmp_path, m
     assert wrong["range"]["start"]["line"] in (5, 6)
     assert "REFUTED" in answers[2]["result"]["contents"]
     assert "claim" in {item["label"] for item in answers[3]["result"]}
+    problems = {item["label"]: item["detail"] for item in answers[8]["result"]}
+    assert problems["sliding-ladder"] == "Sliding ladder" and "claim" not in problems
+    assert problems["own.toml"] == "beside the text"
     [unknown] = notes[toml]
     assert "rodd" in unknown["message"] and unknown["range"]["start"]["line"] == 4
     assert "rod" in {item["label"] for item in answers[5]["result"]}
