@@ -8,7 +8,7 @@ from typing import Protocol
 from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Vector, depends_on, function, shorten, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition
-from rbpsym.errors import Undecided
+from rbpsym.errors import StatementError, Undecided
 from rbpsym.frozen import dataclass, field
 from rbpsym.quantities import Dimension
 
@@ -34,6 +34,21 @@ class Bound:
     in_plane: bool = False
     about: tuple[str, str | None] | None = None
     values: tuple[Scalar, ...] = ()
+
+    @property
+    def number(self) -> Scalar:
+        """Its one value. Raises StatementError for a vector without one, and for several values."""
+        if self.scalar is None:
+            what = "several values" if self.values else "a vector" if self.vector is not None else "a word"
+            raise StatementError(f"a number belongs here, and this is {what}", instead="name a quantity that has one value.")
+        return self.scalar
+
+    @property
+    def arrow(self) -> Space:
+        """It as a vector. Raises StatementError for what is none."""
+        if self.vector is None:
+            raise StatementError("a vector belongs here, and this is none", instead="name a force, a velocity, an acceleration.")
+        return self.vector
 
 
 def axial(value: Scalar) -> Bound:

@@ -26,7 +26,7 @@ from rbpsym.quantity.path import first_push, work_done
 from rbpsym.statement.source import did_you_mean
 
 if TYPE_CHECKING:
-    from rbpsym.mechanics.phases import Stage
+    from rbpsym.mechanics.phases import HandOver
     from rbpsym.quantity.problem import ProblemWorld
 
 See = Callable[[Scalar], Scalar]
@@ -157,11 +157,11 @@ def where_rests(world: ProblemWorld, phrase: str, name: str) -> Bound:
 def time_until(world: ProblemWorld, name: str, text: str) -> Bound:
     """The time from the start until COORDINATE = VALUE, if the acceleration is uniform."""
     motion, value = world.motion, scalar(read_infix(text, world.names))
-    begin = start(world, name).scalar
-    actual = motion.moved(world.bound(f"acceleration of {name}").scalar)
+    begin = start(world, name).number
+    actual = motion.moved(world.bound(f"acceleration of {name}").number)
     if any(depends_on(actual, moving) for moving in (*motion.scope.rates, "t")):
         raise StatementError(f"the acceleration of “{name}” is not uniform, and no closed form was found for this time")
-    speed, gain, way = start(world, f"speed of {name}").scalar, actual, value - begin
+    speed, gain, way = start(world, f"speed of {name}").number, actual, value - begin
     if not gain:
         return number(way / speed)
     spread = root(short(speed * speed + way * gain * 2))
@@ -171,19 +171,20 @@ def time_until(world: ProblemWorld, name: str, text: str) -> Bound:
 # --- phases
 
 
-def _stage(world: ProblemWorld, name: str | None) -> tuple[int, Stage]:
-    """A phase by its name; without one, the only phase that begins with a blow."""
+def _stage(world: ProblemWorld, name: str | None) -> tuple[int, HandOver]:
+    """Which phase a name is of, and how it begins; without a name, the only phase that begins with a blow."""
     names = [stage.name for stage in world.stages]
     blows = [stage.name for stage in world.stages if name is None and stage.began is not None and stage.began.is_blow]
     if name is None and len(blows) != 1:
         told = f"write “… when {' begins” or “… when '.join(blows)} begins”." if blows else "the problem has no blow."
         raise StatementError("the blow is not named", instead=told)
     name = name or blows[0]
-    if name not in names[1:]:
+    place = names.index(name) if name in names else 0
+    began = world.stages[place].began
+    if not place or began is None:
         known = did_you_mean(name, names[1:], "phases") if names[1:] else "the problem has no [[phases]]."
         raise StatementError(f"there is no phase “{name}” that begins", instead=known)
-    place = names.index(name)
-    return place, world.stages[place]
+    return place, began
 
 
 def when_begins(world: ProblemWorld, phrase: str, name: str) -> Bound:
@@ -194,24 +195,24 @@ def when_begins(world: ProblemWorld, phrase: str, name: str) -> Bound:
 
 def just_before(world: ProblemWorld, phrase: str, name: str) -> Bound:
     """PHRASE just before PHASE: at the end of the phase before it."""
-    place, stage = _stage(world, name)
-    earlier, state = world.phase(place - 1), stage.began.before
+    place, began = _stage(world, name)
+    earlier, state = world.phase(place - 1), began.before
     image = {**state.places, **by_letters(state.speeds)}
     return _still(earlier, mapped(earlier.bound(phrase), lambda v: carried(earlier, v), image), phrase)
 
 
 def until(world: ProblemWorld, name: str) -> Bound:
     """The time from the start of the phase before to the beginning of PHASE."""
-    _, stage = _stage(world, name)
-    if not stage.began.before.time:
+    _, began = _stage(world, name)
+    if not began.before.time:
         raise StatementError(f"no closed form was found for the time until “{name}”, or the phase begins at once")
-    return number(stage.began.before.time)
+    return number(began.before.time)
 
 
 def impulse(world: ProblemWorld, force: str, name: str | None) -> Bound:
     """The impulse of a constraint or collision when PHASE begins; of a pivot as a vector."""
-    place, stage = _stage(world, name)
-    found, told = stage.began.impulses, f"phase {place}"
+    place, began = _stage(world, name)
+    found, told = began.impulses, f"phase {place}"
     both = tuple(found[name] for name in (f"{force}_x", f"{force}_y") if name in found)
     if force not in found and len(both) == 2:
         return replace(plane(Vector(dict(zip((NOTHING, QUARTER), both, strict=True)))), told=told)
@@ -222,8 +223,8 @@ def impulse(world: ProblemWorld, force: str, name: str | None) -> Bound:
 
 def energy_lost(world: ProblemWorld, name: str | None) -> Bound:
     """Kinetic energy lost when PHASE begins."""
-    place, stage = _stage(world, name)
-    return number(stage.began.energy_lost, f"phase {place}" if stage.began.is_blow else "")
+    place, began = _stage(world, name)
+    return number(began.energy_lost, f"phase {place}" if began.is_blow else "")
 
 
 def friction_ratio(world: ProblemWorld, contact: str) -> Bound:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cmp_to_key
+from collections.abc import Callable, Iterable, Mapping
+from functools import cmp_to_key, partial
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import PI, Scalar, function, is_zero, short
@@ -72,7 +73,8 @@ def _taking_part(world: ProblemWorld, item: Equilibrium, name: str) -> tuple[Sca
         group |= more
     if len(group) in (0, len(names)):
         return squares
-    blocks = ([[stiff[j][k] - square * inert[j][k] for k in sorted(group)] for j in sorted(group)] for square in squares)
+    rows = sorted(group)
+    blocks = (tuple(tuple(stiff[j][k] - square * inert[j][k] for k in rows) for j in rows) for square in squares)
     return tuple(square for square, block in zip(squares, blocks, strict=True) if is_zero(determinant(block)))
 
 
@@ -113,7 +115,7 @@ def frequencies(world: ProblemWorld, name: str | None) -> Bound:
     item = _about(world, name or world.study.system.independent[0], None)
     squares = item.frequencies_squared if name is None else _taking_part(world, item, name)
     if not squares:
-        raise _damped(name)
+        raise _damped(name or world.study.system.independent[0])
     return Bound(told="oscillations", values=tuple(function("sqrt", one) for one in _ordered(world, squares)))
 
 
@@ -132,9 +134,10 @@ def mode_shape(world: ProblemWorld, first: str, second: str, ordinal: str) -> Bo
     return number(short(sizes[first] / sizes[second]), "oscillations")
 
 
-def _ordered(world: ProblemWorld, values: list[Scalar]) -> list[Scalar]:
+def _ordered(world: ProblemWorld, values: Iterable[Scalar]) -> list[Scalar]:
     """From the lowest to the highest, for all parameters. Raises StatementError if that depends on them."""
-    return sorted(values, key=cmp_to_key(lambda a, b: _compared(world, a, b)))
+    order: Callable[[Scalar, Scalar], int] = partial(_compared, world)
+    return sorted(values, key=cmp_to_key(order))
 
 
 def _compared(world: ProblemWorld, a: Scalar, b: Scalar) -> int:
@@ -162,7 +165,7 @@ def of_mode(world: ProblemWorld, kind: str, name: str) -> Bound:
     return number(value, f"course {name} {kind}" if world.study.system.has_clock else "oscillations")
 
 
-OF_MODE = {
+OF_MODE: Mapping[str, Callable[[Scalar, Scalar], Scalar]] = {
     "decay rate": lambda decay, square: decay,
     "damped frequency": lambda decay, square: function("sqrt", square - decay * decay),
     "undamped frequency": lambda decay, square: function("sqrt", square),
@@ -173,12 +176,12 @@ DAMPED = (*OF_MODE, "damped period", "damping ratio", "logarithmic decrement")
 def period(world: ProblemWorld, ordinal: str | None, name: str, mode: str | None = None, about: str | None = None) -> Bound:
     """The period of small oscillations; the longest one is that of the lowest mode."""
     found = frequency(world, ordinal, name, mode, about)
-    return number(PI * 2 / found.scalar, found.told)
+    return number(PI * 2 / found.number, found.told)
 
 
 def whole_period(world: ProblemWorld, name: str | None, other: str | None = None) -> Bound:
     """The period of a swing of any size, from the start."""
-    name = name or other
+    name = name or other or ""
     form = solutions.form_along(world.study, name) if name in world.study.system.independent else None
     if form and not (form.damping or form.drag or form.drive):
         return period(world, None, name)  # which does not depend on the amplitude

@@ -74,8 +74,8 @@ def with_energy(values: tuple[Scalar, ...], motion: Motion) -> Iterator[Branch]:
 
     As they are where nothing moves in them, where no energy is conserved, or where it is not said how the motion starts.
     """
-    energy, speeds = motion.energy, [name for name in motion.speeds if motion.energy is not None]
-    moving = names_in(energy) & motion.scope.rates.keys() if energy is not None else set()
+    energy, speeds = motion.energy or NOTHING, motion.speeds if motion.energy is not None else ()
+    moving = names_in(energy) & motion.scope.rates.keys()
     is_told = any(depends_on(value, name) for value in values for name in moving)
     if not is_told or not moving & set(speeds) or not moving <= motion.scope.start.keys():
         yield values, []
@@ -132,10 +132,11 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
 def work_by_energy(power: Scalar, motion: Motion) -> Scalar | None:
     """∫ power dt of what resists one coordinate, as what it takes from the square of the speed and gives to what acts beside it:
     power = a q̇ q̈ + b(q) q̇ with constant a. None where it is no such power."""
-    [name, *others] = [n for n in motion.scope.start if f"{n}_dot" in motion.speeds] or [None]
-    speed, start = f"{name}_dot", motion.scope.start
-    if name is None or others or speed not in start:
+    names = [n for n in motion.scope.start if f"{n}_dot" in motion.speeds]
+    start = motion.scope.start
+    if len(names) != 1 or (speed := f"{names[0]}_dot") not in start:
         return None
+    [name] = names
     force, gain = (short(motion.moved(value)) for value in (power / symbol(speed), symbol(f"{name}_ddot")))
     slope = derivative(gain, speed)
     share = short(derivative(force, speed) / slope) if slope else NOTHING
@@ -199,7 +200,7 @@ CLEAR = 1e-6
 LOOKS, SEEDS = 2, 20
 
 
-class State(dict):
+class State(dict[str, float]):
     """Numbers in one state of the motion, found when they are asked for. Raises ArithmeticError where there are none."""
 
     def __init__(self, motion: Motion, seed: int) -> None:

@@ -6,12 +6,14 @@ translational”. A new phrase is a new row of PHRASES.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import (
     NOTHING,
     ORIGIN,
+    Scalar,
     Space,
     cartesian,
     function,
@@ -46,7 +48,7 @@ def _minus(world: ProblemWorld, phrase: str) -> Bound:
 
 def _magnitude(world: ProblemWorld, phrase: str) -> Bound:
     found = world.bound(phrase)
-    square = found.scalar * found.scalar if found.vector is None else found.vector.dot(found.vector)
+    square = found.number * found.number if found.vector is None else found.vector.dot(found.vector)
     return number(function("sqrt", square))
 
 
@@ -57,8 +59,9 @@ def _component(world: ProblemWorld, axis: str, phrase: str) -> Bound:
 def _rate(world: ProblemWorld, phrase: str) -> Bound:
     found, scope = world.bound(phrase), world.motion.scope
     if found.vector is not None:
-        return Bound(time_derivative(found.scalar, scope), space_derivative(found.vector, scope))
-    return number(time_derivative(found.scalar, scope))
+        size = None if found.scalar is None else time_derivative(found.scalar, scope)
+        return Bound(size, space_derivative(found.vector, scope))
+    return number(time_derivative(found.number, scope))
 
 
 def _rate_of(world: ProblemWorld, letter: str, name: str | None, about: str | None) -> Bound:
@@ -67,7 +70,7 @@ def _rate_of(world: ProblemWorld, letter: str, name: str | None, about: str | No
     return _rate(world, what if letter == "L" else f"linear momentum of {name or 'system'}")
 
 
-def _of_coordinate(order: int):
+def _of_coordinate(order: int) -> Callable[[ProblemWorld, str], Bound]:
     def find(world: ProblemWorld, name: str) -> Bound:
         if name in world.study.system.bodies and name not in world.coordinates:
             return _of_point(order)(world, f"{name}.cm")
@@ -89,7 +92,7 @@ def _speed_of(world: ProblemWorld, noun: str, name: str) -> Bound:
     return _magnitude(world, f"velocity of {name}.cm") if noun == "speed" and found.vector is not None else found
 
 
-def _of_point(order: int):
+def _of_point(order: int) -> Callable[..., Bound]:
     def find(world: ProblemWorld, name: str, origin: str | None = None) -> Bound:
         value = Space(world.place(name) - world.place(origin))
         for _ in range(order):
@@ -158,13 +161,13 @@ def _power(world: ProblemWorld, names: str, on: str | None, part: str | None) ->
 
 
 def _work(world: ProblemWorld, names: str, on: str | None, part: str | None) -> Bound:
-    return number(world.motion.work(_power(world, names, on, part).scalar))
+    return number(world.motion.work(_power(world, names, on, part).number))
 
 
 def _axis_work(world: ProblemWorld, names: str, on: str | None, about: str) -> Bound:
     """∫ τ dφ with the torque about a point: the work on a body that turns about that point."""
     on = on or "system"
-    power = _torque(world, names, on, about).scalar * world.bodies(on)[0].omega
+    power = _torque(world, names, on, about).number * world.bodies(on)[0].omega
     return number(world.motion.work(power))
 
 
@@ -181,15 +184,22 @@ def _relative(world: ProblemWorld) -> Bound:
     states = world.bodies("system")
     mass = sum((state.mass for state in states), NOTHING)
     push = sum((state.velocity * state.mass for state in states), ORIGIN)
-    return number(_kinetic(world, None, None).scalar - push.dot(push) / mass / 2)
+    return number(_kinetic(world, None, None).number - push.dot(push) / mass / 2)
+
+
+def _stored(world: ProblemWorld, names: Iterable[str] | None = None) -> Scalar:
+    """The potential energies of these interactions, of all by default. Raises StatementError for one that has none."""
+    found, total = potentials(world.study.system), NOTHING
+    for name in found if names is None else names:
+        one = found.get(name)
+        if one is None:
+            raise StatementError("there is no such potential energy", instead=did_you_mean(name, found, "interactions"))
+        total = total + one
+    return total
 
 
 def _potential(world: ProblemWorld, name: str | None) -> Bound:
-    found = potentials(world.study.system)
-    values = [found.get(name)] if name else list(found.values())
-    if any(value is None for value in values):
-        raise StatementError("there is no such potential energy", instead=did_you_mean(name or "", found, "interactions"))
-    return number(sum(values, NOTHING))
+    return number(_stored(world, (name,) if name else None))
 
 
 def _elongation(world: ProblemWorld, sign: int, name: str) -> Bound:
@@ -208,12 +218,12 @@ def _energy(world: ProblemWorld, loose: str | None) -> Bound:
 
 
 def _lagrangian(world: ProblemWorld) -> Bound:
-    return number(_kinetic(world, None, None).scalar - _potential(world, None).scalar)
+    return number(_kinetic(world, None, None).number - _stored(world))
 
 
 def _mechanical(world: ProblemWorld) -> Bound:
     """Kinetic energy and the potential energies that there are."""
-    return number(sum(potentials(world.study.system).values(), _kinetic(world, None, None).scalar))
+    return number(_kinetic(world, None, None).number + _stored(world))
 
 
 OWN = ("gravity", "spring", "torsion-spring")
@@ -222,8 +232,8 @@ OWN = ("gravity", "spring", "torsion-spring")
 def _own_energy(world: ProblemWorld) -> Bound:
     """Kinetic energy and that of weights and springs: what is lost by friction, drag, brakes, and what other forces give."""
     kinds = {element.name: element.kind for element in world.study.problem.interactions}
-    held = (value for name, value in potentials(world.study.system).items() if kinds[name] in OWN)
-    return number(sum(held, _kinetic(world, None, None).scalar))
+    held = (name for name in potentials(world.study.system) if kinds[name] in OWN)
+    return number(_kinetic(world, None, None).number + _stored(world, held))
 
 
 def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
@@ -238,7 +248,7 @@ def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
 
 def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
     mass = sum((state.mass for state in world.bodies(name)), NOTHING)
-    square, signs = short(_moment(world, name, about).scalar / mass), world.study.assumptions
+    square, signs = short(_moment(world, name, about).number / mass), world.study.assumptions
     return Bound(root_of(square, signs), about=(name, about))
 
 

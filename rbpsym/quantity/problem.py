@@ -199,7 +199,7 @@ class ProblemWorld:
         """The position of a point: O, a named point, body.point (or point alone, `of` a body), body.cm, or body(1/3): so far
         on the way from its start to its end. Raises StatementError."""
         problem, system = self.study.problem, self.study.system
-        if of in system.bodies and name not in (*problem.points, *system.bodies) and "." not in (name or "."):
+        if of in system.bodies and name is not None and name not in (*problem.points, *system.bodies) and "." not in name:
             name = name if name.endswith(")") else f"{of}.{name}"
         if name is not None and name.endswith(")"):
             body, _, part = name[:-1].partition("(")

@@ -68,7 +68,7 @@ def of_path(world: ProblemWorld, part: str, phrase: str) -> Bound:
 
 def relative(world: ProblemWorld, what: str, name: str, other: str) -> Bound:
     """How a point moves as seen from another one, without turning with that."""
-    return plane(world.bound(f"{what} of {name}").vector - world.bound(f"{what} of {other}").vector)
+    return plane(world.bound(f"{what} of {name}").arrow - world.bound(f"{what} of {other}").arrow)
 
 
 def distance(world: ProblemWorld, first: str, second: str) -> Bound:

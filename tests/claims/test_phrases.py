@@ -102,6 +102,10 @@ SENTENCES = [
     ("pendulum", "unstable equilibrium of phi", "no unstable equilibrium"),
     ("pendulum", "velocity of rod.middle", "has no point “middle”"),
     ("bowling", "speed of x where phi = 1", "still depends on"),
+    ("twins", "magnitude of frequencies", "this is several values"),
+    ("twins", "rate of frequencies", "this is several values"),
+    ("pendulum", "velocity of theta relative to rod.cm", "a vector belongs here"),
+    ("pendulum", "potential energy of F", "no such potential energy"),
 ]
 
 
