@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import islice
 from math import factorial
@@ -22,6 +21,7 @@ from rbpsym.equality.points import Point, angle_name, angle_parts, points
 from rbpsym.equality.series import Series
 from rbpsym.equality.verdict import Verdict, Witness, refuted, undecided
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import Path, path_of, sense

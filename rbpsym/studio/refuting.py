@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cached_property
 
 from rbpsym.algebra import NOTHING, Scalar, Space, Value, names_in, substitute
@@ -17,6 +16,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError
+from rbpsym.frozen import dataclass
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import relations
