@@ -22,7 +22,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.tree import relations
 from rbpsym.studio import following as f
 
-REASONS = ("near", "passing", "place", "rest", "no_state", "nowhere")  # phrases “tutor.why.REASON”
+REASONS = ("several", "near", "passing", "place", "rest", "no_state", "nowhere")  # phrases “tutor.why.REASON”
 CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
@@ -100,12 +100,18 @@ class Refuter:
 
     def refutation(self, read: t.Node) -> Verdict:
         """REFUTED with a state of the motion, or UNDECIDED with the reason."""
-        found = undecided("")
-        for row in relations(read):
+        found = undecided("several")
+        for row in relations(read) if not t.names(read) & self._ambiguous else ():
             found = guarded(lambda row=row: self._of(*row))
             if found.is_refuted:
                 break
         return found
+
+    @cached_property
+    def _ambiguous(self) -> frozenset[str]:
+        """The letters of which steps say what does not go together: they mean several things (P_x of one body, and of another)."""
+        rows = ((name, node) for name, node in _solved(self.steps) if name not in self._own)
+        return frozenset(name for name, node in rows if guarded(lambda a=t.Sym(name), b=node: self._of(a, "=", b)).is_refuted)
 
     def _of(self, left: t.Node, op: str, right: t.Node) -> Verdict:
         if op in CONTRARY:

@@ -135,6 +135,11 @@ def test_a_line_for_a_moment_is_not_wrong() -> None:
     assert hoop.judge("R*Omega^2*cos(theta) = 2*g").verdict == WRONG
 
 
+def test_a_factor_in_brackets_is_no_unit() -> None:
+    """“v [m a - F]” at the end of a line was read as “v”, in a unit."""
+    assert tutor("rear-wheel-drive").judge("0 = v [m a - F]").verdict in ACCEPTED
+
+
 def test_an_inequality_is_not_proved_by_equal_rates() -> None:
     assert tutor("sliding-ladder").judge(r"\ddot{\theta} > -\frac{3 g}{4 \ell}\cos\theta").verdict not in ACCEPTED
 

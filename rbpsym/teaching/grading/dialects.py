@@ -201,8 +201,9 @@ def _latex_mixed(found: re.Match[str]) -> str:
     return rf"\left({found[1]}+{found[2]}\right)" if int(above) < int(below) else found[0]
 
 
+_UNIT = r"(?:1|rad|deg|kg|Hz|N|J|W|m|s|°)(?:\s*\^\s*[({]?-?\d[)}]?|[⁻¹²³⁴]+)?"
 _UNIT_BEHIND = re.compile(
-    r"\s*\[\s*(?:rad|deg|kg|N|J|W|m|s|Hz|°|1\s*/\s*s)[^\[\]=+]{0,24}\]$|(?<=[\s)])(?:rad\s*/\s*s|rad\s+s)\S{0,6}$"
+    rf"\s*\[\s*{_UNIT}(?:\s*[*·⋅/ ]?\s*\(?{_UNIT}\)?){{0,6}}\s*\]$|(?<=[\s)])(?:rad\s*/\s*s|rad\s+s)\S{{0,6}}$"
 )
 
 
