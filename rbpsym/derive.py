@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import Scalar, at_most, in_all
+from rbpsym.algebra import Scalar, at_most, granted, in_all
 from rbpsym.derivation.chapters import contact, course, forces, inertia, instant, kinematics, moments, momentum, oscillations
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped, Step
@@ -75,9 +75,13 @@ def _chapters(draft: Draft) -> dict[str, Mapping[str, Scalar] | None]:
 
 
 def _written(draft: Draft, write: Callable[[Draft], None]) -> bool:
-    """Whether a chapter came to its end; if not, the steps that it has are kept, and it is told that others are missing."""
+    """Whether a chapter came to its end; if not, the steps that it has are kept, and it is told that others are missing.
+
+    Where nothing is left of the whole work, nobody on the way takes that for a refusal, which the study would keep.
+    """
     try:
-        write(draft)
+        with granted(MOST_IN_ALL):
+            write(draft)
         return True
     except LimitError:
         draft.skip(draft.chapter, "skipped.cut", method=draft.chapter)
@@ -88,7 +92,7 @@ def _phases(problem: Problem, before: tuple[Step, ...]) -> tuple[DerivedPhase, .
     """The later phases. Raises NotApplicable where the end of one has no closed form, LimitError where they grow too long."""
     from rbpsym.derivation.chapters.impulses import hand_overs
 
-    with in_all(MOST_IN_ALL):
+    with granted(MOST_IN_ALL):
         found = hand_overs(problem)
     return tuple(
         DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, False, before), draft.context)
@@ -100,7 +104,7 @@ def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scal
     """What a method finds; None, with its steps left out, if its formulas grow beyond the limits."""
     before = len(draft.steps)
     try:
-        with at_most(MOST_PRODUCTS):
+        with granted(MOST_IN_ALL), at_most(MOST_PRODUCTS):
             return method(draft)
     except LimitError:
         draft.forget(before)

@@ -3,11 +3,12 @@
 import importlib
 import zlib
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from rbpsym import load_problem
-from rbpsym.algebra.effort import apart, ask_for_more, at_most, in_all, spend
+from rbpsym.algebra.effort import apart, ask_for_more, at_most, in_all, kept, spend
 from rbpsym.errors import LimitError, NotApplicable, RbpsymError
 from rbpsym.verify import simulation_phases
 from tests.derivation.conftest import FILES, drafted
@@ -38,6 +39,28 @@ def test_what_no_one_can_prove_at_length_does_not_go_on_without_end(monkeypatch)
     found = derive.derive(load_problem(LINKAGE), simulation=False)
     assert {"kinematics", "inertia", "momentum", "forces"} <= {step.chapter for step in found.steps}
     assert {"what": "newton-euler", "why": "too_long"} in found.summary()["left_out"]
+
+
+class Costly:
+    """Has a value that costs 8 products, and another one that stands for it where these are too many."""
+
+    @kept
+    def value(self) -> str:
+        try:
+            spend(8)
+        except LimitError:
+            return "none"
+        return "whole"
+
+
+@pytest.mark.parametrize("carry_out", [derive._written, lambda draft, write: derive._carried_out(draft, "road", write)])
+def test_what_was_cut_short_is_not_kept(carry_out, monkeypatch):
+    """A chapter that ends because nothing is left of the whole work leaves nothing behind as if it were not there."""
+    draft, costly = SimpleNamespace(chapter="motion", steps=[], forget=lambda kept: None, skip=lambda *_, **__: None), Costly()
+    monkeypatch.setattr(derive, "MOST_IN_ALL", 4)
+    with in_all(4):
+        assert not carry_out(draft, lambda draft: costly.value)
+    assert costly.value == "whole"
 
 
 def test_a_simulation_that_gave_up_is_told(monkeypatch):
