@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from itertools import islice, product
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import dataclass, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_reader import latex_ways
@@ -26,6 +26,11 @@ from rbpsym.verify.claims_run import Worlds
 from rbpsym.verify.paper_check import printed
 from rbpsym.verify.paper_walk import Formula, Paper
 
+FEW, MOST_SECTIONS = 2, 40
+_EMPTY = frozenset(["the", "and", "its", "for", "with", "from", "whose", "that", "this", "are", "has", "one", "two"])
+_HEADING = re.compile(
+    r"^(?:#{1,6} |=+ |\\(?:chapter|(?:sub)*section)\*?\s*[\[{])|^\S[^\n]*\n(?:={4,}|-{4,}|~{4,}|\^{4,}|\*{4,})[ \t]*$", re.M
+)
 MOST_PROBLEMS, MOST_FORMULAS, MOST_WAYS, MOST_TRIES = 6, 12, 24, 240
 USUAL = {  # what a letter usually means; C is a coordinate, B a body
     "ω": ("speed of C", "frequency of C", "angular velocity of B"), "α": ("acceleration of C", "angular acceleration of B"),
@@ -66,12 +71,25 @@ def symbols_of(formula: Formula, paper: Paper) -> tuple[str, ...]:
     return tuple(dict.fromkeys(latex[slice(*node.span)].strip() for node in parts))
 
 
-def fits(paper: Paper) -> list[Fit]:
+def sections(paper: Paper) -> list[Paper]:
+    """The parts of a text between its headings, each of which may be about its own problem; a short one goes with the next."""
+    text, begin, found = paper.text.text, 0, []
+    ends = [heading.start() for heading in _HEADING.finditer(text)] + [len(text)]
+    for end in ends if len(ends) <= MOST_SECTIONS else ends[-1:]:
+        part = replace(paper.text, text=" " * begin + text[begin:end])  # what stands in it keeps its place
+        formulas = tuple(formula for formula in paper.formulas if begin <= formula.offset < end)
+        if sum(formula.displayed and formula.is_relation for formula in formulas) >= FEW or end == len(text):
+            found.append(replace(paper, text=part, formulas=formulas))
+            begin = end
+    return found
+
+
+def fits(paper: Paper, worlds: Worlds) -> list[Fit]:
     """The problems in which displays are proved, the one with most of them first. Bounded by the number of tries."""
     found = {formula: symbols_of(formula, paper) for formula in paper.displayed if formula.is_relation}
     readable = {formula: symbols for formula, symbols in found.items() if 1 < len(symbols) < 9}
     tried = list(islice(readable.items(), MOST_FORMULAS))
-    worlds, left, fitting = Worlds(), [MOST_TRIES], []
+    left, fitting = [MOST_TRIES], []
     for name in _likely(paper, {symbol for symbols in found.values() for symbol in symbols}):
         one = _fit(name, tried, paper, worlds, left)
         fitting += [one] if one.formulas else []
@@ -80,15 +98,20 @@ def fits(paper: Paper) -> list[Fit]:
 
 def _likely(paper: Paper, symbols: set[str]) -> list[str]:
     """The names of the problems whose title and letters are most like those of the text."""
-    words, letters = set(re.findall(r"[a-z]{4,}", paper.text.text.lower())), {s.strip("\\ ") for s in symbols}
+    words, letters = set(_words(paper.text.text)), {s.strip("\\ ") for s in symbols}
 
     def likeness(name: str) -> float:
         problem = load_problem(problem_files()[name])
-        told = set(re.findall(r"[a-z]{4,}", f"{name} {problem.title.get('en', '')}".lower()))
+        told = set(_words(f"{name} {problem.title.get('en', '')}"))
         own = {quantity.name for quantity in (*problem.parameters, *problem.coordinates)}
         return 3 * len(told & words) / max(len(told), 1) + len(own & letters) / max(len(own), 1)
 
     return sorted(problem_files(), key=lambda name: (-likeness(name), name))[:MOST_PROBLEMS]
+
+
+def _words(text: str) -> list[str]:
+    """What a text speaks of."""
+    return [word for word in re.findall(r"[a-z]{3,}", text.lower()) if word not in _EMPTY]
 
 
 def _fit(name: str, tried: list, paper: Paper, worlds: Worlds, left: list[int]) -> Fit:
@@ -114,9 +137,9 @@ def _meanings(symbol: str, world: World, known: Mapping[str, str]) -> list[str]:
     """What a symbol may mean in a problem: its own name, what such a letter usually means, another name."""
     if symbol in known:
         return [known[symbol]]
-    if symbol in world.symbols:
-        return [world.symbols[symbol]]
     found = drawn_name(symbol)
+    if found in (own := _own(world)):
+        return [own[found]]
     patterns = USUAL.get(found[0].base, ()) if found else ()
     slots = [("C", c) for c in world.study.system.independent] or [("C", "")]
     usual = [
@@ -126,6 +149,11 @@ def _meanings(symbol: str, world: World, known: Mapping[str, str]) -> list[str]:
     return list(dict.fromkeys(usual)) or [q.name for q in world.study.problem.parameters]
 
 
+def _own(world: World) -> dict[tuple[Drawn, bool] | None, str]:
+    r"""What the problem's own symbols are called, by how they are drawn: \dot\theta and \dot{\theta} are one."""
+    return {drawn_name(latex): name for latex, name in world.symbols.items()}
+
+
 def _holds(formula: Formula, meanings: Mapping[str, str], name: str, paper: Paper, worlds: Worlds) -> bool:
     symbols = {symbol: Meaning(phrase) for symbol, phrase in meanings.items()}
     claim = Claim("draft", Setting(name, problem=name, symbols=symbols), printed(formula, paper))
@@ -133,14 +161,25 @@ def _holds(formula: Formula, meanings: Mapping[str, str], name: str, paper: Pape
 
 
 def draft(paper: Paper) -> list[tuple[Formula, list[str]]]:
-    """(the display before which they stand, what comments say): problem and symbols, claims, and guesses behind a “?”."""
+    """(the display before which they stand, what comments say) of each section."""
+    worlds = Worlds()
+    return [told for part in sections(paper) for told in _of_section(part, worlds)]
+
+
+def _of_section(paper: Paper, worlds: Worlds) -> list[tuple[Formula, list[str]]]:
+    """Problem and symbols, claims, and guesses behind a “?”."""
     displays = [formula for formula in paper.displayed if formula.is_relation]
     every = dict.fromkeys(symbol for formula in displays for symbol in symbols_of(formula, paper))
-    best, *others = fits(paper) or [Fit("", {}, ())]
+    best, *others = fits(paper, worlds) or [Fit("", {}, ())]
+    if len(best.formulas) < min(FEW, len(displays)):  # one display alone is true of too many problems
+        best, others = Fit("", {}, ()), [best, *others]
+    own = _own(worlds(Setting(best.problem, problem=best.problem))) if best.problem else {}
+    bound = best.symbols.items()
     head = [f": problem = {best.problem}"] if best.problem else ["? problem = NAME"]
-    head += [f": {symbol} is the {phrase}" for symbol, phrase in best.symbols.items() if phrase not in symbol]
-    head += [f"? {fit.problem} fits too, {len(fit.formulas)} displays" for fit in others]
-    head += [f"? {symbol} is {_guess(symbol)}" for symbol in every if symbol not in best.symbols]
+    head += [f": {symbol} is the {phrase}" for symbol, phrase in bound if own.get(drawn_name(symbol)) != phrase]
+    head += [f"? {fit.problem} fits too, {len(fit.formulas)} displays" for fit in others if fit.problem]
+    unknown = (symbol for symbol in every if symbol not in best.symbols and drawn_name(symbol) not in own)
+    head += [f"? {symbol} is {_guess(symbol)}" for symbol in unknown]
     return [*((formula, head) for formula in displays[:1]), *((formula, [": claim"]) for formula in best.formulas)]
 
 

@@ -241,6 +241,32 @@ def test_a_first_draft_proves_what_it_says(folder, capsys, name, marks):
     assert code == 0 and [row["outcome"] for row in rows] == ["PROVED", "PROVED"]
 
 
+SECTIONS = r"""# A swinging rod
+A uniform rod is hinged at its end.
+
+$$ I_O = \frac13 M\ell^2 $$
+
+$$ \dot\theta^2 = \frac{3g}{\ell}(\cos\theta-\cos\theta_0) \quad (1) $$
+
+# A sliding ladder
+It slides down a wall.
+
+$$ K = \frac23 M\ell^2\dot\theta^2, \qquad U = Mg\ell\sin\theta $$
+
+$$ \ddot\theta = -\frac{3g}{4\ell}\cos\theta $$
+"""
+
+
+def test_each_section_has_the_problem_that_it_is_about(folder, capsys):
+    (folder / "a.md").write_text(SECTIONS)
+    main.main(["check", "--init", "a.md"], standalone_mode=False)
+    lines = [line[1:] for line in capsys.readouterr().out.split("\n") if line[:1] in ("+", " ") and line[:3] != "+++"]
+    found = [line[21:-4] for line in lines if line.startswith("<!-- rbpsym: problem")]
+    assert found == ["= rod-pendulum", "= sliding-ladder"]
+    code, rows = checked(folder, capsys, "a.md", "\n".join(lines) + "\n")
+    assert code == 0 and [row["outcome"] for row in rows] == ["PROVED"] * 4
+
+
 def test_a_draft_without_a_fit_is_all_guesses(folder, capsys):
     (folder / "a.tex").write_text("\\[ \\omega = Q q \\]")
     main.main(["check", "--init", "a.tex"], standalone_mode=False)
