@@ -132,7 +132,9 @@ class Poly:
     def __pow__(self, exponent: int) -> Poly:
         if len(self.terms) == 1 or exponent < 0:
             [(m, c)] = self.terms.items()
-            power = c**exponent if exponent >= 0 else Fraction(1) / Fraction(c) ** -exponent
+            power: Coefficient = 1
+            if c != 1:
+                power = c**exponent if exponent >= 0 else Fraction(1) / Fraction(c) ** -exponent
             return Poly({tuple((i, e * exponent) for i, e in m) if exponent else UNIT: tidy(power)})
         result, base = ONE, self
         while exponent:
