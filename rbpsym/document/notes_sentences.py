@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
+from rbpsym.algebra import depends_on
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.present import present
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Inlines
@@ -16,6 +18,7 @@ from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, PointRef
 from rbpsym.statement.paths import tensions
+from rbpsym.statement.scope import CLOCK
 
 Slots = dict[str, object]
 DOWN = (t.ZERO, t.Neg(t.ONE))
@@ -35,7 +38,13 @@ def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
 def _pivot(element: Element, pose: DrawnPose, said: Words) -> Slots:
     ends = {"ground", element["point"].body}
     rough = any(ends == {*each["between"]} for each in pose.study.problem.of_kind("resisting-couple"))
-    return {"point": point_in_words(element["point"], pose, said), **({"key": "statement.pivot_rough"} if rough else {})}
+    slots: Slots = {"point": point_in_words(element["point"], pose, said)}
+    where = pose.where(element["point"])
+    is_moved = any(depends_on(part, CLOCK) for part in (where.x, where.y))
+    slots["key"] = f"statement.pivot{'_rough' if rough else ''}{'_moved' if is_moved else ''}"
+    if is_moved:
+        slots |= {"x": present(where.x, pose.study.style), "y": present(where.y, pose.study.style)}
+    return slots
 
 
 def _pair(element: Element, pose: DrawnPose, said: Words) -> Slots:

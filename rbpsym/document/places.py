@@ -109,11 +109,12 @@ def _is_below(line: Line, pose: DrawnPose) -> bool:
 
 
 def growth(coordinate: str, pose: DrawnPose) -> tuple[str, str]:
-    """Which way a coordinate grows, and on which body this is seen ("" for both if on none, or not always this way)."""
-    for name in pose.study.system.bodies:
-        slope = pose.slope(name, coordinate)
-        if slope in (1.0, -1.0):
-            return ("with" if slope > 0 else "against"), name
+    """Which way a coordinate grows, and on which body this is seen ("" for both if on none, or not always this way, or where
+    two bodies turn with it in opposite senses)."""
+    turned = {name: slope for name in pose.study.system.bodies if (slope := pose.slope(name, coordinate)) in (1.0, -1.0)}
+    if turned:
+        (name, slope), is_one = next(iter(turned.items())), len({*turned.values()}) == 1
+        return (("with" if slope > 0 else "against"), name) if is_one else ("", "")
     for name, state in pose.study.system.bodies.items():
         velocity = state.center.derivative(coordinate)
         x, y = pose.point(velocity)

@@ -107,7 +107,8 @@ def _at(label: str, on: str, pose: DrawnPose, said: Words) -> Inlines:
 
 def on_several(derivation: Derivation) -> bool:
     """Whether works are done on more than one body, also such as are zero."""
-    return len({step.slots["body"].name for step in derivation.steps if step.rule == "work"}) > 1
+    bodies = (step.slots.get("body") for step in derivation.steps if step.rule == "work")
+    return len({body.name for body in bodies if body is not None}) > 1
 
 
 def works_table(steps: list[Step], said: Words, *, several: bool) -> Table:
