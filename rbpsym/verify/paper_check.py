@@ -248,4 +248,6 @@ class PaperChecker:
 def _cure(error: RbpsymError) -> str:
     """What to write for a symbol without a meaning."""
     symbol = UNKNOWN.search(error.what)
-    return f"; say what it means: [symbols] '{symbol[1]}' = \"...\", or claim the formula" if symbol else ""
+    if not symbol:
+        return ""
+    return f"; say what it means, in a comment “rbpsym: {symbol[1]} is ...” or under [symbols] of a claims file, or claim the formula"
