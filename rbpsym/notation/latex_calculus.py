@@ -157,8 +157,24 @@ def _limits(reader: LatexReader) -> Limits:
     found: dict[str, object] = {}
     while reader.sees_sign("_", "^") and reader.token.text not in found:
         sign = reader.take().text
-        found[sign] = (_region(reader) if sign == "_" else None) or argument(reader)
+        found[sign] = (_region(reader) if sign == "_" else None) or _limit_of(reader)
     return found.get("_"), found.get("^")
+
+
+def _limit_of(reader: LatexReader) -> t.Node:
+    """A limit; θ = 0 stays an equation, until it is seen that θ is what is integrated over."""
+    start = reader.token.start
+    var, value = _end(reader)
+    return value if var is None else reader.spanned(t.relation(t.Sym(var), "=", value), start)
+
+
+def _value_at(reader: LatexReader, limit: object, path: t.Node) -> object:
+    """The limit's value. Raises ReadError if it is that of another variable."""
+    if not isinstance(limit, t.Chain):
+        return limit
+    if not (isinstance(path, t.Sym) and limit.items[0] == path):
+        raise reader.source.error("this limit is that of another variable", *(limit.span or (0, 1)), "Name the one behind d.")
+    return limit.items[1]
 
 
 def _region(reader: LatexReader) -> str | None:
@@ -228,7 +244,7 @@ def _mass(reader: LatexReader) -> t.Node:
 
 def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
     """The integral that a sign, a differential and limits make."""
-    lower, upper = limits
+    lower, upper = limits = tuple(_value_at(reader, limit, path) for limit in limits)
     joined = {r"\cdot": t.Dot, r"\times": t.Cross}.get(sign, lambda *factors: t.Mul(factors))
     whole = joined(integrand, t.Formal("differential", (path,)))
     parts = (whole, *(t.Word(end) if isinstance(end, str) else end for end in limits if end is not None))

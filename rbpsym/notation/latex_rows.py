@@ -178,6 +178,8 @@ class _Layout:
             return token if self.depth else None
         if near[0] in PUNCTUATION and self._relates(k):
             return None
+        if self.related and self.all[k + 1].kind == "text" and not self._relates(k):
+            return self._part(token, "")  # a remark
         used = any(self.all[place].text == "&" for place in self._row_before(k))
         if self.related and self._relates(k) and (used or not _SIGNS.intersection(near)):
             return self._part(token, "")

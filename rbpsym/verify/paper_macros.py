@@ -106,9 +106,8 @@ def closing(text: str, start: int, most: int = sys.maxsize) -> int:
 
 def expanded(latex: str, macros: Mapping[str, Macro]) -> str:
     """The formula with all macros put in. Raises LimitError for what does not end."""
-    latex = _DROPPED.sub(" ", latex)
     for _ in range(DEEPEST):
-        latex, count = _once(latex, macros)
+        latex, count = _once(_DROPPED.sub(" ", latex), macros)
         if not count:
             return latex
         if len(latex) > LONGEST:

@@ -212,3 +212,8 @@ def test_macros_that_never_end_are_refused_quickly(text):
     macros, *_ = definitions(text)
     with at_most(), pytest.raises(RbpsymError):
         expanded(r"\x{a}", macros)
+
+
+def test_what_a_macro_brings_is_dropped_too():
+    macros, *_ = definitions(r"\newcommand{\w}{\ensuremath{\omega}}")
+    assert "".join(expanded(r"\w = 1", macros).split()) == r"{\omega}=1"

@@ -156,3 +156,10 @@ def test_a_unit_or_index_in_brackets_is_no_factor(latex):
     with pytest.raises(RbpsymError):
         read_latex(latex, {"m": "m", "g": "g", "x": "x"})
     assert read_latex(latex, {"m": "m", "g": "g", "x": "x"}, whole=True)
+
+
+def test_a_limit_may_name_its_variable():
+    names = {"x": "x", "y": "y", "m": "m"}
+    assert read_latex(r"y = \int_{x=0}^{x=m} x\,dx", names) == read_latex(r"y = \int_0^m x\,dx", names)
+    with pytest.raises(RbpsymError, match="another variable"):
+        read_latex(r"y = \int_{y=0}^{m} x\,dx", names)

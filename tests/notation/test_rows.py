@@ -60,3 +60,8 @@ def test_a_number_in_parentheses_that_may_be_a_factor_is_kept(display):
 def test_what_stands_in_parentheses_behind_a_gap_says_when_it_holds(condition):
     parts = condition.replace(",", r" \text{if}")
     assert read_latex(rf"{FRAMED} \quad ({condition})", TABLE) == read_latex(rf"{FRAMED} \text{{if}} {parts}", TABLE)
+
+
+def test_a_remark_in_a_column_of_its_own_says_nothing():
+    rows = r"U &= mg x & \text{(energy)} \\ k &= m & \text{(stiffness)}"
+    assert read_latex(rows, TABLE) == read_latex(r"U &= mg x \\ k &= m", TABLE)
