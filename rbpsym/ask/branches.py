@@ -58,6 +58,16 @@ def joined(text: str, here: Part, there: Part, way: int, letter: str) -> Answer:
     return replace(made, verdict=all_of((made.verdict, undecided(ONE_SENSE))))
 
 
+def either(text: str, here: Part, there: Part, letter: str) -> Answer:
+    """The values from what was found with a start on one side, and on the other one."""
+    made, second = concluded(here[0], text, here[1], letter), there[1]
+    if second.is_none and second.verdict is not None and second.verdict.is_proved:
+        return made
+    if second.values and second.rule == here[1].rule:
+        return _both(made, concluded(there[0], text, second, letter))
+    return replace(made, verdict=all_of((made.verdict, undecided(ONE_SENSE))))
+
+
 def _both(first: Answer, second: Answer) -> Answer:
     """The values of both, each under its conditions."""
     each = [(*one.valid, *own) for one in (first, second) for own in one.each or ((),) * len(one.values)]

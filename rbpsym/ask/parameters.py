@@ -14,6 +14,7 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import ASKED, PHASE
 from rbpsym.ask.seen import NeverThere, Scene, scene
+from rbpsym.ask.senses import turned
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.arrivals import mover
 
@@ -95,6 +96,10 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
         other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
         if other is not None:
             return branches.joined(text, found, finding(other[0], text), other[1], letter)
+    is_equation = found[1].rule == "vanishes_for" and found[1].values
+    side = turned(asked, found[0].demands, found[1].symbol) if is_equation else None
+    if side is not None:
+        return branches.either(text, found, finding(side, text), letter)
     return concluded(found[0], text, found[1], letter)
 
 

@@ -1,13 +1,15 @@
-"""Of what it is said that it slips, tips, holds: a contact by the name of its body; what sets out to slip from rest."""
+"""Of what it is said that it slips, tips, holds: a contact by the name of its body; what sets out to slip from rest, and what
+does not set out at all: an orbit that stays a circle."""
 
 from __future__ import annotations
 
 import re
 
-from rbpsym.algebra import depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.algebra import NOTHING, depends_on, derivative, is_zero, symbol
 from rbpsym.ask.seen import Scene, seen
 from rbpsym.ask.wanted import Wanted
 from rbpsym.equality.signs import sign
+from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips
 from rbpsym.statement.model import Element
 
@@ -41,7 +43,23 @@ def begins_to_slip(world: Scene, contact: str) -> Wanted | None:
     speed, given = f"{name}_dot", world.motion.assumptions
     senses = {sign(derivative(slip, speed), given).sense for slip in found.values()}
     is_multiple = all(is_zero(derivative(slip, speed) * symbol(speed) - slip) for slip in found.values())
-    is_at_rest = is_zero(substitute(symbol(speed), world.study.system.scope.start))
+    is_at_rest = is_zero(world.study.system.scope.start.get(speed, NOTHING))
     if len(senses) != 1 or 0 in senses or not (is_multiple and is_at_rest):
         return None
     return Wanted((seen(world, f"acceleration of {name} at the start") * senses.pop(),), given, closed=False)
+
+
+STAYS = re.compile(r"(\w+) (?:stays|remains)(?: at)? (.+)")
+
+
+def stays(world: Scene, text: str) -> Wanted | None:
+    """A coordinate stays what it is at the start, where it is at rest and kept momenta tie all other speeds to it: it gains no
+    speed there, so that nothing changes. None for another condition."""
+    said, study = STAYS.fullmatch(text), world.study
+    if said is None or not study.kept_speeds or mover(study) != said[1]:
+        return None
+    start = study.system.scope.start
+    is_here = said[2] == "constant" or (said[2] in world.names and is_zero(symbol(said[2]) - start[said[1]]))
+    if not is_here or not is_zero(start.get(f"{said[1]}_dot", NOTHING)):
+        return None
+    return Wanted((seen(world, f"acceleration of {said[1]} at the start"),), world.motion.assumptions, equal=True)

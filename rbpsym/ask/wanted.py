@@ -332,8 +332,8 @@ def _equal(world: Scene, left: str, right: str) -> Wanted:
 
 
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}
-RELATION = re.compile(r" (=|>=|<=|>|<|equals|exceeds|is (?:at least|at most|less than|greater than|more than)) ")
-WORDS = {"equals": "=", "is at least": ">=", "is at most": "<=", "is less than": "<"}
+RELATION = re.compile(r" (=|>=|<=|>|<|equals|exceeds|is (?:at (?:least|most)|(?:less|greater|more) than)|is(?= -?[\d(]| \w+[*/])) ")
+WORDS = {"equals": "=", "is": "=", "is at least": ">=", "is at most": "<=", "is less than": "<"}
 WORDS |= dict.fromkeys(("exceeds", "is greater than", "is more than"), ">")
 
 

@@ -6,7 +6,7 @@ there without a halt, and meets no other root before.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.algebra.integration import definite
@@ -153,19 +153,29 @@ def first_met(
     the motion begins as stated (`first`: what else is asked of its start) and comes to one, where it is the first, and the
     sense in which it comes; None if there is none in closed form.
     Raises NotApplicable where one without may come before."""
-    start, is_open, gaps = study.system.scope.start[name], False, tuple(map(without_even_roots, gaps))
+    first, square = tuple(first), study.squares[name]
+    even = [without_even_roots(value) for value in (square, *gaps)]  # squares of roots may hide a zero
+    found = _first_met(study, name, (square, *gaps), first)
+    return _first_met(study, name, even, first) if found is None and even != [square, *gaps] else found
+
+
+def _first_met(
+    study: Study, name: str, values: Sequence[Scalar], first: Iterable[Demand]
+) -> tuple[Scalar, list[Demand], int] | None:
+    """The same; of the values, the first one is the square of the speed."""
+    square, *gaps = values
+    start, is_open = study.system.scope.start[name], False
     is_pushed = is_zero(study.system.scope.start.get(f"{name}_dot", NOTHING))  # from rest it goes as the forces want
     begun = begins(study) if is_pushed else ()
     for numbers in _tried(study, start):
         if any(floating(demand.value, numbers) < 0 for demand in begun):
             continue
-        square = without_even_roots(study.squares[name])
         way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, square)
         factors = [factor for gap in gaps for factor in factors_in(gap, name)]
         known = (place for factor in factors for place in places_ahead(factor, way, study.assumptions))
         ahead = [item for place in known if (item := (floating(way.ahead(place), numbers), place))[0] > EDGE]
         place = min(ahead, key=lambda item: item[0])[1] if ahead else None
-        found = None if place is None else _conditions(study, way, place, gaps, numbers)
+        found = None if place is None else _conditions(study, way, place, tuple(gaps), numbers)
         asked = None if found is None else [*first, *found]
         if asked is not None and all(floating(demand.value, numbers) >= 0 for demand in asked):
             return place, asked, way.sense

@@ -76,6 +76,11 @@ TOLD = (
     ("disk-in-oil", "time until theta = 0 underdamped", ("(MR²/√(2MκR² − c²))(π − arctan(√(2MκR² − c²)/c))",)),
     # an arccos of what is negative is that of a difference
     ("loop-slide", "theta where N vanishes", ("arccos((2gR − v₀²)/(3gR))",)),
+    # a start on the one side and on the other; what is said in other words
+    ("pend-link", "phi_0 for which T where phi = 0 is 2*m*g", ("π/3", "−π/3")),
+    ("braking-car", "stopping distance of x", ("v₀²/(2μg)",)),
+    ("hexagonal-prism", "ratio of energy lost when next begins to kinetic energy just before next", ("168/289",)),
+    ("leaning-sticks", "smallest theta for which it does not slip", ("arctan(1/√μ)",)),
     # values before the end of the question
     ("cylinder-on-wedge", "acceleration of x with m = M for small beta", ("−βg/2",)),
 )  # fmt: skip

@@ -216,6 +216,8 @@ ANSWERS = (
     ("free-hinged-rods", "speed of theta when struck begins", "-9*P/(4*m*a)"),
     ("free-hinged-rods", "kinetic energy when struck begins", "7*P**2/(4*m)"),
     ("free-hinged-rods", "impulse of N_y when struck begins", "-P/4"),
+    ("orbit", "v_0 for which r stays constant", "r_0*sqrt(k/m)"),
+    ("orbit", "v_0 for which r stays r_0", "r_0*sqrt(k/m)"),
 )  # fmt: skip
 
 
