@@ -12,6 +12,7 @@ import traceback
 from collections.abc import Callable
 from functools import partial
 from importlib import import_module
+from typing import Any
 
 import click
 
@@ -54,7 +55,7 @@ class Rbpsym(click.Group):
         """The command of that name, imported now."""
         return import_module(COMMANDS[cmd_name]).command if cmd_name in COMMANDS else None
 
-    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple:
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
         """The command that the first argument names; an unknown one is met with the nearest."""
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
             from rbpsym.statement.source import did_you_mean
@@ -63,7 +64,7 @@ class Rbpsym(click.Group):
             raise click.UsageError(f"there is no command “{args[0]}”; {hint}", ctx)
         return super().resolve_command(ctx, args)
 
-    def main(self, args: object = None, *, standalone_mode: bool = True, **extra: object) -> object:
+    def main(self, args: Any = None, *, standalone_mode: bool = True, **extra: Any) -> Any:  # type: ignore[override]  # by name
         """Run; in standalone mode leave with the exit code that the README tells."""
         call = partial(super().main, args, standalone_mode=False, **{**extra, "prog_name": "rbpsym"})
         if not standalone_mode:

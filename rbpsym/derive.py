@@ -100,7 +100,7 @@ def _phases(problem: Problem, before: tuple[Step, ...]) -> tuple[DerivedPhase, .
     )
 
 
-def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scalar] | None:
+def _carried_out(draft: Draft, name: str, method: Callable[[Draft], Mapping[str, Scalar] | None]) -> Mapping[str, Scalar] | None:
     """What a method finds; None, with its steps left out, if its formulas grow beyond the limits."""
     before = len(draft.steps)
     try:

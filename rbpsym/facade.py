@@ -10,13 +10,20 @@ import re
 from collections.abc import Callable, Mapping
 from functools import wraps
 from inspect import signature
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from rbpsym.errors import StatementError
+
+if TYPE_CHECKING:
+    from rbpsym.mechanics.study import Study
+    from rbpsym.statement.course import Course
+    from rbpsym.statement.model import Problem
 
 WORD = re.compile(r"[A-Za-z]\w*")
 
 
-def opened(function: Callable) -> Callable:
+def opened(function: Callable[..., Any]) -> Callable[..., Any]:
     """The function with its arguments read by `READERS`, told by their annotations."""
     shape = signature(function)
     readers = {name: READERS[p.annotation] for name, p in shape.parameters.items() if p.annotation in READERS}
@@ -39,7 +46,13 @@ def _wrong(value: object, what: str, wanted: str) -> StatementError:
     return StatementError(f"{what} is {kind_of(value)}", instead=f"give {wanted}.")
 
 
-def _problem(value: object, what: str) -> object:
+def _problem_or_study(value: object, what: str) -> Problem | Study:
+    from rbpsym.mechanics.study import Study
+
+    return value if isinstance(value, Study) else _problem(value, what)
+
+
+def _problem(value: object, what: str) -> Problem:
     from rbpsym.derivation.step import Derivation
     from rbpsym.mechanics.study import Study
     from rbpsym.statement.loader import load_problem
@@ -47,10 +60,12 @@ def _problem(value: object, what: str) -> object:
 
     if isinstance(value, Derivation):
         return value.study.problem
-    if isinstance(value, (Problem, Study)):
+    if isinstance(value, Study):
+        return value.problem
+    if isinstance(value, Problem):
         return value
     if isinstance(value, (str, os.PathLike)):
-        return load_problem(value)
+        return load_problem(value if isinstance(value, str) else Path(value))
     raise _wrong(value, what, "a problem, the name of one that ships, a file or a text")
 
 
@@ -61,11 +76,11 @@ def _derivation(value: object, what: str) -> object:
     return value if isinstance(value, Derivation) else derive(_problem(value, what))
 
 
-def _course(value: object, what: str) -> object:
+def _course(value: object, what: str) -> Course:
     from rbpsym.statement.course import Course, load_course
 
     if isinstance(value, (str, os.PathLike)):
-        return load_course(value)
+        return load_course(Path(value))
     if isinstance(value, Course):
         return value
     raise _wrong(value, what, "a course, the name of one that ships, or its file")
@@ -80,7 +95,8 @@ def _derived_course(value: object, what: str) -> object:
 
 def _formula(value: object, what: str) -> object:
     from rbpsym.face.reading import is_sympy, tree_of
-    from rbpsym.notation.infix import FUNCTIONS, read_infix
+    from rbpsym.notation.infix import read_infix
+    from rbpsym.notation.infix_names import FUNCTIONS
     from rbpsym.notation.tree import Node
     from rbpsym.statement.source import written
 
@@ -106,7 +122,7 @@ def _assumptions(value: object, what: str) -> object:
 
 READERS: Mapping[str, Callable[[object, str], object]] = {
     "Problem": _problem,
-    "Problem | Study": _problem,
+    "Problem | Study": _problem_or_study,
     "Derivation": _derivation,
     "Course": _course,
     "DerivedCourse": _derived_course,

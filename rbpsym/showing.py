@@ -14,4 +14,5 @@ class Shown:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """HTML with MathML, LaTeX and plain text, by media type."""
-        return import_module(LOOKS).looks(self)
+        found: dict[str, str] = import_module(LOOKS).looks(self)
+        return found

@@ -10,6 +10,7 @@ import sympy
 
 import rbpsym
 from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Sym
 from rbpsym.statement.library import problem_files
 
@@ -27,6 +28,11 @@ def test_a_name_of_the_library_is_a_problem() -> None:
     assert rbpsym.notes(NAME).title
     assert rbpsym.compiled_accelerations(NAME, {"M": 1.0, "ell": 1.0, "g": 9.81, "m": 1.0})
     assert rbpsym.load_course("rigid-bodies" if "rigid-bodies" in _courses() else _courses()[0]).parts
+
+
+def test_the_mechanics_of_a_problem_stand_for_it() -> None:
+    study = Study(rbpsym.load_problem(NAME))
+    assert rbpsym.derive(study, simulation=False).summary() == rbpsym.derive(NAME, simulation=False).summary()
 
 
 def _courses() -> list[str]:
