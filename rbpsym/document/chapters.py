@@ -209,7 +209,8 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
     """The equations of each body, then the unknown forces together."""
     teller = telling.Teller(said)
     yield from _intro(_manner_of_motion(derivation, said), derivation, said)
-    others, known, reactions = telling.by_kind(steps, ("newton_euler.known", "newton_euler.reaction"))
+    others, known, moving, still = telling.by_kind(steps, [f"newton_euler.{kind}" for kind in ("known", "reaction", "settled")])
+    reactions = [*moving, *still]
     yield from teller.steps(others)
     yield from teller.together(known, "newton_euler.solved_many")
     yield from teller.together(

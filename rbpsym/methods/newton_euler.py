@@ -24,7 +24,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     draft.chapter = "reactions"
     chosen = statics.write(draft)
     steps = [_equations(draft, name, FULL if chosen else STANDARD) for name in draft.study.system.bodies]
-    _reactions(draft, chosen or [step for step in steps if step is not None])
+    _reactions(draft, chosen, [step for step in steps if step is not None])
     return _accelerations(draft)
 
 
@@ -58,8 +58,9 @@ def _equations(draft: Draft, name: str, level: int) -> Step | None:
     )
 
 
-def _reactions(draft: Draft, steps: list[Step]) -> None:
-    """Each unknown force as a function of position and speed."""
+def _reactions(draft: Draft, chosen: list[Step], bodies: list[Step]) -> None:
+    """Each unknown force as a function of position and speed; at rest from the balances that were chosen, if any were."""
+    steps = chosen or bodies
     values = draft.study.dynamics.reactions
     if not values:
         return
@@ -71,7 +72,7 @@ def _reactions(draft: Draft, steps: list[Step]) -> None:
             f"reaction.{name}",
             "solution",
             t.equation(t.Sym(name), shown),
-            "newton_euler.reaction",
+            "newton_euler.settled" if chosen else "newton_euler.reaction",
             premises=premises,
             force=t.Sym(name),
             is_result=not draft.study.system.independent,  # where nothing is free, the forces are what was asked for

@@ -62,7 +62,7 @@ def _balances(draft: Draft, found: Plan) -> list[Step]:
 def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
     if balance.kind == "force":
         pushed = _push(draft, balance)
-        if balance.left and not balance.right:
+        if balance.left and not balance.right and len(balance.unknowns) > 1:
             _kept_momentum(draft, balance, pushed)
         return pushed
     whole = _rate(draft, balance, _net_torque(draft, balance))

@@ -51,7 +51,7 @@ class Measure:
 @dataclass(frozen=True, slots=True)
 class Tolerance:
     """When a number counts as right: within `relative` of the exact value; `digits` are asked for,
-    and from `digits - fewer` to `digits + more` of them are accepted without a deduction."""
+    from `digits - fewer` to `digits + more` of them are accepted; fewer cost half of their share where they say less."""
 
     relative: Fraction = Fraction(1, 100)
     digits: int = 3

@@ -17,6 +17,7 @@ from pathlib import Path
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.language import common_notation
 from rbpsym.document.model import Block, Paragraph, words
+from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.frozen import dataclass, field, replace
@@ -143,7 +144,7 @@ class WorksheetPlan:
 def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Item, ...]) -> Part:
     """The first numbers at which every item can be made."""
     seed, problem = code.seed.to_bytes(8, "big"), part.bench.study.problem
-    said = Words(code.language, problem, f"{problem.name}.")
+    said = Words(code.language, problem, f"{problem.name}.", locate=locator(part.bench.study))
     chosen = part.tasks(Draws(seed, f"tasks {place}"))
     for trial, situation in enumerate(part.scenery.situations(Draws(seed, f"numbers {place}"))):
         items = _items(part, chosen, situation, said, Draws(seed, f"items {place} {trial}"), before)
@@ -204,7 +205,7 @@ TRIALS = 10
 
 def _makeable(bench: ProblemBench, sight: Scenery, part: SheetPart) -> SheetPart:
     """Without the tasks for which some of the first numbers never do: right and wrong answers look alike in print, say."""
-    kept, said = part, Words("en", bench.study.problem, f"{bench.name}.")
+    kept, said = part, Words("en", bench.study.problem, f"{bench.name}.", locate=locator(bench.study))
     while kept.wishes:
         planned, stuck, draws = _planned(bench, sight, kept), Counter[Wish](), Draws(b"trial", bench.name)
         with suppress(RbpsymError):  # there are fewer numbers than trials

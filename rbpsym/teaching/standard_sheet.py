@@ -9,6 +9,7 @@ from itertools import islice
 
 from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import length
+from rbpsym.document.needless import is_struck
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.bench import Prepared, ProblemBench, formula_of
@@ -65,7 +66,17 @@ def lesson(bench: ProblemBench) -> tuple[Row, ...]:
     """The rows of the lesson: before the explanation each question that the problem itself asks."""
     asked = [id for id, target in bench.targets.items() if target.kind == ANY]
     own = [(QUESTIONS[place % 2], (id,), 2) for place, id in enumerate(asked)]
-    return (*LESSON[:-1], *(own or [NO_QUESTIONS]), LESSON[-1])
+    rows = [row for row in map(_before_blow, LESSON) if row] if is_struck(bench.derivation) else LESSON
+    return (*rows[:-1], *(own or [NO_QUESTIONS]), rows[-1])
+
+
+AT_BLOW = ("momentum", "axis-moment", "moment", "")  # what there is to ask of a motion that a blow ends at its start
+
+
+def _before_blow(row: Row) -> Row | None:
+    kinds, patterns, level = row
+    kept = tuple(pattern for pattern in patterns if pattern.partition(".")[0] in AT_BLOW)
+    return (kinds, kept, level) if kept and kinds != ("signs",) else None
 
 
 def _wishes(bench: ProblemBench, scenery: Scenery) -> list[Wish]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
@@ -70,8 +71,11 @@ def numbers() -> dict[tuple[float, str, int], list[tuple[str, str]]]:
     return found
 
 
+HALF = Fraction(1, 2)
+
+
 def is_as_expected(found: Judgement, expected: str) -> bool:
-    right = "".join(LETTERS[name] for name, credit in found.parts if credit == 1)
+    right = "".join(LETTERS[name] if credit == 1 else "h" for name, credit in found.parts if credit in (1, HALF))
     outcomes = {
         "??": found.status is Status.INVALID, "0": found.status is Status.WRONG and not found.credit,
         "-": found.status in (Status.WRONG, Status.PARTLY) and "v" not in right,

@@ -105,9 +105,10 @@ def _is_worth_carrying(own: float, sought: Wanted) -> bool:
 
 
 def _right(typed: Typed, unit: Remark | None, sought: Wanted, status: Status, remarks: tuple[Remark, ...]) -> Judgement:
-    figures = _figures_remark(typed, sought.tolerance)
+    figures = _figures_remark(typed, sought.tolerance) or _coarse(typed, sought)
     told = (*remarks, *(remark for remark in (unit, figures) if remark))
-    found = _marked(status, Fraction(1), Fraction(unit is None), Fraction(figures is None), sought, *told)
+    share = FIGURES.get(figures.key, Fraction(0)) if figures else Fraction(1)
+    found = _marked(status, Fraction(1), Fraction(unit is None), share, sought, *told)
     return found if found.credit == 1 else replace(found, status=Status.PARTLY)
 
 
@@ -145,6 +146,20 @@ def _figures_remark(typed: Typed, tolerance: Tolerance) -> Remark | None:
     if typed.most < low:
         return Remark("too few figures", {"digits": str(tolerance.digits)})
     return Remark("too many figures", {"digits": str(tolerance.digits)}) if typed.fewest > high else None
+
+
+FIGURES = {"one figure fewer": Fraction(1, 2)}  # what a remark on the figures leaves of their share, where it is not nothing
+
+
+def _coarse(typed: Typed, sought: Wanted) -> Remark | None:
+    """Right as far as it goes, but rounded to a figure less than is asked for; 0.5 m is 0.500 m, where that is right."""
+    digits = sought.tolerance.digits
+    if not typed.most or not typed.value or typed.most >= digits or not sought.exact:
+        return None
+    value = sought.exact / (typed.unit or sought.unit).factor
+    if abs(typed.value - value) <= 0.5000001 * 10.0 ** (floor(log10(abs(value))) - digits + 1):
+        return None
+    return Remark("one figure fewer", {"digits": str(digits)})
 
 
 def _missed(meant: Typed, unit: Remark | None, sought: Wanted) -> Judgement:

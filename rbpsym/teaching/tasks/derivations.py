@@ -9,6 +9,7 @@ from functools import partial
 from rbpsym.algebra import Scalar, is_zero, substitute
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
+from rbpsym.document.needless import is_struck
 from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, sentence
@@ -223,14 +224,17 @@ def _lines(
 
 
 # rule -> how interesting a “why” it is; others are not asked
+STATICS = 2  # of a balance of what is at rest
 QUESTIONS = {"workless": 3, "work_energy": 2, "combination": 3, "conservation": 2, "torque": 1, "parallel_axis": 1}
+STATES = ("kinematics", "inertia", "momentum")
 MOST_PREMISES = 3
 CONCLUSION = 3  # the least weight of putting the premises together, on the scale of `lines.WEIGHTS`
 
 
 def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a step that has a reason and premises; `about` names ids of steps."""
-    steps = [s for s in bench.derivation.steps if _interest(s) and _premises(bench, s)]
+    struck = is_struck(bench.derivation)  # of a motion that ends at its start only what is true of each state
+    steps = [s for s in bench.derivation.steps if _interest(s) and _premises(bench, s) and (not struck or s.chapter in STATES)]
     named = [s for s in steps if not wish.about or any(s.id == a or s.id.startswith(f"{a}.") for a in wish.about)]
     if not named and wish.at is not None:
         ids = ", ".join(s.id for s in steps)
@@ -244,7 +248,12 @@ def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[
 
 
 def _interest(step: Step) -> int:
-    """How interesting it is; of the works only a result (equal halves) is asked for."""
+    """How interesting it is; of the works only a result (equal halves) is asked for, of what is at rest why torques balance
+    about a point; the ledger of the forces is no line of an argument."""
+    if step.phrase.startswith("statics."):
+        return STATICS if "forces" in step.slots["silent"].slots else 0
+    if step.chapter == "forces":
+        return 0
     return 3 if step.rule == "work" and step.is_result else QUESTIONS.get(step.rule, 0)
 
 
