@@ -30,7 +30,7 @@ MARKED = {  # remarks on an answer, by the module that makes them when it has de
     "judgement": ("invalid", "undecided", "wrong", "slip", "first wrong", "empty"),
     "number": (
         "zero", "wrong value", "power of ten", "degrees", "unit missing", "unit wrong", "unit cycles", "too few figures",
-        "too many figures",
+        "too many figures", "one figure fewer",
     ),
     "quantity": ("rounded",),
 }  # fmt: skip
