@@ -109,9 +109,9 @@ class Refuter:
 
     @cached_property
     def _ambiguous(self) -> frozenset[str]:
-        """The letters of which steps say what does not go together: they mean several things (P_x of one body, and of another)."""
-        rows = ((name, node) for name, node in _solved(self.steps) if name not in self._own)
-        return frozenset(name for name, node in rows if guarded(lambda a=t.Sym(name), b=node: self._of(a, "=", b)).is_refuted)
+        """The letters of which steps say what does not go together: they mean several things (P_x of one body and of another)."""
+        rows = [(t.Sym(name), node) for name, node in _solved(self.steps) if name not in self._own]
+        return frozenset(sym.name for sym, node in rows if guarded(lambda a=sym, b=node: self._of(a, "=", b)).is_refuted)
 
     def _of(self, left: t.Node, op: str, right: t.Node) -> Verdict:
         if op in CONTRARY:

@@ -36,6 +36,20 @@ const focused = (page) => page.evaluate(() => {
 const ACTS = {
   read: async () => ({}),
   calm: async (page) => ({ calm: await pictures(page, "reduce"), lively: await pictures(page, "no-preference") }),
+  layers: async (page) => {
+    const count = (look) => page.locator(`#picture-0 path.${look}`).count(), before = await count("velocity");
+    for (const name of ["trace", "velocity", "acceleration"]) await page.check("#layer-" + name);
+    const after = await Promise.all(["trace", "velocity", "acceleration"].map(count)), start = (await readings(page))["p.theta_0"];
+    const tip = await page.evaluate(() => document.querySelector("#picture-0 path.velocity-head").getBoundingClientRect().x - document.querySelector("#picture-0 path.trace").getBoundingClientRect().x);
+    await page.click("#restart");
+    const dot = await page.locator("#picture-0 circle.dot").last().boundingBox();
+    await page.mouse.move(dot.x + 2, dot.y + 2);
+    await page.mouse.down();
+    await page.mouse.move(dot.x + 30, dot.y + 50, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForTimeout(300);
+    return { before, after, tip, start, dragged: (await readings(page))["p.theta_0"], length: (await readings(page))["p.ell"], said: await page.textContent("#status") };
+  },
   keys: async (page) => {
     const order = [], after = {};
     await page.evaluate(() => document.activeElement.blur());

@@ -313,13 +313,30 @@ def test_reduced_motion_is_respected(tmp_path: Path) -> None:
 
 
 @played
+def test_ways_and_arrows_are_shown_and_a_body_is_dragged_to_its_start(tmp_path: Path) -> None:
+    """Arrows only when they are asked for; dragging down the ladder lowers its angle at the start, and no length changes."""
+    [seen] = met(tmp_path, {"file": str(written(tmp_path, "sliding-ladder")), "hash": "#t=0.5", "act": "layers"})
+    assert (seen["before"], seen["after"]) == (0, [1, 1, 1])
+    assert seen["tip"] > 0  # it moves away from the wall
+    assert 0 < float(seen["dragged"]) < float(seen["start"]) - 0.1
+    assert float(seen["length"]) == problem_length("ell")
+    assert "θ = " in seen["said"]
+
+
+def problem_length(name: str) -> float:
+    """The number of the ladder's example."""
+    return next(one["value"] for one in model(load_problem(FILES["sliding-ladder"]), "en").data["numbers"] if one["name"] == name)
+
+
+@played
 def test_it_is_worked_by_keyboard_alone(tmp_path: Path) -> None:
     """Tab meets every control in the order of the page, each with a name; keys move the sliders and press the buttons."""
     page = str(written(tmp_path, "sliding-ladder"))
     for found in met(tmp_path, {"file": page, "act": "keys"}, {"file": page, "act": "keys", "width": 360}):
         order, after = found["order"], found["after"]
         ids = [one["id"] for one in order]
-        assert ids[:6] == ["play", "restart", "speed", "time", "curves-kind", "place-0-theta"]
+        assert ids[:4] == ["play", "restart", "speed", "time"]
+        assert ids[4:9] == ["layer-trace", "layer-velocity", "layer-acceleration", "curves-kind", "place-0-theta"]
         assert ids[-1] == "reset"
         assert sum(one.startswith("number-") for one in ids) == 4
         assert all(one["name"] for one in order)

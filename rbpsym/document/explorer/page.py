@@ -182,7 +182,7 @@ def _coordinate(coordinate, notation: Notation, said: Words) -> dict[str, Any]:
 # ---
 
 
-SCRIPTS = ("numbers", "motion", "shapes", "drawing", "readings", "curves", "controls")
+SCRIPTS = ("numbers", "motion", "shapes", "drawing", "readings", "curves", "layers", "controls")
 FOLDER = Path(__file__).with_name("script")
 
 

@@ -17,6 +17,8 @@ function begin() {
   byId("speed").replaceChildren(...SPEEDS.map((value) => element("option", { value }, told("times", { value: shown(value) }))));
   const kinds = SETS.filter((kind) => MODELS.some((model) => kind !== "reactions" || Object.keys(model.data.unknowns).length));
   byId("curves-kind").replaceChildren(...kinds.map((kind) => element("option", { value: kind }, WORDS[kind])));
+  layerBoxes();
+  MODELS.forEach((_, place) => draggable(byId("picture-" + place), place));
   sliders();
   rebuild();
   pace();

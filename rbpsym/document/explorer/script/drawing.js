@@ -86,6 +86,7 @@ class Drawing {
     this.tips = [];
     this.thin = this.thin.map((ends) => this.scale.points(ends)).concat(this.grounds);
     parts.push(...data.forces.flatMap((force) => this.force(force)));
+    parts.push(...layered(this, moment));
     parts.push(...((this.motion.blow(moment.time) || { arrows: [] }).arrows.flatMap((one) => this.impulse(one))));
     this.svg.replaceChildren(...parts, ...this.names());
   }

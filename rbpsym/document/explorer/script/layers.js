@@ -1,0 +1,119 @@
+// What may be shown besides: the ways of the centres of mass, their velocities and accelerations; and bodies that are dragged to their start.
+
+const LAYERS = ["trace", "velocity", "acceleration"], BESIDE = 1e-3, ARROW = 70, REACH = 34, TRIED = 40;
+const layers = new Set();
+
+function layerBoxes() {
+  byId("layers").replaceChildren(...LAYERS.map((name) => {
+    const box = element("input", { type: "checkbox", id: "layer-" + name });
+    box.addEventListener("change", () => { if (box.checked) layers.add(name); else layers.delete(name); seek(state.time); });
+    return element("label", { class: "layer " + name }, [box, " " + WORDS["layer." + name]]);
+  }));
+}
+
+/** [velocity, acceleration] of a body's centre of mass, from its places at this moment and a little later in the same phase. */
+function rushes(motion, { phase, y, local }, cm) {
+  const states = [0, 1, 2].map((k) => motion.after(phase, y, local, k * BESIDE));
+  if (!states.every(Boolean)) return [[0, 0], [0, 0]];
+  const [p, q, r] = states.map((one, k) => pick(cm, motion.look(phase, one, local + k * BESIDE)));
+  return [p.map((_, k) => (4 * q[k] - 3 * p[k] - r[k]) / (2 * BESIDE)), p.map((_, k) => (p[k] - 2 * q[k] + r[k]) / BESIDE ** 2)];
+}
+
+/** The parts of the picture that the chosen layers add. */
+function layered(drawing, moment) {
+  const { motion, scale } = drawing;
+  const ways = layers.has("trace") ? waysOf(motion).map((way) => {
+    const seen = way.filter(([time]) => time <= moment.time + 1e-9).map(([, point]) => point);
+    return make("path", { class: "trace", d: path(scale.points([...seen, pick(moment.data.bodies.find((b) => b.name === way.name).cm, moment.out)])) });
+  }) : [];
+  const arrows = ["velocity", "acceleration"].flatMap((name, k) => (layers.has(name) ? moment.data.bodies.flatMap((body) => {
+    const [u, v] = rushes(motion, moment, body.cm)[k], size = (Math.hypot(u, v) * ARROW) / fastest(motion)[k];
+    return size > 1.5 ? drawing.pointed(scale.point(pick(body.cm, moment.out)), [u, -v], Math.min(size, 1.5 * ARROW), name, "") : [];
+  }) : []));
+  return [...ways, ...arrows];
+}
+
+/** Of each body the places of its centre of mass, with their times. */
+function waysOf(motion) {
+  if (!motion.ways) {
+    const step = Math.max(1, Math.floor(motion.frames.length / 240)), frames = motion.frames.filter((_, k) => k % step === 0);
+    motion.ways = motion.data.phases[0].bodies.map(({ name }) => Object.assign(frames.map((frame) => {
+      const body = motion.data.phases[frame.phase].bodies.find((one) => one.name === name);
+      return [frame.time, pick(body.cm, motion.look(frame.phase, frame.y, frame.local))];
+    }), { name }));
+  }
+  return motion.ways;
+}
+
+/** The usual largest speed and acceleration of a motion, by which arrows are scaled. */
+function fastest(motion) {
+  if (!motion.fastest) {
+    const all = sampled(motion).flatMap((moment) => moment.data.bodies.map((body) => rushes(motion, moment, body.cm)));
+    motion.fastest = [0, 1].map((k) => mostly(all.map((pair) => Math.hypot(...pair[k]))));
+  }
+  return motion.fastest;
+}
+
+// --- dragging: the numbers of the start that bring a body nearest to the pointer
+
+/** A motion that is not worked out: only its start is asked for. */
+function startOf(model, numbers) {
+  const motion = Object.assign(Object.create(Motion.prototype), { data: model.data, code: model.code, numbers });
+  const state = motion.start(0);
+  return { state: state.slice(0, model.data.phases[0].free), out: motion.look(0, state, 0) };
+}
+
+const numbersOf = (model) => model.data.numbers.map((one) => state.numbers[one.name]);
+
+/** The numbers by which one says where it starts: the coordinates at the start change with them. */
+function startNumbers(model) {
+  const own = numbersOf(model), { state: before } = startOf(model, own);
+  return model.data.numbers.filter((one, k) => {
+    const moved = own.with(k, own[k] + (one.most - one.least) / 50), { state: after } = startOf(model, moved);
+    return after.some((value, n) => Number.isFinite(value) && Math.abs(value - before[n]) > 1e-9);
+  });
+}
+
+function drag(model, body, goal) {
+  const away = () => { const at = pick(body.cm, startOf(model, numbersOf(model)).out); return Math.hypot(at[0] - goal[0], at[1] - goal[1]); };
+  for (const one of [...startNumbers(model), ...startNumbers(model)]) {
+    let best = state.numbers[one.name], least = away();
+    for (const share of [1, 1 / TRIED]) {  // first the whole range, then around the best of it
+      const middle = share < 1 ? best : (one.least + one.most) / 2, half = ((one.most - one.least) / 2) * share;
+      for (let k = -TRIED; k <= TRIED; k++) {
+        state.numbers[one.name] = Math.min(Math.max(middle + (half * k) / TRIED, one.least), one.most);
+        const now = away();
+        if (now < least) [best, least] = [state.numbers[one.name], now];
+      }
+    }
+    state.numbers[one.name] = best;
+  }
+}
+
+function draggable(svg, place) {
+  let held = null;
+  const at = (event, scale) => {
+    const box = svg.getBoundingClientRect(), x = ((event.clientX - box.left) * ROOM) / box.width, y = ((event.clientY - box.top) * ROOM) / box.width;
+    return [scale.middle[0] + (x - ROOM / 2) / scale.factor, scale.middle[1] - (y - scale.height / 2) / scale.factor];
+  };
+  svg.addEventListener("pointerdown", (event) => {
+    const model = MODELS[place], { scale, out } = state.drawings[place], goal = at(event, scale);
+    if (event.pointerType === "touch" || !startNumbers(model).length) return;
+    const far = (body) => Math.hypot(...pick(body.cm, out).map((value, k) => value - goal[k])) * scale.factor;
+    const body = model.data.phases[0].bodies.reduce((a, b) => (far(b) < far(a) ? b : a));
+    if (far(body) > REACH * 2) return;
+    held = { model, body, scale };
+    svg.setPointerCapture(event.pointerId);
+    pause();
+    seek(0);
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (!held) return;
+    drag(held.model, held.body, at(event, held.scale));
+    sliders();
+    soon();
+  });
+  const drop = () => { if (held) { held = null; say(); tells("changed", { name: "start" }); } };
+  svg.addEventListener("pointerup", drop);
+  svg.addEventListener("pointercancel", drop);
+}
