@@ -354,11 +354,14 @@ def _limit(reader: LatexReader) -> t.Node:
 
 @begins("[")
 def _bracket(reader: LatexReader) -> t.Node:
-    """[f] with limits is taken between them; without, it is a parenthesis. [T] alone is the unit of T, and X[0] an element."""
+    """[f] with limits is taken between them; without, it is a parenthesis. [T] alone is a unit, X[0] an element, S[q] a value."""
     start, before = reader.token.start, reader.tokens[reader.position - 1] if reader.position else None
     node = between(reader, "]")
-    if isinstance(node, t.Num) and before and (before.kind in ("letter", "digit", "text") or before.text in ("}", ")")):
+    behind_name = before is not None and (before.kind in ("letter", "digit", "text") or before.text in ("}", ")"))
+    if behind_name and isinstance(node, t.Num):
         return reader.spanned(t.Formal("element", (node,)), start)
+    if behind_name and before.kind != "digit" and isinstance(node, (t.Sym, t.Vec)) and not reader.sees_sign("_"):
+        return reader.spanned(t.Formal("value", (node,)), start)  # S[q] is no product
     beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (before or reader.tokens[-1], reader.token)]
     if isinstance(node, (t.Sym, t.Vec)) and all(beside):
         return reader.spanned(t.Formal("unit", (node,)), start)

@@ -165,8 +165,11 @@ _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 
 
 _UNIT = r"(?:k?g|[ckm]?m|[mk]?N|k?[JW]|s|Hz|rad|K|Pa)(?:\^\{?-?\d\}?)?"
-_MEASURED = re.compile(  # a decimal number and letters behind a gap that spell a unit, up to the end of a row
-    rf"\d\.\d+\s*(?:~|\\[ ;]|\\q?quad)\s*({_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}})\s*[.,]?\s*(?:\\\\|$)"
+_UNITS = rf"{_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}}"
+_BEHIND = r"(?:~|\\[ ;]|\\q?quad)"
+_RATIO = rf"\\[dt]?frac\s*\{{\s*{_UNITS}\s*\}}\s*\{{[^{{}}]*s[^{{}}]*(?:\{{\d\}})?\}}"
+_MEASURED = re.compile(  # a decimal number and letters behind a gap that spell a unit, or such a fraction, up to the end of a row
+    rf"\d\.\d+\s*(?:{_BEHIND}\s*({_UNITS})|(?:{_BEHIND}|\\,)?\s*({_RATIO}))\s*[.,]?\s*(?:\\\\|$)"
 )
 
 
@@ -188,7 +191,8 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
             text = f"{text[: frame.start()]}{' ' * len(frame[0])}{text[frame.end() : end]} {text[end + 1 :]}"
     if measured := _MEASURED.search(text[:MAX_LENGTH]):
         hint = "Write the number alone in the unit that the claim says, or * where a product is meant."
-        raise source.error(f"is “{measured[1]}” a unit, or a product of symbols?", *measured.span(1), hint)
+        group = 1 if measured[1] else 2
+        raise source.error(f"is “{measured[group]}” a unit, or a product of symbols?", *measured.span(group), hint)
     return laid_out(source, tokenize(Source(text, source.place), gaps=True))
 
 

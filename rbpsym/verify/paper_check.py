@@ -250,4 +250,5 @@ def _cure(error: RbpsymError) -> str:
     symbol = UNKNOWN.search(error.what)
     if not symbol:
         return ""
-    return f"; say what it means, in a comment “rbpsym: {symbol[1]} is ...” or under [symbols] of a claims file, or claim the formula"
+    own = f"“rbpsym: {symbol[1]} is ...” in a comment"
+    return f"; say what it means: {own}, or [symbols] '{symbol[1]}' = \"...\", or claim the formula"

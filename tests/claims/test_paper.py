@@ -42,7 +42,7 @@ def test_all_displayed_equations_are_proved_in_order(tmp_path):
     ("number", "change", "diagnosis"),
     [
         (12, ("=-", "="), "sign"),
-        (16, ("{3}", "{12}"), "factor 4"),
+        (16, ("{3}", "{12}"), "3 in place of 12"),
         (34, (r"\cos", r"\sin"), "cos in place of sin"),
         (27, (r"m\,\ell^2", r"M\,\ell^2"), "m in place of M"),
         (7, (r"I_{O'}\vec{\omega}", r"I_{cm}\vec{\omega}"), ""),

@@ -151,11 +151,21 @@ def test_two_symbols_that_are_printed_alike():
         read_latex("W_{1,2}", ["W_1_2", "W_12"])
 
 
-@pytest.mark.parametrize("latex", [r"[m] = g", r"x = [m]", r"x[0] = g", r"g = m x[1]", r"g = x^{2}[1] m"])
+BRACKETS = [r"[m] = g", r"x = [m]", r"x[0] = g", r"g = m x[1]", r"g = x^{2}[1] m", r"m[x] = g", r"g = 2 m_{a}[x]"]
+
+
+@pytest.mark.parametrize("latex", BRACKETS)
 def test_a_unit_or_index_in_brackets_is_no_factor(latex):
+    names = {"m": "m", "g": "g", "x": "x", "m_a": "m_a"}
     with pytest.raises(RbpsymError):
-        read_latex(latex, {"m": "m", "g": "g", "x": "x"})
-    assert read_latex(latex, {"m": "m", "g": "g", "x": "x"}, whole=True)
+        read_latex(latex, names)
+    assert read_latex(latex, names, whole=True)
+
+
+@pytest.mark.parametrize("latex", [r"g = 9.8 \, \frac{m}{s^2}", r"g = 9.8\frac{m}{s^{2}} \\ x = m", r"g = 9.81~m/s^2."])
+def test_a_decimal_with_letters_of_units_is_asked_for(latex):
+    with pytest.raises(RbpsymError, match="unit"):
+        read_latex(latex, {"m": "m", "g": "g", "s": "s", "x": "x"})
 
 
 def test_a_limit_may_name_its_variable():
