@@ -61,7 +61,7 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     place = found.moment.place if found.moment else asked_place(asked, found.study)
     begun, earlier = before(asked, place, found)
     for k, part in enumerate(found.since):
-        first = certified(asked, question, part, LETTER if not k else f"{LETTER}_{k}")
+        first = certified(asked, question, part, f"{letter}_{k}")
         parts = (replace(step, phrase="ask.part") if step.phrase in ANSWERS else step for step in first.steps)
         earlier += tuple(replace(step, id=f"since.{k}.{step.id}") for step in parts if step not in earlier)
     draft = _told_by(asked, found) if found.told else Draft(found.study)

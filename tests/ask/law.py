@@ -9,6 +9,7 @@ from typing import Any
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.ask.answer import Answer
+from rbpsym.ask.certified import LETTER
 from rbpsym.derivation.checks import guarded
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.rules import RULES
@@ -37,6 +38,14 @@ def keep(found: Answer) -> None:
         letters = {row[0].name: found.values[0] for row in rows[:1] if found.conclusion.rule == "identity"}
         own = (replace(step, statement=wrong) for step in found.grounds if step.rule == found.conclusion.rule)
         assert not any(_passes(found, step, letters) for step in own), wrong
+
+
+def one_value_a_letter(found: Answer) -> None:
+    """Raises AssertionError where a letter of the program's own is said to be two things."""
+    values: dict[str, t.Node] = {}
+    for left, _, right in (row for step in found.steps for row in t.relations(step.statement)):
+        if isinstance(left, t.Sym) and left.name.startswith(LETTER):
+            assert values.setdefault(left.name, right) == right, (found.question.text, left.name)
 
 
 def _passes(found: Answer, step: Step, letters: dict[str, Scalar] | None = None) -> bool:

@@ -18,6 +18,7 @@ from rbpsym.equality.verdict import proved
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem
+from tests.ask.law import one_value_a_letter
 from tests.ask.test_unseen import HERE
 
 ASKING = [name for name in problem_files() if "question = " in problem_files()[name].read_text(encoding="utf-8")]
@@ -52,5 +53,6 @@ def test_an_answer_has_just_the_steps_that_it_needs(name: str) -> None:
         assert len(ids) == len(set(ids)), found.question.text
         ends = [found.steps[-1].id, *(step.id for step in found.steps if step.obligations)]
         assert {step.id for step in needed([*found.steps], *ends)} == set(ids), found.question.text
+        one_value_a_letter(found)
         for k, step in enumerate(found.steps):
             assert not {id for id in step.reasons if id in ids[k:]}, (found.question.text, step.id)

@@ -235,7 +235,7 @@ ROWS = [
         "unknown dimension",
         'here stands what it is: "mass',
     ),
-    Broken("sign for a dimension", '"mass: mass of the rod"', '"«real»: mass of the rod"', "unknown dimension", '"length, real: ..."'),
+    Broken("sign for a dimension", '"mass: mass of the rod"', '"«real»: mass of the rod"', "unknown dimension", '"length, real:'),
     Broken("meaning for a dimension", '"mass: mass of the rod"', '"«mass of the rod»"', "unknown dimension", "a colon"),
     Broken("undeclared", '= "k"', '= "«c»"', "unknown symbol “c”", '[parameters]: c = "stiffness: '),
     Broken("number for a length", 'length = "ell"', 'length = "«2»"', "must be a length", "multiply it by a parameter"),
