@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ from rbpsym.frozen import dataclass, field
 if TYPE_CHECKING:
     from rbpsym.derivation.step import Derivation
     from rbpsym.equality.verdict import Verdict
+    from rbpsym.kernel.claimed import Notary
     from rbpsym.verify.claims_model import Link, Result
     from rbpsym.verify.claims_run import Certificates
 
@@ -71,11 +73,12 @@ class CheckRun:
     "--cache", metavar="FOLDER", type=click.Path(file_okay=False, path_type=Path), help="Where certificates are kept."
 )
 @click.option("--no-cache", is_flag=True, help="Decide everything anew.")
+@click.option("--certify", is_flag=True, help="Have Rocq prove what is proved once more, where coqc is installed.")
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
 def command(
     names: Names, problems: Names, every: bool, init: bool, fix: Path | None, as_json: bool, junit: Path | None,
     html: Path | None, sarif: Path | None, baseline: Path | None, anew: bool, compare: tuple[Path, Path] | None,
-    github: bool, only: str, failures: bool, cache: Path | None, no_cache: bool, simulation: bool,
+    github: bool, only: str, failures: bool, cache: Path | None, no_cache: bool, certify: bool, simulation: bool,
 ) -> int:  # fmt: skip
     """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
 
@@ -93,7 +96,8 @@ def command(
     A problem is derived, and every step must be proved. A claims file says what the printed
     symbols mean, and so do comments in a paper (LaTeX, Markdown, RST, HTML, notebooks), which is
     walked in order. Where a formula is refuted, the change that would make it true is told if it
-    is a small one.
+    is a small one. With --certify each formula that is proved is told to be certified by Rocq,
+    from the laws, the start and the ranges alone, or why it is not (as each step of a derivation).
 
     \b
     Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided,
@@ -111,11 +115,16 @@ def command(
     if init:
         click.echo("".join(patches.draft_of(Path(name)) for name in names), nl=False)
         return FINE
-    certificates = Certificates.opened(None if no_cache else cache or default_folder(), draws=html is not None)
+    folder = None if no_cache else cache or default_folder()
+    notary = certifying(folder) if certify else None
+    certificates = Certificates.opened(folder, draws=html is not None, notary=notary)
     with Progress("check") as progress:
         found = everything(names, problems, certificates, simulation, progress, every)
     certificates.store()
     found = selected(found, only)
+    if notary is not None:
+        with Progress("coqc"):
+            found = certified(found, notary)
     if baseline:
         found = findings.without_known(found, baseline, anew)
     tell = reports.as_json if as_json else reports.as_table
@@ -128,6 +137,27 @@ def command(
     if github:
         click.echo(reports.as_annotations(found), nl=False)
     return found.exit_code
+
+
+def certifying(folder: Path | None) -> Notary:
+    """What takes formulas for Rocq."""
+    from rbpsym.kernel.claimed import Notary
+
+    return Notary(folder)
+
+
+def certified(found: CheckRun, notary: Notary) -> CheckRun:
+    """The results with what Rocq says of those that are proved."""
+    from rbpsym.commands.certify import certified as report_on
+    from rbpsym.kernel.claimed import judged
+    from rbpsym.verify.claims_model import Outcome
+
+    each = [
+        replace(one, rocq=judged(report_on(Path(one.file), None, notary.folder)))
+        if one.kind == "derivation" and one.outcome is Outcome.PROVED else one
+        for one in found.results
+    ]  # fmt: skip
+    return CheckRun(notary.settled(each), found.remarks)
 
 
 def written(path: Path, text: str) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.verify.claims_model import Outcome, Result
+from rbpsym.verify.claims_model import CERTIFIED, Outcome, Result
 
 if TYPE_CHECKING:
     from rich.text import Text
@@ -38,6 +38,8 @@ def lines(result: Result) -> Iterator[str]:
     """How it was proved, or the witness and what seems to be meant."""
     if result.outcome in (Outcome.PROVED, Outcome.DEFINITION):
         yield result.how or result.detail
+    if result.rocq:
+        yield result.rocq if result.rocq == CERTIFIED else f"not certified: {result.rocq}"
     for link in result.links:
         if link.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
             many = f"{link.relation}: " if len(result.links) > 1 else ""
@@ -72,6 +74,8 @@ def summary(found: CheckRun) -> str:
     ]
     whole = "all as expected" if found.is_decided else "NOT AS EXPECTED: nothing was decided"
     whole = f"{counts['unexpected']} NOT AS EXPECTED" if counts["unexpected"] else whole
+    asked = [result.rocq == CERTIFIED for result in found.results if result.rocq]
+    told += [f"{sum(asked)} of {len(asked)} certified by Rocq"] if asked else []
     return f"{len(found.results)} checked: {', '.join(told) or 'nothing'}; {whole}."
 
 
@@ -128,9 +132,13 @@ LINK = "relation outcome how detail diagnosis fix"
 
 def record(result: Result) -> dict[str, Any]:
     """One result as JSON has it."""
-    own = {"claims": result.declared[0], "latex": result.latex.strip(), "outcome": str(result.outcome)}
+    own: dict[str, Any] = {"claims": result.declared[0], "latex": result.latex.strip(), "outcome": str(result.outcome)}
     links = [{name: str(getattr(link, name)) for name in LINK.split()} for link in result.links]
-    return {name: own.get(name, getattr(result, name, None)) for name in RESULT.split()} | {"links": links}
+    if result.rocq:
+        is_certified = result.rocq == CERTIFIED
+        own |= {"certified": is_certified, "not_certified": "" if is_certified else result.rocq}
+    asked = [name for name in ("certified", "not_certified") if name in own]
+    return {name: own.get(name, getattr(result, name, None)) for name in (*RESULT.split(), *asked)} | {"links": links}
 
 
 def as_json(found: CheckRun, failures: bool = False) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 
@@ -78,23 +78,30 @@ def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
     if not own:
         raise RbpsymError(found.source.unsaid.get(step.id, "there is no statement for it yet"))
     for name, claim in own.items():
-        read_back(found.writer.said(claim), claim, found.source)  # raises for what has no term
-        claim, proof, search = _proved(found.source, step, claim, (claims, further))
-        names = _used(search, claim, proof, {**claims, **further})
-        needed = {name: item for name, item in {**claims, **further}.items() if name in names}
-        used |= needed.keys()
-        yield Lemma(name, claim, needed, proof)
+        made = lemma_of(found, name, claim, found.source.conditions(step), (claims, further))
+        used |= made.premises.keys()
+        yield made
     idle = [id for id in step.premises if not any(name.startswith(identifier(id) + "'") for name in used)]
     found.unused.update({step.id: tuple(idle)} if idle else {})
 
 
+def lemma_of(
+    found: Written, name: str, claim: Claim, printed: Iterable[Claim], known: tuple[Mapping[str, Claim], Mapping[str, Claim]]
+) -> Lemma:
+    """A claim as a lemma; where it needs them, on the `printed` conditions. known: premises, what is declared."""
+    read_back(found.writer.said(claim), claim, found.source)  # raises for what has no term
+    claim, proof, search = _proved(found.source, printed, claim, known)
+    every = {**known[0], **known[1]}
+    names = _used(search, claim, proof, every)
+    return Lemma(name, claim, {name: item for name, item in every.items() if name in names}, proof)
+
+
 def _proved(
-    source: Source, step: Step, claim: Claim, known: tuple[Mapping[str, Claim], Mapping[str, Claim]]
+    source: Source, printed: Iterable[Claim], claim: Claim, known: tuple[Mapping[str, Claim], Mapping[str, Claim]]
 ) -> tuple[Claim, Proof, Search]:
-    """The claim with its proof; where it needs them, on the conditions that the step prints. known: premises, declared."""
     claims, further = known
     held = (part for item in (*claims.values(), *further.values()) for part in item.given)
-    conditions = [part for part in dict.fromkeys((*source.conditions(step), *held)) if part not in claim.given]
+    conditions = [part for part in dict.fromkeys((*printed, *held)) if part not in claim.given]
     made = None
     for given in (claim.given, (*claim.given, *conditions)) if conditions else (claim.given,):
         search = Search(source, {**claims, **further}, further)

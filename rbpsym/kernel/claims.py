@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 
@@ -59,6 +59,10 @@ class Source:
             return True
         value = self.letters.scalars.get(name)
         return value is not None and bool(self._moving & names_in(value))
+
+    def moves(self, names: Iterable[str]) -> None:
+        """Letters of which nothing is known but that they change with time."""
+        self._defined.update(names)
 
     # --- steps
 

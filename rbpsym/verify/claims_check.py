@@ -183,16 +183,20 @@ class Checker:
         if claim.not_computed or printed is None:
             return blank
         claim = replace(claim, setting=with_own_symbols(claim.setting, self.world(claim.setting)))
-        words = glossary(claim.setting.symbols)
-        words = self.reading(words, claim.setting)
-        node = read(printed, words)
-        right = read(claim.right, words) if claim.right else None
-        ground = self.ground(claim.setting, words, *filter(None, (node, right)))
+        node, ground = self.opened(claim, printed)
+        right = read(claim.right, ground.glossary) if claim.right else None
         links = tuple(self.links(node, claim, ground, latex))
         right = self._right(right, claim, ground) if right else ""
         form = claim.right.latex if claim.right else ""
         outcome = worst([link.outcome for link in links])
         return replace(blank, outcome=outcome, links=links, right=right, right_latex=form)
+
+    def opened(self, claim: Claim, printed: Printed | None) -> tuple[t.Node, Ground]:
+        """The formula of a claim as it is read, and the ground on which it is decided. Raises ReadError with its place."""
+        setting = with_own_symbols(claim.setting, self.world(claim.setting))
+        words = self.reading(glossary(setting.symbols), setting)
+        nodes = [read(one, words) for one in (printed, claim.right) if one is not None]
+        return nodes[0], self.ground(setting, words, *nodes)
 
     def tree(self, claim: Claim, printed: Printed | None = None) -> t.Node:
         """The formula of a claim, or another one in its symbols, as it is read. Raises ReadError with its place."""

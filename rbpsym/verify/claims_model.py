@@ -21,6 +21,7 @@ class Outcome(StrEnum):
     UNREAD = "COULD NOT BE READ"
 
 
+CERTIFIED = "certified by Rocq"
 EXPECTATIONS = {
     "proved": (Outcome.PROVED, Outcome.DEFINITION),
     "refuted": (Outcome.REFUTED,),
@@ -130,7 +131,8 @@ class Result:
     """What was found out about a claim, or (`kind` "derivation") about a whole derivation.
 
     file and line: in the text; declared: file and line of the claim. right: the outcome of the
-    declared correct form of an erratum, right_latex that form. known: a baseline holds it.
+    declared correct form of an erratum, right_latex that form. known: a baseline holds it. rocq: what the prover says of
+    it, CERTIFIED or why not; "" if it was not asked.
     """
 
     id: str
@@ -152,6 +154,7 @@ class Result:
     cached: bool = field(default=False, compare=False)
     kind: str = "claim"
     known: bool = False
+    rocq: str = field(default="", compare=False)
     declared: tuple[str, int] = field(default=("", 0), compare=False)
 
     @property

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import asdict
 from hashlib import blake2b
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import granted
 from rbpsym.errors import RbpsymError, ReadError, StatementError, WorkSpent
 from rbpsym.frozen import dataclass, field, replace
-from rbpsym.notation.tree import Chain
+from rbpsym.notation.tree import Chain, Node
 from rbpsym.quantity.bound import World
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_check import Checker, unread
@@ -57,20 +57,24 @@ def engine() -> str:
 
 @dataclass(frozen=True)
 class Certificates:
-    """The certificates of a folder; `store` writes them back whole."""
+    """The certificates of a folder; `store` writes them back whole. notary: is told of each formula that is proved, and
+    gives what stands in its result for what a prover says."""
 
     folder: Path | None
     engine: str = ""
     draws: bool = False
     entries: dict[str, dict] = field(default_factory=dict)
     new: list[str] = field(default_factory=list)
+    notary: Callable[[Ground, Node, str], str] | None = None
 
     @classmethod
-    def opened(cls, folder: Path | None, draws: bool = False) -> Certificates:
+    def opened(
+        cls, folder: Path | None, draws: bool = False, notary: Callable[[Ground, Node, str], str] | None = None
+    ) -> Certificates:
         """The certificates of a folder; None remembers nothing. `draws`: formulas in MathML are wanted."""
         if folder is None:
-            return cls(None, draws=draws)
-        return cls(folder, engine(), draws, _loaded(folder / NAME))
+            return cls(None, draws=draws, notary=notary)
+        return cls(folder, engine(), draws, _loaded(folder / NAME), notary=notary)
 
     def get(self, key: str) -> Result | None:
         """The result under a key."""
@@ -114,7 +118,7 @@ def _loaded(path: Path) -> dict[str, dict]:
 
 def _entry(result: Result) -> dict:
     kept = asdict(result)
-    for key in ("cached", "seconds", "declared"):
+    for key in ("cached", "seconds", "declared", "rocq"):
         kept.pop(key)
     return kept
 
@@ -240,14 +244,20 @@ class Remembering(Checker):
         key = self._key(claim, printed)
         known = self.cache.get(key) if key else None
         if known is not None:
-            return replace(known, **told_of(claim))
+            return self._filed(replace(known, **told_of(claim)), claim, printed)
         try:
             with granted(MOST_WORK):
                 found = super().check(claim, printed)
         except WorkSpent as error:
             return replace(unread(claim, error.what), outcome=Outcome.UNDECIDED)
         self.cache.put(key, found)
-        return found
+        return self._filed(found, claim, printed)
+
+    def _filed(self, found: Result, claim: Claim, printed: Printed | None) -> Result:
+        if self.cache.notary is None or found.outcome is not Outcome.PROVED:
+            return found
+        node, ground = self.opened(claim, printed or claim.printed)
+        return replace(found, rocq=self.cache.notary(ground, node, found.latex))
 
     def look_at(self, setting: Setting) -> None:
         """Raises ReadError or StatementError where the problem of a setting can't be read; one that could be is remembered."""

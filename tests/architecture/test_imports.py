@@ -70,7 +70,7 @@ def test_there_are_no_cycles() -> None:
         visit(name, ())
 
 
-ROCQ = {f"rbpsym.kernel.{name}" for name in ("rocq", "reading", "coqc", "certify")}
+ROCQ = {f"rbpsym.kernel.{name}" for name in ("rocq", "reading", "coqc", "certify", "claimed")}
 
 
 @of_every_module
