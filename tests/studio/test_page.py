@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from http.client import HTTPConnection
 from pathlib import Path
 from threading import Thread
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
@@ -70,15 +71,36 @@ def test_without_the_page_it_is_said_how_to_get_it(tmp_path: Path) -> None:
     assert "make studio" in (done.output + getattr(done.exception, "instead", ""))
 
 
-@needs_page
-def test_the_page_does_all_it_is_for() -> None:
+def _driven(script: str) -> Any:
+    """What a script saw that drives Chromium on the built page."""
     running = _served(BUILT)
     port = next(running)
-    command = ["node", str(Path(__file__).with_name("browser.mjs")), str(MODULES), f"http://{HOST}:{port}/"]
+    command = ["node", str(Path(__file__).with_name(script)), str(MODULES), f"http://{HOST}:{port}/"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
     next(running, None)
     assert done.returncode == 0, done.stderr[-2000:]
-    seen = json.loads(done.stdout)
+    return json.loads(done.stdout)
+
+
+@needs_page
+def test_a_page_around_it_sets_numbers_and_hears_of_states_and_scores() -> None:
+    """In a frame of another origin: the address gives a number, messages set others, ask the engine, and bring the score."""
+    seen = _driven("embedding.mjs")
+    assert seen["moving"]["numbers"]["theta_0"] == 1.1
+    assert seen["plays"]["numbers"]["theta_0"] == 1.3 and "nothing" not in seen["plays"]["numbers"]
+    assert seen["plays"]["time"] >= 0.25
+    assert seen["derived"]["proved"] == seen["derived"]["steps"] > 40
+    assert seen["state"]["tab"] == "explorer" and "[bodies.ladder]" in seen["state"]["text"]
+    assert seen["asked"]["verdict"] == "wrong"
+    assert seen["refused"]["what"]
+    assert seen["judged"][1] == "wrong" and seen["judged"][0].startswith("true")
+    assert seen["score"]["lines"] == 1 and seen["score"]["of"] == 2 and 0 < seen["score"]["steps"] < seen["score"]["all"]
+    assert seen["faults"] == []
+
+
+@needs_page
+def test_the_page_does_all_it_is_for() -> None:
+    seen = _driven("browser.mjs")
     assert seen["title"] == "Sliding ladder"
     assert "49 of 49 steps proved" in seen["status"]
     assert seen["edited"] == 3
