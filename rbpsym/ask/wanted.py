@@ -17,7 +17,18 @@ from rbpsym.ask.begun import needed
 from rbpsym.ask.made import value_of
 from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import (
-    PLACE, Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to, ways_to, whole_motion,
+    PLACE,
+    Scene,
+    going_on,
+    is_sure,
+    moving,
+    one_period,
+    place_in,
+    require_same,
+    seen,
+    way_to,
+    ways_to,
+    whole_motion,
 )  # fmt: skip
 from rbpsym.ask.zeros import where_met
 from rbpsym.derivation.chapters import oscillations
@@ -334,8 +345,7 @@ def _equal(world: Scene, left: str, right: str) -> Wanted:
 
 
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}
-_MEASURED = r"is (?:at (?:least|most)|(?:less|greater|more) than)|is(?= -?[(\d]| \w+[*/])"
-RELATION = re.compile(rf" ([=><]|>=|<=|equals|exceeds|{_MEASURED}) ")
+RELATION = re.compile(r" (=|[><]=?|equals|exceeds|is (?:at (?:least|most)|(?:less|greater|more) than)|is(?= -?[(\d]| \w+[*/])) ")
 WORDS = {"equals": "=", "is": "=", "is at least": ">=", "is at most": "<=", "is less than": "<"}
 WORDS |= dict.fromkeys(("exceeds", "is greater than", "is more than"), ">")
 
