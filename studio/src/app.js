@@ -287,4 +287,4 @@ engine.ask("gallery").then((cards) => {
   }
 });
 tells("ready");
-if ("serviceWorker" in navigator) navigator.serviceWorker.register("./sw.js").then(() => navigator.serviceWorker.ready).then(() => { marks.kept = performance.now(); });
+if ("serviceWorker" in navigator) navigator.serviceWorker.register("./sw.js").then(() => navigator.serviceWorker.ready).then(() => { marks.kept = performance.now(); }).catch(() => { /* a frame may not keep the page */ });
