@@ -258,7 +258,7 @@ def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 
 def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works carried out: a table, or one below the other if the formulas are long."""
-    table, ground = telling.done_table(steps, said, several=telling.on_several(derivation)), Said(derivation.study, steps=steps)
+    table, ground = telling.done_table(steps, said), Said(derivation.study, steps=steps)
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.done_intro", ground=ground, table=Ref(table.label)))
         yield table

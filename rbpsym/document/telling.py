@@ -142,12 +142,13 @@ def _half(row: t.Chain) -> str:
     return "theta" if row.items[0].name.startswith("cal_W_theta") else "T"
 
 
-def done_table(steps: list[Step], said: Words, *, several: bool) -> Table:
+def done_table(steps: list[Step], said: Words) -> Table:
     """The works that could be worked out, force by force."""
     found: dict[str, dict[str, Step]] = {}
     for step in steps:
         _, half, rest = step.id.split(".", 2)
         found.setdefault(rest, {})[half] = step
+    several = len({step.slots["body"].name for step in steps}) > 1
     rows = tuple(_done_row(halves, several, said) for halves in found.values())
     return Table(_header(said), rows, said.say("caption.done"), "pll" if several else "lll", said.prefix + "table.done")
 

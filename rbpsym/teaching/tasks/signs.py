@@ -145,9 +145,9 @@ def _diagrams(bench: ProblemBench, said: Words, with_forces: bool) -> FigureBloc
 
 def _reasons(bench: ProblemBench, said: Words) -> Iterator[Block]:
     """Where the works are known: the table of the derivation."""
-    from rbpsym.document.telling import done_table, on_several
+    from rbpsym.document.telling import done_table
 
     steps = [s for s in bench.derivation.steps if s.rule == "work_done"]
     if steps:
-        table = done_table(steps, said, several=on_several(bench.derivation))
+        table = done_table(steps, said)
         yield Table(table.header, table.rows, (), table.align)
