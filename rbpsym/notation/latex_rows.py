@@ -43,12 +43,13 @@ class _Layout:
         self.parted = 0  # relations side by side in this row
         texts = [token.text for token in tokens]
         self.braced = texts.count(r"\{") == texts.count(r"\}")  # else one opens several rows
+        self.steps = [self._step(token) for token in tokens]
 
     def tokens(self) -> tuple[Token, ...]:
         """What is read: things and signs, and what parts relations."""
         found: list[Token] = []
         for k, token in enumerate(self.all):
-            self.depth += self._step(token)
+            self.depth += self.steps[k]
             if token.text in (COLUMN, END_COLUMN):
                 self.columns = [*self.columns, self.depth] if token.text == COLUMN else self.columns[:-1]
             self.related |= self.depth == 0 and _is_relation(token)
@@ -97,7 +98,7 @@ class _Layout:
         places, depth = [], 0
         for place in range(k + 1, len(self.all) - 1):
             token = self.all[place]
-            depth += self._step(token)
+            depth += self.steps[place]
             if depth == 0 and places and (token.kind == "row" or token.text in PUNCTUATION):
                 break
             places += [place] if depth == 0 and token.kind != "row" else []
