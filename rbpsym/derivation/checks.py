@@ -14,7 +14,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import primitive
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare, scalars_equal
-from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict, undecided
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import relations
@@ -155,7 +155,9 @@ def along_motion(context: Context, step: Step) -> Verdict:
 def _by_rates(context: Context, step: Step, *depths: str) -> Verdict:
     """Both sides begin alike and grow at the same rate, as seen at one of the depths."""
 
-    def one(left: t.Node, right: t.Node) -> Verdict:
+    def one(left: t.Node, op: str, right: t.Node) -> Verdict:
+        if op != "=":
+            return undecided("what changes alike is equal; an inequality is not seen from that")
         grown = context.rate(left), context.rate(right)
         for depth in depths:
             rates = agree(context, *grown, depth)
@@ -163,7 +165,7 @@ def _by_rates(context: Context, step: Step, *depths: str) -> Verdict:
                 return weakest([rates, same(context, begin(context, left), begin(context, right))])
         return rates
 
-    return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))
+    return weakest(guarded(lambda r=r: one(*r)) for r in relations(step.statement))
 
 
 def begin(context: Context, node: t.Node) -> Scalar:

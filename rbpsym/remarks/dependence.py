@@ -83,7 +83,11 @@ def _way(result: Result, name: str) -> str:
     """The sign of the logarithmic derivative, "" where it is none for all values."""
     if not depends_on(result.value, name):
         return ""
-    kind = sign(short(derivative(result.value, name) / result.value), result.given).kind
+    slope, start = short(derivative(result.value, name) / result.value), result.study.system.scope.start
+    kind = sign(slope, result.given).kind
+    begun = [substitute(value, start) for value in (slope, result.value)]
+    if is_zero(begun[0]) and not is_zero(begun[1]):  # the range of a coordinate does not hold its start
+        return ""
     return kind if kind in ("positive", "negative") else ""
 
 
