@@ -14,7 +14,6 @@ from dataclasses import field as field
 from dataclasses import replace as replace
 from functools import partial
 from operator import attrgetter
-from types import MemberDescriptorType
 from typing import TYPE_CHECKING, Any, NoReturn
 
 if TYPE_CHECKING:
@@ -52,39 +51,25 @@ def _made(frozen: bool, slots: bool, eq: bool, repr: bool, cls: Any) -> Any:
 
 
 def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
-    """It is written with the first value of the class: most classes that a command loads get none."""
+    """That of the standard library, made with the first value of the class: most classes that a command loads get none."""
 
     def __init__(self: Any, *values: Any, **named: Any) -> None:
-        cls.__init__ = _written_constructor(cls, fields)
+        rows = [(f.name, f.type, field(init=f.init, kw_only=bool(f.kw_only), **_given(f))) for f in fields]
+        own = {"__post_init__": cls.__post_init__} if hasattr(cls, "__post_init__") else {}
+        made: Any = dataclasses.make_dataclass(cls.__name__, rows, frozen=True, eq=False, repr=False, namespace=own | NO_DOC)
+        cls.__init__ = made.__init__
         cls.__init__(self, *values, **named)
 
     return __init__
 
 
-def _written_constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
-    """As the standard library writes it, from the names of the fields; a slot is set directly although the value is frozen."""
-    scope: dict[str, Any] = {"absent": MISSING, "finish": getattr(cls, "__post_init__", None)}
-    heads: dict[bool, list[str]] = {False: [], True: ["*"]}
-    body = []
-    for n, f in enumerate(f for f in fields if f.init):
-        scope |= {f"put{n}": _put(cls, f.name), f"default{n}": f.default, f"make{n}": f.default_factory}
-        is_made = f.default_factory is not MISSING
-        heads[bool(f.kw_only)].append(f"{f.name}=default{n}" if is_made or f.default is not MISSING else f.name)
-        body.append(f"put{n}(self, make{n}() if {f.name} is absent else {f.name})" if is_made else f"put{n}(self, {f.name})")
-    head = ", ".join(["self", *heads[False], *(heads[True] if len(heads[True]) > 1 else ())])
-    body += ["finish(self)"] if scope["finish"] else [] if body else ["pass"]
-    exec(f"def __init__({head}):\n " + "\n ".join(body), scope)
-    made: Callable[..., None] = scope["__init__"]
-    made.__qualname__ = f"{cls.__qualname__}.__init__"
-    return made
+NO_DOC = {"__doc__": "-"}  # else its signature would be looked up and written
 
 
-def _put(cls: Any, name: str) -> Callable[[Any, Any], None]:
-    """What sets a field although the value is frozen: of the slot itself where there is one."""
-    slot = getattr(cls, name, None)
-    if isinstance(slot, MemberDescriptorType):
-        return slot.__set__
-    return lambda value, part: object.__setattr__(value, name, part)
+def _given(f: dataclasses.Field[Any]) -> dict[str, Any]:
+    """What a field is, where nothing is given."""
+    parts = {"default": f.default, "default_factory": f.default_factory}
+    return {name: part for name, part in parts.items() if part is not MISSING}
 
 
 def _key(names: Iterable[str]) -> Callable[[Any], Any]:

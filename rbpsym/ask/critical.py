@@ -12,7 +12,7 @@ from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
-from rbpsym.ask.sliding import begins_to_slip, of_contact, stays
+from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, stays
 from rbpsym.ask.wanted import Wanted, arrives, premises, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
@@ -42,7 +42,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
         return _opposite(world, superlative, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
     if (never := NEVER.fullmatch(text)) and (never[1] in world.coordinates or "never" in text or "does" in text):
         return _opposite(world, superlative, name, f"{never[1]} reaches {never[2]}")
-    condition = slides or stays(world, text) or wanted(world, text, name)
+    condition = slides or stays(world, text) or comes_to_rest(world, text) or wanted(world, text, name)
     if condition.equal:
         return _values(world, superlative, name, condition, text)
     stated = premises(world, condition)

@@ -40,6 +40,10 @@ class NoClosedForm(StatementError):
     """What is asked has no closed form that is found here; with numbers it may be found."""
 
 
+class NotMet(StatementError):
+    """A moment does not come at any of the numbers that were tried."""
+
+
 @dataclass(frozen=True)
 class Moment:
     """A state in a phase: its place among the phases, what is true there, how it is met: at the "start", at the "event" with
@@ -270,8 +274,9 @@ def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
         what = {"lost": "does not vanish", "reaches": "does not come to this value", "rests": "does not come to rest",
                 "no slip": "does not stop slipping", "slips": "does not begin to slip",
                 "takes": "does not have this value"}[event]  # fmt: skip
-        far = " at any of the numbers that were tried" if UNKNOWN in error.what else ", as far as is known"
-        return StatementError(f"“{subject}” {what} in this motion{far}", instead=error.instead)
+        if UNKNOWN in error.what:
+            return NotMet(f"“{subject}” {what} in this motion at any of the numbers that were tried", instead=error.instead)
+        return StatementError(f"“{subject}” {what} in this motion, as far as is known", instead=error.instead)
     return error or StatementError("this moment is not known")
 
 

@@ -11,7 +11,7 @@ from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.moments import Asked, NotMet
 from rbpsym.ask.question import ASKED, PHASE
 from rbpsym.ask.seen import NeverThere, Scene, scene
 from rbpsym.ask.senses import turned
@@ -99,7 +99,8 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
     is_equation = found[1].rule == "vanishes_for" and found[1].values
     side = turned(asked, found[0].demands, found[1].symbol) if is_equation else None
     if side is not None:
-        return branches.either(text, found, finding(side, text), letter)
+        with suppress(NotMet):  # from there the motion does not come so far: the condition on its sense is told
+            return branches.either(text, found, finding(side, text), letter)
     return concluded(found[0], text, found[1], letter)
 
 

@@ -1,14 +1,15 @@
 """Of what it is said that it slips, tips, holds: a contact by the name of its body; what sets out to slip from rest, and what
-does not set out at all: an orbit that stays a circle."""
+does not set out at all (an orbit that stays a circle), or comes to rest."""
 
 from __future__ import annotations
 
 import re
 
 from rbpsym.algebra import NOTHING, depends_on, derivative, is_zero, symbol
-from rbpsym.ask.seen import Scene, seen
+from rbpsym.ask.seen import Scene, moving, seen
 from rbpsym.ask.wanted import Wanted
 from rbpsym.equality.signs import sign
+from rbpsym.errors import StatementError
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips
 from rbpsym.statement.model import Element
@@ -63,3 +64,22 @@ def stays(world: Scene, text: str) -> Wanted | None:
     if not is_here or not is_zero(start.get(f"{said[1]}_dot", NOTHING)):
         return None
     return Wanted((seen(world, f"acceleration of {said[1]} at the start"),), world.motion.assumptions, equal=True)
+
+
+RESTS = re.compile(r"(\w+) (?:comes to rest|is brought to rest|stops)")
+
+
+def comes_to_rest(world: Scene, text: str) -> Wanted | None:
+    """A constant acceleration is against the speed with which a coordinate sets out. None for another condition."""
+    said, given = RESTS.fullmatch(text), world.motion.assumptions
+    if said is None:
+        return None
+    free = world.study.system.independent
+    name = free[0] if said[1] == "it" and len(free) == 1 else said[1]
+    way = sign(seen(world, f"speed of {name} at the start"), given).sense
+    gain = seen(world, f"acceleration of {name} as a function of the state")
+    if not way or moving(world, (gain,)):
+        why = "its acceleration is not constant" if way else "the sense in which it sets out is not known"
+        raise StatementError(f"whether “{name}” comes to rest is not decided by one condition: {why}",
+                             instead=f"name a place: “… for which {name} reaches VALUE”, or its speed there.")  # fmt: skip
+    return Wanted((-(gain * way),), given, closed=False)

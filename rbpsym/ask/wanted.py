@@ -313,19 +313,6 @@ def _rests_at(world: Scene, name: str, place: str) -> Wanted:
     return _equal(world, f"{name} where {name} comes to rest", place)
 
 
-def _rests(world: Scene, name: str) -> Wanted:
-    """It comes to rest: a constant acceleration is against the speed with which it sets out."""
-    free = world.study.system.independent
-    name = free[0] if name == "it" and len(free) == 1 else name
-    way = sign(seen(world, f"speed of {name} at the start"), world.motion.assumptions).sense
-    gain = seen(world, f"acceleration of {name} as a function of the state")
-    if not way or moving(world, (gain,)):
-        why = "its acceleration is not constant" if way else "the sense in which it sets out is not known"
-        raise StatementError(f"whether “{name}” comes to rest is not decided by one condition: {why}",
-                             instead=f"name a place: “… for which {name} reaches VALUE”, or its speed there.")  # fmt: skip
-    return Wanted((-(gain * way),), world.motion.assumptions, closed=False)
-
-
 def _equilibrium(world: Scene, name: str, text: str) -> Wanted:
     """At rest at a place, it stays there."""
     value, study = place_in(world, name, text), world.study
@@ -393,7 +380,6 @@ def _compared(world: Scene, text: str) -> Wanted:
 _N, _UNTIL = r"([\w.]+)", r"(?:,? (?:until|before|up to) (\w+) (?:=|reaches|is) (.+))?"
 WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"{_N} (?:comes|is brought) to rest (?:at|where|when|after) (?:\w+ = )?(.+)", _rests_at),
-    (rf"{_N} (?:comes to rest|is brought to rest|stops)", _rests),
     (rf"{_N} (?:just )?reach(?:es)? (.+)", _reaches),
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),
