@@ -14,7 +14,7 @@ TWO: Schema = {"type": "array", "minItems": 2, "maxItems": 2}
 PLACE: Schema = {"anyOf": [TWO, {"type": "string", "pattern": r"^[O-Z]$|\."}]}  # of one's own point
 BODY: Mapping[str, Schema] = {"mass": VALUE, "angle": VALUE, "meaning": TEXT, "points": {"type": "object"}}
 SHAPES: Mapping[str, Schema] = {  # what the kinds of fields look like in a file; others are text
-    "expression": VALUE, "points": TWO, "two bodies": TWO,
+    "expression": VALUE, "points": TWO, "two bodies": TWO, "vertices": {"type": "array", "minItems": 3, "items": TWO},
     **{kind: {} for kind in ("pair", "point", "line", "curve", "path", "parts", "bodies")},
 }  # fmt: skip
 

@@ -2,6 +2,7 @@
 
 import copy
 import tomllib
+from pathlib import Path
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -11,12 +12,14 @@ from rbpsym.statement.library import problem_files
 
 SCHEMA = schema()
 VALIDATOR = Draft202012Validator(SCHEMA)
+EXAMPLES = {f"{path.parent.name}/{path.stem}": path for path in (Path(__file__).parents[2] / "docs/examples").glob("*/*.toml")}
 
 
 def test_it_is_a_schema_and_all_problems_that_ship_are_in_it():
     Draft202012Validator.check_schema(SCHEMA)
     told = {name: [error.message for error in VALIDATOR.iter_errors(tomllib.loads(path.read_text("utf-8")))]
-            for name, path in problem_files().items()}  # fmt: skip
+            for name, path in {**problem_files(), **EXAMPLES}.items()}  # fmt: skip
+    assert len(told) > len(problem_files())
     assert {name: errors for name, errors in told.items() if errors} == {}
 
 
