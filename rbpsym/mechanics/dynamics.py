@@ -9,14 +9,14 @@ Kleppner & Kolenkow, ch. 7; Goldstein, 1.4; the projection is Jourdain's (Kane's
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import prod
 
 from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, substitute, total
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.errors import LimitError
 from rbpsym.frozen import dataclass
-from rbpsym.mechanics.elimination import CONSTANT, Matrix, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
+from rbpsym.mechanics.elimination import CONSTANT, Matrix, Row, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.mechanics.unsolvable import asking, contradictory, indistinct, is_nonzero, massless, unheld
 
@@ -240,15 +240,22 @@ def _products(value: Scalar, accelerations: Mapping[str, Scalar]) -> int:
     return common * (found + len(row[CONSTANT].num))
 
 
+def _in_the_way(equations: Sequence[tuple[str, str, Row]], unknowns: tuple[str, ...]) -> list[str]:
+    """The bodies without whose equations the others have a solution: one of them lacks what holds it."""
+    bodies = dict.fromkeys(body for body, _, _ in equations)
+    rests = {name: solve_rows([row for body, _, row in equations if body != name], unknowns) for name in bodies}
+    return [name for name, rest in rests.items() if all(map(is_zero, rest.left))]
+
+
 def _solve_together(system: System, mass: Matrix, ideal: Mapping[str, bool]) -> Dynamics:
     """Accelerations and forces in one elimination, where a constraint force does not drop out."""
     unknowns = (*system.unknowns, *system.accelerations)
-    rows = [linear_row(value, unknowns) for _, _, value in newton_euler_rows(system)]
-    solution = solve_rows(rows, unknowns)
+    equations = [(body, way, linear_row(value, unknowns)) for body, way, value in newton_euler_rows(system)]
+    solution = solve_rows([row for _, _, row in equations], unknowns)
     if solution.free:
         raise indistinct(system, solution.free)
     if not all(is_zero(value) for value in solution.left):
-        raise contradictory(system)
+        raise contradictory(system, _in_the_way(equations, unknowns))
     accelerations = {name: solution.values[name] for name in system.accelerations}
     reactions = {name: solution.values[name] for name in system.unknowns}
     gained = [accelerations[name] for name in system.accelerations]

@@ -5,7 +5,7 @@ Newton's and Euler's equations of all bodies must determine every acceleration a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
 
 from rbpsym.algebra import Scalar, is_rooted, is_zero
@@ -57,10 +57,13 @@ def massless(system: System, block: tuple[int, ...]) -> StatementError:
     )
 
 
-def contradictory(system: System) -> StatementError:
-    """Named are the constraints that the poses do not keep by themselves, or else all of them."""
+def contradictory(system: System, held: Sequence[str] = ()) -> StatementError:
+    """Named are the constraints that the poses do not keep by themselves; the bodies of which the pose alone holds one,
+    `held`; or else all constraints."""
     if beside := _beside(system):
         return beside
+    if held and not asking(system):
+        return _not_held(system, held)
     names = asking(system) or tuple(element.name for element in system.problem.constraints)
     fixed = "" if system.independent else " (they leave nothing free to move, and the forces do not balance there)"
     return StatementError(
@@ -116,12 +119,17 @@ def unheld(system: System, rows: Iterable[tuple[str, str, Scalar]], images: Mapp
         return beside
     last = (system.problem.bodies[-1].name, "")
     name, way = next(((body, way) for body, way, value in rows if is_nonzero(system, value, images)), last)
+    return _not_held(system, [name], way)
+
+
+def _not_held(system: System, bodies: Sequence[str], way: str = "") -> StatementError:
+    names = " or ".join(f"“{name}”" for name in bodies)
     return StatementError(
-        f"the pose of the body “{name}” says more than its constraints hold: nothing exerts the {HOLDS[way]} that "
+        f"the pose of the body {names} says more than its constraints hold: nothing exerts the {HOLDS[way]} that "
         f"keeps it on its way",
-        instead="add the constraint that does it (contact, rolling, guide, pin, weld ...), or give the body coordinates "
-        "of its own.",
-        place=system.problem.body(name).place,
+        instead="add the constraint that does it (slider, contact, rolling, guide, pin, weld ...), or give the body "
+        "coordinates of its own.",
+        place=system.problem.body(bodies[0]).place,
     )
 
 

@@ -1,0 +1,48 @@
+"""What a pose says and no force does is told with the bodies of which one lacks it."""
+
+import pytest
+
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.loader import load_text
+
+TRUCK = """
+title = "A box that slides on a truck whose weight nothing bears"
+[parameters]
+m = "mass: mass of either"
+mu = "number: coefficient of friction"
+d = "length: length of the bed"
+a = "acceleration: braking"
+g = "acceleration: gravity"
+[coordinates.s]
+meaning = "way of the box along the bed"
+dimension = "length"
+start = "0"
+[bodies.truck]
+shape = "rectangle"
+mass = "m"
+width = "d"
+height = "d"
+center = ["-a*t**2/2", "-d/2"]
+angle = "0"
+[bodies.box]
+shape = "particle"
+mass = "m"
+center = ["s - a*t**2/2", "0"]
+[interactions.W]
+type = "gravity"
+bodies = ["box"]
+[constraints]
+N = { type = "contact", point = "box.center", of = "truck", line = "y = d/2", coefficient = "mu", slip = "forward" }
+D = { type = "prescribed", point = "truck.center", distance = "-a*t**2/2" }
+"""
+
+
+def test_a_body_that_nothing_holds_is_named() -> None:
+    with pytest.raises(StatementError, match="the pose of the body “truck” or “box” says more than its constraints hold"):
+        assert Study(load_text(TRUCK)).dynamics
+
+
+def test_held_by_a_slider_it_moves() -> None:
+    held = TRUCK + 'H = { type = "slider", point = "truck.center", line = "y = -d/2" }\n'
+    assert Study(load_text(held)).dynamics.accelerations.keys() == {"s_ddot"}
