@@ -17,7 +17,9 @@ from rbpsym.remarks.result import CAUSED, Made, Result
 
 def free_of(result: Result) -> Iterator[Made]:
     """The declared parameters that do not stand in it: by their dimensions where these leave no choice."""
-    absent = [name for name in result.declared if not depends_on(result.value, name)]
+    letter = result.name.name if isinstance(result.name, t.Sym) else ""
+    own = [name for name in result.declared if letter.startswith(f"{name}_")]  # c_crit is a value of c
+    absent = [name for name in result.declared if not depends_on(result.value, name) and name not in own]
     verdict = all_of(_is_free(result.value, name) for name in absent)
     sized = [name for name in absent if result.declared[name].dimension != NUMBER]
     is_number = len(sized) > 1 and _makes_no_number(sized, result)

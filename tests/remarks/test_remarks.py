@@ -16,9 +16,10 @@ from rbpsym.equality.samples import chosen, samples_of
 from rbpsym.equality.verdict import proved, undecided
 from rbpsym.notation.text import to_text
 from rbpsym.remarks.choosing import KINDS, guarded, remarks
+from rbpsym.remarks.dependence import monotone
 from rbpsym.remarks.result import Made, results
 from rbpsym.statement.library import problem_files
-from rbpsym.statement.loader import load_problem
+from rbpsym.statement.loader import load_problem, load_text
 
 
 @cache
@@ -64,6 +65,42 @@ def test_a_size_is_taken_before_a_mass():
 
 def test_a_force_by_which_friction_goes_is_needed():
     assert not any("does not enter" in one for told in said("bowling-with-overspin", "full").values() for one in told)
+
+
+def test_a_value_of_a_parameter_is_not_said_to_be_independent_of_it():
+    assert not any("independent of c" in one for told in said("rod-with-damper", "full").values() for one in told)
+
+
+FALLS = """
+title = "A rod that falls with a speed"
+[parameters]
+M = "mass: rod"
+ell = "length: its length"
+omega_0 = "angular speed: at first"
+g = "acceleration: gravity"
+[coordinates.phi]
+meaning = "angle from the vertical"
+start = "0"
+speed = "omega_0"
+range = ["0", "pi"]
+[bodies.rod]
+shape = "rod"
+mass = "M"
+length = "ell"
+start = "O"
+angle = "pi/2 - phi"
+[interactions.W]
+type = "gravity"
+[constraints.F]
+type = "pivot"
+point = "rod.start"
+"""
+
+
+def test_a_speed_that_is_given_grows_with_nothing_at_the_start():
+    made = {result.step.id: [*monotone(result)] for result in results(derive(load_text(FALLS)))}
+    assert {node.name for one in made["square.phi"] for node in (*one.slots["grow"], *one.slots["fall"])} <= {"omega_0"}
+    assert [node.name for one in made["motion.phi"] for node in one.slots["grow"]] == ["g"]
 
 
 def test_full_notes_say_all_and_shorter_ones_what_matters_most():
