@@ -158,7 +158,7 @@ def test_an_interrupted_command_goes_on(processes: str, tmp_path: Path) -> None:
     path, marks, journal = table(tmp_path, 90), tmp_path / "marks.csv", tmp_path / ".marks.csv.journal"
     call = command(str(path), "-o", str(marks), "--jobs", processes)
     first = subprocess.Popen(call, cwd=ROOT, stderr=subprocess.PIPE, text=True, start_new_session=True)
-    for _ in range(600):
+    for _ in range(3000):
         if journal.is_file() and journal.read_bytes().count(b"\n") > 1:
             break
         time.sleep(0.02)
