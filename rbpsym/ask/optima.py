@@ -78,7 +78,8 @@ def extremum(
             raise StatementError(f"“{low}” is not surely less than “{high}”", instead="write the lower end first.")
         ways = [((), given.with_range(name, *ends))]
     elif name in world.motion.squares and name in world.motion.scope.start:
-        ways = [(way.asked, range_) for way, range_ in whole_ways(world, name, given)]
+        whole = whole_ways(world, name, given)
+        ways = [(way.asked, one_period(value, range_, name, way.start, way.sense)) for way, range_ in whole]
     elif name == "t":
         ways = [(_all_along(world, one_period(value, given)) if turns else (), one_period(value, given))]
         if None in ways[0][0]:

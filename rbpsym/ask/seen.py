@@ -161,16 +161,39 @@ def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> t
 def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """How far a coordinate goes as is told, in each sense in which it may set out: to where it first comes to rest, where a
     contact is lost, or to the end of its range. Raises StatementError where that depends on parameters."""
-    ended, found = world.study.ended, ways_to(world, name, None, given, may_turn=True)
-    if ended.complete is not True or any(loss.valid or name not in loss.at for loss in ended.found):
+    whole = []
+    for way, range_ in ways_to(world, name, None, given, may_turn=True):
+        end, asked = _lost(world, way, range_)
+        way = replace(way, asked=(*way.asked, *asked))
+        whole.append((way, _both(way, range_, _back(world, way, range_, given)) if end is None else way.until(end, given)))
+    return [(way, _until_next(world, way, range_)) for way, range_ in whole]
+
+
+def _lost(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar | None, tuple[Demand, ...]]:
+    """Where on its way a contact is lost, or None, with the condition for the one or the other, as it is at the sample
+    numbers. Raises StatementError where that is not known."""
+    ended = world.study.ended
+    asked = [settle(loss.valid, given) for loss in ended.found]
+    happen = [(loss, left) for loss, left in zip(ended.found, asked, strict=True) if left is not None]
+    case = _case(world, happen[0][1]) if len(happen) == 1 else None
+    if ended.complete is not True or (happen and (case is None or way.name not in happen[0][0].at)):
         what = ended.found[0].force if ended.found else "a contact"
         raise StatementError(
             f"whether, and where, {what} lets go depends on the parameters or is not decided",
-            instead=f"say where from and where to: “… over {name} between VALUE and VALUE”.",
+            instead=f"say where from and where to: “… over {way.name} between VALUE and VALUE”.",
         )
-    cut = [(way, way.until(loss.at[name], given)) for way, given in found for loss in ended.found[:1]]
-    whole = cut or [(way, _both(way, within, _back(world, way, within, given))) for way, within in found]
-    return [(way, _until_next(world, way, range_)) for way, range_ in whole]
+    happens, left = case or (False, ())
+    return (happen[0][0].at[way.name] if happens else None), left
+
+
+def _case(world: Scene, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, ...]] | None:
+    """Whether all that is asked is met by the example, or the sample numbers, and that, or its opposite, as a condition; None
+    where the opposite is more than one condition."""
+    problem = world.study.problem
+    numbers = sample(problem, problem.example)
+    if all(floating(demand.value, numbers) >= 0 for demand in asked):
+        return True, asked
+    return (False, (Demand(-asked[0].value, ">=" if asked[0].op == ">" else ">"),)) if len(asked) == 1 else None
 
 
 def _until_next(world: Scene, way: Way, given: Assumptions) -> Assumptions:
@@ -218,14 +241,13 @@ def ways_to(
 
 
 def _turns(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
-    """Under what condition it turns round at the one place that is known, or does not, as it is at the sample numbers."""
+    """Under what one condition it turns round, at one of the places that are known, or does not, as it is at the sample
+    numbers."""
     found = zeros(way.square, way.name, given.with_range(way.name, *_ends(way, given.range_of(way.name))))
-    if len(found.found) != 1 or found.open_ or found.crossings:
+    if len({place.asked for place in found.found}) != 1 or found.open_ or found.crossings:
         return ()
-    numbers, asked = sample(world.study.problem), found.found[0].asked
-    if all(floating(demand.value, numbers) >= 0 for demand in asked):
-        return asked
-    return (Demand(-asked[0].value, ">="),) if len(asked) == 1 else ()
+    case = _case(world, found.found[0].asked)
+    return case[1] if case else ()
 
 
 def to_and_fro(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
@@ -292,10 +314,13 @@ def _turning(way: Way, ahead: Assumptions) -> Scalar | None:
     return found.found[0 if way.sense > 0 else -1].place if found.found else None
 
 
-def one_period(value: Scalar, given: Assumptions) -> Assumptions:
-    """The time runs through a period, if there is one."""
-    turn = period(value, "t")
-    return given if turn is None else given.with_range("t", NOTHING, turn)
+def one_period(value: Scalar, given: Assumptions, name: str = "t", begin: Scalar = NOTHING, sense: int = 1) -> Assumptions:
+    """The time, or a coordinate that sets out in a sense and has no end, runs through a period of the value, if there is one."""
+    turn = period(value, name)
+    if turn is None or given.range_of(name)[sense > 0] is not None:
+        return given
+    end = begin + (-turn if sign(turn, given).kind == "negative" else turn) * sense
+    return given.with_range(name, *((begin, end) if sense > 0 else (end, begin)))
 
 
 def going_on(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar, ...]:

@@ -76,10 +76,14 @@ def factor_zeros(factor: Scalar, name: str) -> list[Scalar]:
 
 
 def period(factor: Scalar, name: str) -> Scalar | None:
-    """After what the factor takes its values again, if the coordinate occurs within sines and cosines alone."""
+    """After what the factor takes its values again, if the coordinate occurs within sines and cosines alone, and their roots."""
     rates: list[Scalar] = []
-    for index in (i for i in factor.atoms() if atom_depends(i, name)):
+    inner = [i for i in factor.atoms() if atom_depends(i, name)]
+    for index in inner:
         atom = atoms.atom(index)
+        if atom.kind == "root":
+            inner += [i for i in Scalar(atom.arg).atoms() if atom_depends(i, name)]
+            continue
         rate = derivative(Scalar(atom.arg), name) if atom.kind in ("cos", "sin") else None
         if rate is None or depends_on(rate, name):
             return None

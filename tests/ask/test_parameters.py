@@ -89,7 +89,6 @@ def test_yes_or_no(problem, question, holds):
 
 WRONG = [
     ("rod-pendulum", "largest F_y over theta between pi/2 and 0", "not surely less"),
-    ("ball-in-a-loop", "least N over theta", "depends on the parameters"),
     (ON_ROD, "smallest v_1 for which theta reaches pi", "no parameter of the problem"),
     (ON_ROD, "smallest theta for which theta reaches pi", "is a coordinate"),
     (ON_ROD, "smallest v_0 for which phi reaches pi", "is no coordinate"),

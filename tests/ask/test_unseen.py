@@ -21,6 +21,12 @@ from tests.ask.law import one_value_a_letter
 
 HERE = Path(__file__).parent / "unseen"
 ANSWERS = (
+    ("ballistic-string", "largest theta", "acos(1 - m**2*v**2/(2*g*ell*(m + M)**2))"),
+    ("ballistic-string", "least T in phase together", "(m + M)*g - m**2*v**2/(2*ell*(m + M))"),
+    ("full-circle", "least T", "m**2*v**2/((m + M)*ell) - 5*(m + M)*g"),
+    ("full-circle", "largest T", "m**2*v**2/((m + M)*ell) + (m + M)*g"),
+    ("full-circle", "least speed of theta", "sqrt(m**2*v**2/(m + M)**2 - 4*g*ell)/ell"),
+    ("full-circle", "T right after together begins", "m**2*v**2/((m + M)*ell) + (m + M)*g"),
     ("struck-in-line", "H when struck begins", "45*J**2/(8*m*ell)"),
     ("struck-in-line", "acceleration of x when struck begins", "-9*J**2/(2*m**2*ell)"),
     ("two-springs", "lowest frequency of theta", "sqrt(6*k/m)"),
