@@ -1,7 +1,8 @@
-"""Polynomials over ℚ as flint has them; `algebra.ring` asks for them where flint is installed."""
+"""Polynomials over ℚ and enclosed functions as flint has them; both are asked for where flint is installed."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
@@ -31,3 +32,14 @@ def factor_list(value: Any) -> tuple[Any, list[tuple[Any, int]]]:
     """Coefficient and irreducible factors."""
     coefficient, found = value.factor()
     return coefficient, found
+
+
+def enclosed(name: str, value: Fraction, bits: int) -> tuple[Fraction, Fraction]:
+    """The middle and the radius of what encloses a function of a fraction."""
+    from flint import acb, arb, ctx, fmpq
+
+    with ctx.workprec(bits):
+        argument = arb(fmpq(value.numerator, value.denominator))
+        found = acb(argument).elliptic_k().real if name == "elliptic_k" else getattr(argument, name)()
+        (middle, shift), (radius, scale) = found.mid().man_exp(), found.rad().man_exp()
+    return int(middle) * Fraction(2) ** int(shift), int(radius) * Fraction(2) ** int(scale)

@@ -1,6 +1,6 @@
-"""What we ask of sympy: Gröbner bases, exchange of expressions, and what `algebra.ring` asks where flint is not installed.
+"""What we ask of sympy: Gröbner bases, exchange of expressions, and what is asked of flint where that is not installed.
 
-sympy is imported here only, and only when one of these is needed.
+sympy and mpmath are imported here only, and only when one of these is needed.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 import builtins
 from collections.abc import Iterable
+from fractions import Fraction
 from functools import lru_cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -43,6 +44,19 @@ def factor_list(value: Any) -> tuple[Any, list[tuple[Any, int]]]:
     """Coefficient and irreducible factors."""
     coefficient, found = value.factor_list()
     return coefficient, found
+
+
+def enclosed(name: str, value: Fraction, bits: int) -> tuple[Fraction, Fraction]:
+    """A function of a fraction by mpmath, in so many more digits than `bits` that its last ones are far within the radius."""
+    import mpmath
+
+    with mpmath.workprec(bits + 128 + 2 * value.denominator.bit_length()):
+        found = getattr(mpmath, MPMATH.get(name, name))(mpmath.mpf(value.numerator) / value.denominator)
+    ratio = Fraction(*map(int, mpmath.libmp.to_rational(found._mpf_)))
+    return ratio, max(abs(ratio), Fraction(1)) / (1 << bits)
+
+
+MPMATH = {"elliptic_k": "ellipk"}  # what it calls otherwise
 
 
 def groebner_basis(elements: list[Any]) -> tuple[Any, ...]:

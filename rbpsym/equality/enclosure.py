@@ -11,12 +11,14 @@ from fractions import Fraction
 from functools import lru_cache
 from math import isqrt
 
+from rbpsym.algebra.ring import backend
 from rbpsym.frozen import dataclass
 
 BITS = 256
 _ONE = 1 << BITS
 MOST_EXPONENT = 4000
-MEANS = 12  # of two numbers, whose distance is squared each time
+LARGEST_ANGLE = 1 << 64
+GUARD = 64  # binary places beyond those that are kept
 
 
 class Outside(ArithmeticError):
@@ -88,11 +90,6 @@ def outward(lower: Fraction, upper: Fraction) -> Enclosure:
     return Enclosure(lower, upper)
 
 
-def around(middle: Fraction, radius: Fraction) -> Enclosure:
-    """All numbers within `radius` of `middle`."""
-    return outward(middle - radius, middle + radius)
-
-
 def sign_of(number: Number) -> int | None:
     """1, 0 or -1; None if the enclosure does not tell."""
     low, high = ends(number)
@@ -140,62 +137,21 @@ def _root(value: Fraction) -> Number:
     return Enclosure(Fraction(scaled, whole), Fraction(scaled + 1, whole))
 
 
-def _short(value: Fraction) -> tuple[Fraction, Fraction]:
-    """A fraction of BITS binary places near the value, and the distance at most."""
-    if value.denominator <= _ONE:
-        return value, Fraction(0)
-    return Fraction(value.numerator * _ONE // value.denominator, _ONE), Fraction(1, _ONE)
+@lru_cache(maxsize=8192)
+def _enclosed(name: str, value: Fraction) -> Enclosure:
+    """A function of a fraction, by the backend of the field."""
+    middle, radius = backend().enclosed(name, value, BITS + GUARD)
+    return outward(middle - radius, middle + radius)
 
 
-def _fixed(value: Fraction) -> int:
-    """A fraction in units of 2^-BITS, rounded down."""
-    return (value.numerator << BITS) // value.denominator
-
-
-def _series(first: int, following: Callable[[int, int], int], tail: int) -> Enclosure:
-    """Σ terms in units of 2^-BITS, each made of the last one; the rest is at most `tail` × |last term|."""
-    total, term, k = 0, first, 0
-    while abs(term) > 1:
-        total, k = total + term, k + 1
-        term = following(term, k)
-    return around(Fraction(total, _ONE), Fraction((4 * k + 4) * tail, _ONE))
-
-
-@lru_cache(maxsize=1)
 def pi() -> Number:
-    """π by Machin's formula."""
-    return 16 * _small_atan(Fraction(1, 5)) - 4 * _small_atan(Fraction(1, 239))
-
-
-def _small_atan(x: Fraction) -> Number:
-    """atan for |x| < 1/2, by its alternating series."""
-    if x == 0:
-        return Fraction(0)
-    return _odd_powers(x, -1)
-
-
-def _odd_powers(x: Fraction, sign: int) -> Enclosure:
-    """Σ signᵏ x^(2k+1)/(2k+1) for |x| < 1/2: the inverse tangent, or the hyperbolic one."""
-    power, total, k = _fixed(x), 0, 0
-    square = (power * power >> BITS) * sign
-    while abs(power) > 1:
-        total += power // (2 * k + 1)
-        power, k = power * square >> BITS, k + 1
-    return around(Fraction(total, _ONE), Fraction(8 * k + 8, _ONE))
+    """π."""
+    return 4 * _enclosed("atan", Fraction(1))
 
 
 def atan(number: Number) -> Number:
     """The inverse tangent."""
-    return monotone(_atan, number)
-
-
-@lru_cache(maxsize=4096)
-def _atan(x: Fraction) -> Number:
-    """Halved twice by atan x = 2 atan(x / (1 + √(1 + x²)))."""
-    half: Number = x
-    for _ in range(2):
-        half = half * reciprocal(1 + root(1 + half * half))
-    return 4 * monotone(_small_atan, half)
+    return Fraction(0) if number == 0 else monotone(lambda value: _enclosed("atan", value), number)
 
 
 def asin(number: Number) -> Number:
@@ -213,41 +169,22 @@ def acos(number: Number) -> Number:
 
 
 def elliptic_k(number: Number) -> Number:
-    """K(m) = π/(2 agm(1, √(1 - m))), where the mean lies between both sequences. Raises Outside for m ≥ 1."""
-    return monotone(_elliptic_k, number)
-
-
-@lru_cache(maxsize=4096)
-def _elliptic_k(m: Fraction) -> Number:
-    a: Number = Fraction(1)
-    b = root(1 - m)
-    for _ in range(MEANS):
-        a, b = (a + b) * Fraction(1, 2), root(a * b)
-    least, most = reciprocal(a), reciprocal(b)
-    return pi() * Fraction(1, 2) * outward(min(ends(least)[0], ends(most)[0]), max(ends(least)[1], ends(most)[1]))
+    """The complete elliptic integral K(m). Raises Outside for m ≥ 1."""
+    if ends(number)[1] >= 1:
+        raise Outside("an elliptic integral of a modulus that is not less than 1")
+    return monotone(lambda value: _enclosed("elliptic_k", value), number)
 
 
 def turn_of(number: Number) -> tuple[Number, Number]:
-    """(cos, sin) of a number."""
+    """(cos, sin) of a number: both have slopes of at most 1, so that the radius carries over."""
     if number == 0:
         return Fraction(1), Fraction(0)
     low, high = ends(number)
-    middle, shift = _short((low + high) / 2)
-    radius = shift + (high - low) / 2
-    if abs(middle) > 4:
-        turns = round(middle / Fraction(710, 113))
-        return turn_of(number - 2 * turns * pi()) if turns else _wave(middle, radius)
-    return _wave(middle, radius)
-
-
-def _wave(x: Fraction, radius: Fraction) -> tuple[Number, Number]:
-    """Both functions have slopes of at most 1, so the radius carries over."""
-    unit = _fixed(x)
-    square = unit * unit >> BITS
-    growth = 256  # more than exp(|x|) for |x| ≤ 5: how rounding errors may grow
-    cosine = _series(_ONE, lambda term, k: -term * square // ((2 * k - 1) * (2 * k) << BITS), growth)
-    sine = _series(unit, lambda term, k: -term * square // ((2 * k) * (2 * k + 1) << BITS), growth)
-    return _wider(cosine, radius), _wider(sine, radius)
+    if max(abs(low), abs(high)) > LARGEST_ANGLE:
+        return Enclosure(Fraction(-1), Fraction(1)), Enclosure(Fraction(-1), Fraction(1))
+    middle, radius = (low + high) / 2, (high - low) / 2
+    cos, sin = (_enclosed(name, middle) for name in ("cos", "sin"))
+    return _wider(cos, radius), _wider(sin, radius)
 
 
 def _wider(number: Enclosure, radius: Fraction) -> Enclosure:
@@ -255,38 +192,14 @@ def _wider(number: Enclosure, radius: Fraction) -> Enclosure:
 
 
 def exp(number: Number) -> Number:
-    """The exponential function."""
-    return Fraction(1) if number == 0 else monotone(_exp, number)
-
-
-def _exp(x: Fraction) -> Number:
-    if abs(x) > MOST_EXPONENT:
+    """The exponential function. Raises Outside where it is too large or too small to be enclosed."""
+    if max(map(abs, ends(number))) > MOST_EXPONENT:
         raise Outside("an exponential that is too large or too small to be enclosed")
-    halvings = max(0, int(abs(x)).bit_length())
-    small = _fixed(x / (1 << halvings))
-    result: Number = _wider(_series(_ONE, lambda term, k: term * small // (k << BITS), 8), Fraction(4, _ONE))
-    for _ in range(halvings):
-        result = result * result
-    return result
+    return Fraction(1) if number == 0 else monotone(lambda value: _enclosed("exp", value), number)
 
 
 def ln(number: Number) -> Number:
     """The natural logarithm. Raises Outside if the number may be ≤ 0."""
     if ends(number)[0] <= 0:
         raise Outside("logarithm of a number that is not positive")
-    return monotone(_ln, number)
-
-
-def _ln(x: Fraction) -> Number:
-    if x == 1:
-        return Fraction(0)
-    twos = x.numerator.bit_length() - x.denominator.bit_length()
-    rest = x / Fraction(2) ** twos
-    if rest > Fraction(4, 3):
-        twos, rest = twos + 1, rest / 2
-    return 2 * _odd_powers((rest - 1) / (rest + 1), 1) + twos * _ln_of_two()
-
-
-@lru_cache(maxsize=1)
-def _ln_of_two() -> Number:
-    return 2 * _odd_powers(Fraction(1, 3), 1)
+    return Fraction(0) if number == 1 else monotone(lambda value: _enclosed("log", value), number)

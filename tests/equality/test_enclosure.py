@@ -8,6 +8,7 @@ from fractions import Fraction
 import mpmath
 import pytest
 
+from rbpsym.algebra import flint_ring, sympy_bridge
 from rbpsym.equality import enclosure as e
 
 TINY = Fraction(1, 10**30)
@@ -76,3 +77,15 @@ def test_what_may_not_be_positive_has_no_logarithm() -> None:
 def test_no_division_by_what_may_be_zero(number: e.Number) -> None:
     with pytest.raises(e.Outside):
         e.reciprocal(number)
+
+
+@pytest.mark.parametrize("name", ["atan", "cos", "sin", "exp", "log", "elliptic_k"])
+def test_both_backends_enclose_the_same_number(name: str) -> None:
+    pytest.importorskip("flint")
+    source = random.Random(name)
+    for _ in range(25):
+        x = Fraction(source.randint(-10**6, 10**6), source.randint(1, 10 ** source.randint(1, 30)))
+        x = abs(x) + TINY if name == "log" else min(x, 1 - 1 / (2 + x * x)) if name == "elliptic_k" else x % 3000
+        (a, near), (b, close) = (backend.enclosed(name, x, e.BITS) for backend in (flint_ring, sympy_bridge))
+        assert abs(a - b) <= near + close
+        assert max(near, close) <= (1 + abs(a)) / 2**200
