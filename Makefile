@@ -11,7 +11,7 @@
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
 # make docs    write the reference pages of docs/ anew and build the site, with the gallery, in build/docs
-# make studio  the page in which the engine runs: build/studio; “rbpsym studio” serves it
+# make studio  the page in which the engine runs: build/studio, and its wheel; “rbpsym studio” serves it
 # make clean   remove what was written, but for .venv
 #
 # Needs python3 (3.11 or newer, with venv) and make; the rest is put into .venv.
@@ -115,6 +115,7 @@ studio: $(OUT)/studio/index.html
 
 $(OUT)/studio/index.html: studio/node_modules/.stamp $(VENV)/run.stamp $(SOURCES) $(wildcard studio/* studio/src/*)
 	node studio/build.mjs $(OUT)/studio $(BIN)/python
+	$(BIN)/python studio/wheel.py $(OUT)/studio $(OUT)
 
 studio/node_modules/.stamp: studio/package.json
 	@command -v npm > /dev/null || { echo "make studio needs Node and npm" >&2; exit 1; }

@@ -19,13 +19,14 @@ def command(port: int, browser: bool, site: Path | None) -> int:
       rbpsym studio
       rbpsym studio --port 8000 --no-browser
 
-    The engine runs in the page; nothing that is typed leaves the browser. “make studio” builds the page.
+    The engine runs in the page; nothing that is typed leaves the browser. The page is a wheel of its own, rbpsym-studio;
+    in a checkout “make studio” builds it.
     """
     import webbrowser
 
-    from rbpsym.studio.serving import BUILT, HOST, server
+    from rbpsym.studio.serving import HOST, server
 
-    with server(port, site or BUILT) as served:
+    with server(port, site) as served:
         address = f"http://{HOST}:{served.server_address[1]}/"
         click.echo(f"{address}  (Ctrl-C ends it)")
         if browser:

@@ -39,11 +39,14 @@ def command(name: str, record: Path | None) -> int:
     path = found(name, ("problem",))[1]
     with Progress(f"deriving {path.stem}"):
         tutor = Tutor(derive(load_problem(path), simulation=False))
-    lines, depth = list[str](), 0
+    lines, given, depth = list[str](), list[str](), 0
     while (line := click.prompt("", default="", show_default=False, prompt_suffix="> ").strip()) not in END:
         if line in HINT:
             depth += 1
-            click.echo(f"  {tutor.hint(lines, depth)}")
+            told, line = tutor.hint((*lines, *given), depth)
+            click.echo(f"  {told}")
+            if line:  # the next hint is of the step after it
+                given, depth = [*given, line], 0
             continue
         judged = tutor.judge(line, lines)
         click.echo(f"  {judged.verdict}. {judged.says}")

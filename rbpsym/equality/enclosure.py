@@ -108,7 +108,7 @@ def are_disjoint(a: Number, b: Number) -> bool:
 def reciprocal(number: Number) -> Number:
     """1 / number. Raises Outside if it may be zero."""
     if not sign_of(number):
-        raise Outside("division by zero")
+        raise Outside("it divides by what vanishes there")
     if isinstance(number, Fraction):
         return 1 / number
     return outward(1 / number.upper, 1 / number.lower)

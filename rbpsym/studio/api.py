@@ -260,9 +260,9 @@ def _tutor(text: str, language: str) -> Any:
     return Tutor(derived(text), language)
 
 
-def letters(text: str) -> Answer:
+def letters(text: str, language: str = "en") -> Answer:
     """{letters}: the names that a student will type."""
-    return {"letters": _tutor(text, "en").letters}
+    return {"letters": _tutor(text, language).letters}
 
 
 def judge(text: str, line: str, lines: list = NONE, language: str = "en") -> Answer:
@@ -278,8 +278,8 @@ def judge(text: str, line: str, lines: list = NONE, language: str = "en") -> Ans
 
 
 def hint(text: str, lines: list = NONE, depth: int = 1, language: str = "en") -> Answer:
-    """{says}: the next step that can be made, the more of it the greater the depth (1 to 3)."""
-    return {"says": _tutor(text, language).hint(lines, depth)}
+    """{says, line}: the next step that can be made, the more of it the greater the depth (1 to 3: then `line` is all of it)."""
+    return dict(zip(("says", "line"), _tutor(text, language).hint(lines, depth), strict=True))
 
 
 def record(text: str, lines: list, language: str = "en") -> Answer:

@@ -36,7 +36,7 @@ COMMON: Mapping[str, Words] = {
 
 
 def tables() -> dict[str, object]:
-    """{sections: {name: meaning}; kinds: {section: {key, names: {kind: {meaning, keys, points}}}}; keys: {section: {key:
+    """{sections: {name: meaning}; kinds: {section: {key, names: {kind: {meaning, keys, takes, points}}}}; keys: {section: {key:
     meaning}}; dimensions, events: {name: meaning}; quantities: [phrases]}."""
     return {
         "sections": SECTIONS,
@@ -50,7 +50,8 @@ def tables() -> dict[str, object]:
 
 def _kind(kind: ElementKind) -> tuple[str, dict[str, object]]:
     points = [*kind.point_names, "cm"] if isinstance(kind, ShapeKind) else []
-    return kind.name, {"meaning": kind.meaning, "keys": {field.name: _told(field) for field in kind.fields}, "points": points}
+    takes = {field.name: list(field.choices) or field.kind for field in kind.fields}
+    return kind.name, {"meaning": kind.meaning, "keys": {f.name: _told(f) for f in kind.fields}, "takes": takes, "points": points}
 
 
 def _told(field: Field) -> str:

@@ -199,8 +199,8 @@ def failing(pairs: Iterable[Gap], seen: list[Moving]) -> Verdict:
         for look in seen:
             try:
                 left, right = look.value(a), look.value(b)
-            except (Outside, RbpsymError) as error:
-                reason = str(error)
+            except (Outside, RbpsymError, ZeroDivisionError) as error:
+                reason = "no_state" if isinstance(error, ZeroDivisionError) else str(error)
                 continue
             order = next((k for k, (x, y) in enumerate(zip(left, right, strict=True)) if e.are_disjoint(x, y)), None)
             if order is not None:

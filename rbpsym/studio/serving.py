@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -27,11 +28,18 @@ KINDS: Mapping[str, str] = {
 ASKED_AGAIN = ("index.html", "sw.js", "frame.html")  # the names of the others change with their content
 
 
-def site(folder: Path = BUILT) -> dict[str, Path]:
-    """The files of the page by their addresses. Raises RbpsymError where it is not built."""
+def built() -> Path:
+    """Where the page is: built in this checkout, else in the wheel `rbpsym-studio`."""
+    wheel = find_spec("rbpsym_studio")
+    own = Path(wheel.origin).with_name("site") if wheel and wheel.origin else BUILT
+    return BUILT if (BUILT / "index.html").is_file() else own
+
+
+def site(folder: Path) -> dict[str, Path]:
+    """The files of the page by their addresses. Raises RbpsymError where it is missing."""
     if not (folder / "index.html").is_file():
-        what = f"the page of the studio is not built: {folder} is missing"
-        raise RbpsymError(what, instead="“make studio” in a checkout builds it.")
+        what = f"the page of the studio is missing: there is no {folder / 'index.html'}"
+        raise RbpsymError(what, instead="“pip install rbpsym-studio” gets it; in a checkout “make studio” builds it.")
     files = (path for path in folder.rglob("*") if path.suffix in KINDS and path.is_file())
     return {**{f"/{path.relative_to(folder).as_posix()}": path for path in files}, "/": folder / "index.html"}
 
@@ -72,9 +80,9 @@ class Handler(BaseHTTPRequestHandler):
         """Nothing is written down."""
 
 
-def server(port: int = 0, folder: Path = BUILT) -> ThreadingHTTPServer:
+def server(port: int = 0, folder: Path | None = None) -> ThreadingHTTPServer:
     """A server of the page on this machine; port 0 takes one that is free. Raises RbpsymError."""
-    files = site(folder)
+    files = site(folder or built())
     try:
         return ThreadingHTTPServer((HOST, port), partial(Handler, files))
     except (OSError, OverflowError) as error:

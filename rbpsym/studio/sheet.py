@@ -10,6 +10,7 @@ import re
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import cached_property
+from types import MappingProxyType
 
 from rbpsym.algebra import NOTHING, Scalar, Value, is_zero, names_in
 from rbpsym.derivation import checks
@@ -67,7 +68,12 @@ class Sheet:
     @property
     def names(self) -> frozenset[str]:
         """All letters of the statement and of the derivation."""
-        return self.own | self._ground.book.names
+        return self.own | self.statement_names
+
+    @property
+    def statement_names(self) -> frozenset[str]:
+        """The letters of the statement."""
+        return self._ground.book.names
 
     @cached_property
     def _ground(self) -> GradingGround:
@@ -81,8 +87,22 @@ class Sheet:
 
     @cached_property
     def _book(self) -> Book:
+        """How all these letters may be typed; those of the statement as they may be without the others (l for ℓ beside L)."""
         problem = self.derivation.study.problem
-        return book(self.names, problem.notation, self.language, problem.names_in(self.language))
+        found = book(self.names | self._rates.keys(), problem.notation, self.language, problem.names_in(self.language))
+        free = {way: name for way, name in self._ground.book.typed.items() if way not in found.names}
+        return replace(found, typed=MappingProxyType(free | dict(found.typed)))
+
+    @cached_property
+    def _rates(self) -> dict[str, t.Deriv]:
+        """The rates of places that the derivation has letters for, as they may be typed: x_cm_ddot."""
+        places = {name for name, value in self.context.scalars.items() if isinstance(value, Scalar) and self._is_place(value)}
+        found = {f"{name}_{'d' * n}ot": t.Deriv(t.Sym(name), "t", n) for name in places & self.names for n in (1, 2)}
+        return {name: node for name, node in found.items() if name not in self.names}
+
+    def _is_place(self, value: Scalar) -> bool:
+        system = self.derivation.study.system
+        return bool(names_in(value) & {*system.coordinates}) and names_in(value) <= self._given | {*system.coordinates}
 
     @cached_property
     def printed(self) -> dict[str, tuple[str, ...]]:
@@ -106,15 +126,22 @@ class Sheet:
     def read(self, line: str) -> t.Node:
         """The tree of a line, typed plainly or LaTeX. Raises ReadError."""
         if not PRINTED.search(line):
-            return read_relation(line, self.names) if INEQUALITY.search(line) else read_formula(line, self._book)
+            return read_relation(line, self.names) if INEQUALITY.search(line) else self._typed(line)
         with suppress(ReadError):
             return read_latex(line, symbol_table(sorted(self.own), self.notation))
         try:
             return read_latex(line, symbol_table(sorted(self.names), self.notation))
         except ReadError as error:
             with suppress(ReadError):  # in letters that students use untold
-                return read_formula(line, self._book)
+                return self._typed(line)
             raise error
+
+    def _typed(self, line: str) -> t.Node:
+        return self._with_rates(read_formula(line, self._book, labels=False))
+
+    def _with_rates(self, node: t.Node) -> t.Node:
+        is_rate = isinstance(node, t.Sym) and node.name in self._rates
+        return self._rates[node.name] if is_rate else t.mapped(node, self._with_rates)
 
     def value(self, node: t.Node) -> Value | None:
         """In coordinates, speeds, accelerations and unknown forces; None where it has none."""

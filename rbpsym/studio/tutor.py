@@ -28,17 +28,19 @@ from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import Sheet, sheets
 from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_model import Claim, Printed, Setting
+from rbpsym.verify.claims_model import Claim, Outcome, Printed, Result, Setting
 from rbpsym.verify.diagnosis import diagnosis
 
 TRUE, UNUSED, UNJUSTIFIED = "true", "true, not used", "true, not yet justified"
 WRONG, UNDECIDED, UNREAD = "wrong", "undecided", "unread"
 RANK = {TRUE: 0, UNUSED: 1, UNDECIDED: 2, WRONG: 3, UNREAD: 4}  # what a line is, that is each of these in a phase of its own
+MOST_TOLD = 120  # characters of a hint
 ACCEPTED = frozenset({TRUE, UNUSED, UNJUSTIFIED})
 TELLS: Mapping[str, frozenset[str]] = {  # what a sentence asserts of a line: the verdicts with which alone it is said
     "true": frozenset({TRUE}), "unused": frozenset({UNUSED}), "unjustified": frozenset({UNJUSTIFIED}),
     **dict.fromkeys(("wrong", "right_terms"), frozenset({WRONG})), "slip": frozenset({WRONG, UNDECIDED}),
-    **dict.fromkeys(("undecided", "why", "seems"), frozenset({UNDECIDED})), "no_equation": frozenset({UNREAD}),
+    **dict.fromkeys(("undecided", "why", "seems"), frozenset({UNDECIDED})),
+    **dict.fromkeys(("no_equation", "letters"), frozenset({UNREAD})),
 }  # fmt: skip
 NARRATES = frozenset({"in_phase", "principle", "all_written"})  # the last one is said where `next_step` finds none
 PRINCIPLES: Mapping[str, str] = {  # by the rule of a step: what is asked of it where it teaches
@@ -153,15 +155,21 @@ class Tutor:
         try:
             read = sheet.read(line)
         except RbpsymError as error:
-            return UNREAD, str(error), ""
+            return UNREAD, self._unread(error), ""
         if not isinstance(read, (t.Chain, t.System)):
             return UNREAD, self._told(UNREAD, "no_equation"), ""
         if id := sheet.step_of(read):
             return TRUE, self._told(TRUE, "true") + where, id
         found = sheet.holds(read)
-        if found.is_proved:
+        if found.is_proved or (not found.is_refuted and not phase and self._is_proved_by_check(read, sheet)):
             return UNUSED, self._told(UNUSED, "unused") + where, ""
         return self._refused(read, sheet, found)
+
+    def _unread(self, error: RbpsymError) -> str:
+        """What could not be read; of many letters those of the statement."""
+        is_long = len(error.instead) > MOST_TOLD
+        instead = self._told(UNREAD, "letters", letters=", ".join(self.letters)) if is_long else error.instead
+        return f"{error.what[:1].upper()}{error.what[1:]}. {instead}".strip()
 
     def _refused(self, read: t.Node, sheet: Sheet, found: Verdict) -> tuple[str, str, str]:
         """What a line that was not proved seems to mean: it is wrong if a state of the motion refutes it."""
@@ -169,25 +177,25 @@ class Tutor:
         part = to_text(slip.part, self.notation) if slip.part is not None else ""
         verdict = WRONG if found.is_refuted else UNDECIDED
         told = self._told(verdict, f"slip.{slip.kind}", part=part, by=slip.by) if slip.kind else ""
+        told = told or self._checked(read).diagnosis
         if verdict == UNDECIDED:
-            seems = (self._told(verdict, "seems"), told) if told else ()
+            seems = (self._told(verdict, "seems"), f"{told.rstrip('.')}.") if told else ()
             why = self._told(verdict, f"why.{found.reason}") if found.reason in REASONS else found.reason
             return verdict, " ".join((*seems, self._told(verdict, "undecided"), why)), ""
-        told = told or self._near_miss(read)
         if slip.right and not slip.kind:
             told = " ".join(filter(None, (told, self._told(verdict, "right_terms", count=slip.right, of=slip.terms))))
         return verdict, told or self._told(verdict, "wrong"), ""
 
-    def _near_miss(self, read: t.Node) -> str:
-        """What the judge of `check` says."""
+    def _checked(self, read: t.Node) -> Result:
+        """What the judge of `check` says: of the motion from its start until it first comes to rest."""
         name = self.derivation.study.problem.name
-        claim = Claim("line", Setting(name, problem=name), Printed(to_latex(read, self.notation)))
-        return self._checker.check_safely(claim).diagnosis
-
-    @cached_property
-    def _checker(self) -> Checker:
         world = ProblemWorld(self.derivation.study)
-        return Checker(lambda _: world, diagnosis)
+        claim = Claim("line", Setting(name, problem=name), Printed(to_latex(read, self.notation)))
+        return Checker(lambda _: world, diagnosis).check_safely(claim)
+
+    def _is_proved_by_check(self, read: t.Node, sheet: Sheet) -> bool:
+        """Is it proved there, in letters that mean the same there?"""
+        return t.names(read) <= sheet.statement_names and self._checked(read).outcome is Outcome.PROVED
 
     def principles(self) -> list[dict[str, str]]:
         """[{key, words}]: the principles of this derivation, among which one is asked for."""
@@ -203,18 +211,19 @@ class Tutor:
         ready = (step for id, step in open_steps if self._reasons(id) <= done)
         return next(ready, open_steps[0][1] if open_steps else None)
 
-    def hint(self, lines: Iterable[str] = (), depth: int = 1) -> str:
-        """Of the next step: its sentence (1), its left side too (2), or all of it (3)."""
+    def hint(self, lines: Iterable[str] = (), depth: int = 1) -> tuple[str, str]:
+        """Of the next step: its sentence (1), its left side too (2), or all of it (3); then its line, too."""
         step = self.next_step(lines)
         if step is None:
-            return self._say("all_written")
+            return self._say("all_written"), ""
         own = next(one.derivation for one in self.sheets.values() if step in one.steps.values())
         said = words_of(own, frozenset(step.id for step in own.steps), self.language)
         blocks = [block for block in Teller(said).step(step) if isinstance(block, Paragraph)]
         told = [plain_text(block.inlines, self.notation, self.language) for block in blocks]
         ends = step.statement.items if isinstance(step.statement, t.Chain) else (step.statement,)
         more = {2: [f"{to_text(ends[0], self.notation)} = …"], 3: [to_text(step.statement, self.notation)]}
-        return " ".join([*told, *more.get(min(depth, 3), [] if told else [f"{to_text(ends[0], self.notation)} = …"])])
+        shown = more.get(min(depth, 3), [] if told else more[2])
+        return " ".join([*told, *shown]), to_latex(step.statement, self.notation) if depth >= 3 else ""
 
     def record(self, lines: Iterable[str]) -> dict[str, Any]:
         """What is handed in: the problem, each line with its verdict, how many of all steps of standard notes stand."""

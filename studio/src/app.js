@@ -1,6 +1,6 @@
 // The page: the statement at the left, what follows from it at the right, as one types; first what is known at once.
 import { Engine, Fault } from "./engine.js";
-import { editor, put, tell } from "./editor.js";
+import { editor, put, tell, undone } from "./editor.js";
 import { address, forExplorer, packed, unpacked, wanted } from "./link.js";
 import { frameOf, listens, tells } from "./embed.js";
 import { Form } from "./form.js";
@@ -76,6 +76,7 @@ async function noted(mine, began) {
   const found = await work("notes", { ...asked(), detail: $("detail").value }, true);
   if (mine !== turn) return;
   show($("notes"), found.html);
+  tutor.task(glance.figure, new DOMParser().parseFromString(found.html, "text/html"));
   $("notes").classList.remove("old");
   const { proved, steps } = found.summary, ms = Math.round(performance.now() - began);
   status(say("proved", { proved, steps, seconds: (ms / 1000).toFixed(1) }));
@@ -90,6 +91,7 @@ function wrong(fault) {
   if (fault && /^(outdated|stopped)$/.test(fault.message)) return;
   const error = fault?.error;
   tell(view, error);
+  form.tell(error);
   $("fault").textContent = error ? error.told || error.what : "";
   $("fault").classList.toggle("bad", Boolean(error));
   document.body.classList.toggle("stale", Boolean(error));
@@ -166,6 +168,7 @@ function choose(name, focus) {
     button.setAttribute("aria-selected", is);
     button.tabIndex = is ? 0 : -1;
     $("panel-" + key).hidden = !is;
+    document.body.dataset.tab = name;
     if (is && focus) button.focus();
   }
   history.replaceState(null, "", address({ tab: name === "notes" ? null : name }));
@@ -234,6 +237,7 @@ function asForm(is) {
   $("asform").setAttribute("aria-pressed", is);
   $("astext").setAttribute("aria-pressed", !is);
   if (is) form.show(text);
+  try { localStorage.setItem("studio form", is ? "yes" : ""); } catch { /* a browser that keeps nothing */ }
 }
 
 function dressed() {
@@ -260,7 +264,7 @@ buttons("formats", NOTES, (format) => exported("export", { format, detail: $("de
 buttons("sheets", SHEETS, (format) => exported("worksheet", { format, seed: $("seed").value }));
 $("save").onclick = () => save("problem.toml", text);
 $("decide").onclick = decided;
-$("record").onclick = async () => save("record.json", JSON.stringify(await engine.ask("record", { text, lines: tutor.lines }), null, 2));
+$("record").onclick = async () => save("record.json", JSON.stringify(await work("record", { ...asked(), lines: tutor.lines }), null, 2));
 $("detail").onchange = refresh;
 $("language").onchange = () => { dressed(); refresh(); };
 $("stop").onclick = () => engine.stop();
@@ -269,6 +273,8 @@ $("astext").onclick = () => asForm(false);
 $("gallery").onchange = () => $("gallery").value && started($("gallery").value);
 $("link").onclick = async () => copied(address({ p: await packed(text), only: null }));
 $("embed").onclick = async () => copied(frameOf(address({ p: await packed(text), only: tab, tab: null }), document.title));
+$("undo").onclick = () => undone(view);
+try { if (localStorage.getItem("studio form")) asForm(true); } catch { /* the same */ }
 addEventListener("hashchange", opened);
 listens({
   open: ({ text: given, name }) => (name ? started(name) : put(view, given)),

@@ -32,8 +32,37 @@ function isWhole(value) {
   return ["[]", "{}"].every(([a, b]) => plain.split(a).length <= plain.split(b).length);
 }
 
-const plainly = (value) => /^"[^"\\\n]*"$/.test(value) ? value.slice(1, -1) : value;
-const written = (typed, before) => (/^"[^"\\\n]*"$/.test(before) || before === "" ? JSON.stringify(typed) : typed);
+const STRING = /"(?:[^"\\\n]|\\.)*"|'[^'\n]*'/g, SEVERAL = ["pair", "points", "two bodies"];
+
+/** [value, remark] of what stands after =. */
+function parted(value) {
+  if (value.includes("\n")) return [value, ""];
+  const place = value.replace(STRING, (one) => "·".repeat(one.length)).indexOf("#"), inner = (place < 0 ? value : value.slice(0, place)).trimEnd();
+  return [inner, value.slice(inner.length)];
+}
+
+/** The texts in a value that are edited one by one: it alone, the members of a list, that of the page's language; none of others. */
+function texts(value) {
+  const found = [...value.matchAll(STRING)], shape = value.replace(STRING, "·");
+  if (/^·$|^\[ ?·(, ?·)*,? ?\]$/.test(shape)) return found;
+  if (!/^\{ ?\w\w = ·(, \w\w = ·)* ?\}$/.test(shape)) return null;
+  const names = [...shape.matchAll(/\w\w(?= =)/g)].map(String), place = names.indexOf(document.documentElement.lang);
+  return [found[Math.max(place, 0)]];
+}
+
+function plainly(value) {
+  try { return value[0] === '"' ? JSON.parse(value) : /^'[^']*'$/.test(value) ? value.slice(1, -1) : value; } catch { return value; }
+}
+
+const blank = (takes) => (SEVERAL.includes(takes) ? '["", ""]' : '""');
+
+/** The bodies of a text and their points. */
+function pointsIn(text, tables) {
+  return read(text).filter((one) => one.name.startsWith("bodies.")).flatMap(({ name, rows }) => {
+    const body = name.slice(7), shape = plainly(parted(rows.find((row) => row.key === "shape")?.value ?? "")[0]);
+    return [body, ...(tables?.kinds.bodies.names[shape]?.points ?? []).map((point) => `${body}.${point}`)];
+  });
+}
 
 export class Form {
   constructor(holder, el, tables, changed) { Object.assign(this, { holder, el, tables, changed, text: "" }); }
@@ -43,7 +72,20 @@ export class Form {
     this.text = text;
     const focused = document.activeElement?.id, sections = read(text);
     this.holder.replaceChildren(...sections.map((one, k) => this.section(one, k)), this.adder());
+    this.holder.append(this.names("form-names", pointsIn(text, this.tables())), this.names("form-dimensions", Object.keys(this.tables()?.dimensions ?? {})));
     if (focused) document.getElementById(focused)?.focus();
+    this.tell(this.error);
+  }
+
+  names(id, values) { return this.el("datalist", { id }, ...values.map((value) => this.el("option", { value }))); }
+
+  /** What is wrong, told at the row in which it is. */
+  tell(error) {
+    this.error = error;
+    for (const old of this.holder.querySelectorAll(".told")) old.remove();
+    const row = [...this.holder.querySelectorAll("[data-line]")].findLast((one) => Number(one.dataset.line) < (error?.line ?? 0));
+    if (!row || Number(row.dataset.last) < error.line - 1) return;
+    row.append(this.el("p", { className: "told bad", textContent: `${error.what}${error.instead ? ". " + error.instead : ""}` }));
   }
 
   put(lines) { this.changed(lines.join("\n")); }
@@ -56,15 +98,27 @@ export class Form {
   }
 
   row(section, row, id) {
-    const { el } = this, lines = this.text.split("\n");
-    const choices = this.choices(section, row.key), value = plainly(row.value), long = value.includes("\n") || value.length > 60;
-    const input = choices ? el("select", { id }, ...[...new Set([value, ...choices])].map((name) => el("option", { value: name, textContent: name, selected: name === value })))
-      : el(long ? "textarea" : "input", { id, value, ...(long ? { rows: Math.min(8, value.split("\n").length + 1) } : { autocomplete: "off" }), spellcheck: false });
-    input.onchange = () => {
-      lines.splice(row.line, row.last - row.line + 1, ...(row.before + written(input.value, row.value)).split("\n"));
-      this.put(lines);
-    };
-    return el("div", { className: "row" }, el("label", { htmlFor: id, textContent: row.key, title: this.known(section)[row.key] ?? "" }), input);
+    const { el } = this, lines = this.text.split("\n"), [value, remark] = parted(row.value), found = texts(value);
+    const put = (now) => { lines.splice(row.line, row.last - row.line + 1, ...(row.before + now + remark).split("\n")); this.put(lines); };
+    const inputs = (found ?? [null]).map((one, k) => {
+      const input = this.input(section, row.key, one ? plainly(one[0]) : value, `${id}-${k}`);
+      input.onchange = () => put(one ? value.slice(0, one.index) + JSON.stringify(input.value) + value.slice(one.index + one[0].length) : input.value);
+      if (k) input.ariaLabel = `${row.key} ${k + 1}`;
+      return input;
+    });
+    const meaning = this.known(section)[row.key] ?? "", help = remark.replace(/^\s*#\s*/, "") || (inputs.some((one) => !one.value) ? meaning : "");
+    const line = el("div", { className: "row" }, el("label", { htmlFor: `${id}-0`, textContent: row.key, title: meaning }), el("span", { className: "inputs" }, ...inputs), ...(help ? [el("small", { textContent: help })] : []));
+    Object.assign(line.dataset, { line: row.line, last: row.last });
+    return line;
+  }
+
+  input(section, key, value, id) {
+    const { el } = this, choices = this.choices(section, key), long = value.includes("\n") || value.length > 60;
+    if (choices) return el("select", { id }, ...[...new Set([value, ...choices])].map((name) => el("option", { value: name, textContent: name, selected: name === value })));
+    const input = el(long ? "textarea" : "input", { id, value, ...(long ? { rows: Math.min(8, value.split("\n").length + 1) } : { autocomplete: "off" }), spellcheck: false });
+    const takes = this.takes(section)[key], list = section.name === "parameters" ? "form-dimensions" : /point|bod/.test(takes) ? "form-names" : "";
+    if (list && !long) input.setAttribute("list", list);
+    return input;
   }
 
   /** The last of “bodies.rod”, “phases.x.impulses.P” that has kinds. */
@@ -75,15 +129,19 @@ export class Form {
 
   kind(section) {
     const key = this.tables()?.kinds[this.own(section)]?.key, row = section.rows.find((one) => one.key === key);
-    return row && plainly(row.value);
+    return row && plainly(parted(row.value)[0]);
   }
 
   choices(section, key) {
     const tables = this.tables(), kinds = tables?.kinds[this.own(section)];
     if (kinds?.key === key) return Object.keys(kinds.names);
     if (key === "dimension") return Object.keys(tables?.dimensions ?? {});
-    return key === "event" ? Object.keys(tables?.events ?? {}) : null;
+    if (key === "event") return Object.keys(tables?.events ?? {});
+    return Array.isArray(this.takes(section)[key]) ? this.takes(section)[key] : null;
   }
+
+  /** What each key of a section takes: choices, or the name of what it is. */
+  takes(section) { return this.tables()?.kinds[this.own(section)]?.names[this.kind(section)]?.takes ?? {}; }
 
   known(section) {
     const tables = this.tables(), own = this.own(section);
@@ -94,7 +152,7 @@ export class Form {
     const has = new Set(section.rows.map((row) => row.key)), more = Object.entries(this.known(section)).filter(([key]) => !has.has(key));
     const add = (key) => {
       const lines = this.text.split("\n"), last = section.rows.at(-1)?.last ?? section.line;
-      lines.splice(last + 1, 0, `${key} = ""`);
+      lines.splice(last + 1, 0, `${key} = ${blank(this.takes(section)[key])}`);
       this.put(lines);
     };
     if (section.name === "parameters") return this.named(section.name, (name) => {
@@ -133,8 +191,8 @@ export class Form {
     const options = kinds.flatMap(([section, { key, names }]) => Object.entries(names).map(([name, { meaning }]) => [`${section} ${key} ${name}`, `${section}: ${name} – ${meaning}`]));
     const end = (lines) => this.put([...this.text.replace(/\n+$/, "").split("\n"), "", ...lines, ""]);
     const begin = (value) => {
-      const [section, key, name] = value.split(" "), keys = this.tables().kinds[section].names[name].keys;
-      const needed = Object.entries(keys).filter(([, meaning]) => !/may be left out$/.test(meaning)).map(([one]) => `${one} = ""`);
+      const [section, key, name] = value.split(" "), { keys, takes } = this.tables().kinds[section].names[name];
+      const needed = Object.entries(keys).filter(([, meaning]) => !/may be left out$/.test(meaning)).map(([one]) => `${one} = ${blank(takes[one])}`);
       place.replaceChildren(this.named(name, (own) => end([`[${section}.${own}]`, `${key} = "${name}"`, ...needed])));
       place.querySelector("input").focus();
     };

@@ -6,21 +6,37 @@ const $ = (id) => document.getElementById(id);
 
 export class Tutor {
   constructor(work, el, tells) {
-    Object.assign(this, { work, el, tells, seen: "", lines: [], depth: 0 });
+    Object.assign(this, { el, tells, seen: "", lines: [], given: [], depth: 0 });
+    this.work = (name, keys = {}) => work(name, { text: this.seen, language: document.documentElement.lang, ...keys });
+    this.ready(false);
     $("line-form").onsubmit = (event) => { event.preventDefault(); this.line(); };
     $("hint").onclick = () => this.hint();
+  }
+
+  /** Nothing is judged before the problem is there. */
+  ready(is) { for (const one of $("line-form").elements) one.disabled = !is; }
+
+  /** What the student reads: the drawing and the first section of the notes, in which the problem is told. */
+  task(figure, page) {
+    const told = page.querySelector("section");
+    $("task").replaceChildren(this.el("div", { className: "scenes", innerHTML: figure }), ...(told ? [...told.children].slice(1).filter((one) => one.localName !== "figure") : []));
   }
 
   /** The sheet of another problem: what was written on it before comes back. */
   async open(text, key) {
     if (this.seen === text) return;
-    Object.assign(this, { seen: text, key: "sheet " + key, lines: [], depth: 0 });
+    Object.assign(this, { seen: text, key: "sheet " + key, lines: [], given: [], depth: 0 });
+    this.ready(false);
     $("lines").replaceChildren();
     $("score").textContent = "";
     let before = [];
     try { before = JSON.parse(localStorage.getItem(this.key) ?? "[]"); } catch { /* a browser that keeps nothing */ }
+    const { letters } = await this.work("letters");
+    this.letters(letters);
+    $("line").placeholder = `${letters.at(-1)} = …`;
     for (const line of before) await this.judge(line);
-    this.letters((await this.work("letters", { text })).letters);
+    if (this.seen === text) this.ready(true);
+    if (before.length) await this.scored();
   }
 
   letters(names) {
@@ -38,8 +54,12 @@ export class Tutor {
     const found = await this.judge(line);
     if (found.verdict !== "unread") $("line").value = "";
     this.depth = 0;
+    await this.scored();
+  }
+
+  async scored() {
     try { localStorage.setItem(this.key, JSON.stringify(this.lines)); } catch { /* the same */ }
-    const { steps, all, lines } = await this.work("record", { text: this.seen, lines: this.lines });
+    const { steps, all, lines } = await this.work("record", { lines: this.lines });
     const stand = lines.filter((one) => one.verdict.startsWith("true")).length;
     $("score").textContent = say("score", { lines: stand, steps, all });
     this.tells("score", { steps, all, lines: stand, of: lines.length });
@@ -47,18 +67,19 @@ export class Tutor {
 
   async judge(line) {
     let found;
-    try { found = await this.work("judge", { text: this.seen, line, lines: this.lines }); } catch (error) { found = { verdict: "", says: error.message, choices: [] }; }
+    try { found = await this.work("judge", { line, lines: this.lines }); } catch (error) { found = { verdict: "", says: error.message, choices: [] }; }
     const row = this.row(line, found.verdict, found.says);
     if (found.choices?.length && !this.lines.includes(line)) row.append(this.asked(found));
-    if (!this.lines.includes(line) && found.verdict !== "unread") this.lines.push(line);
+    if (!this.lines.includes(line) && found.verdict && found.verdict !== "unread") this.lines.push(line);
     this.tells("judged", { line, verdict: found.verdict, says: found.says });
     return found;
   }
 
+  /** The last line stands first: beneath the place in which one writes. */
   row(line, verdict, says) {
     const look = verdict === "wrong" ? "bad" : verdict.startsWith("true") ? "good" : "";
-    const row = this.el("li", { className: look }, this.el("code", { textContent: line }), " ", this.el("strong", { textContent: verdict }), " ", says);
-    $("lines").append(row);
+    const row = this.el("li", { className: look }, this.el("code", { textContent: line }), " ", this.el("strong", { textContent: verdict && say("verdict." + verdict) }), " ", says);
+    $("lines").prepend(row);
     return row;
   }
 
@@ -70,8 +91,10 @@ export class Tutor {
     return this.el("div", { className: "asked" }, say("principle") + " ", ...buttons, told);
   }
 
+  /** More of the next step with each hint; when all of it is told, the next hint is of the step after it. */
   async hint() {
-    const { says } = await this.work("hint", { text: this.seen, lines: this.lines, depth: ++this.depth });
+    const { says, line } = await this.work("hint", { lines: [...this.lines, ...this.given], depth: ++this.depth });
     this.row(say("hint.given"), "", says);
+    if (line) { this.given.push(line); this.depth = 0; }
   }
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
+import sys
 from collections.abc import Iterator
 from http.client import HTTPConnection
 from pathlib import Path
@@ -12,11 +13,11 @@ from threading import Thread
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
 
-from rbpsym.cli import main
 from rbpsym.errors import RbpsymError
+from rbpsym.studio import serving
 from rbpsym.studio.serving import BUILT, HOST, server
+from tests.architecture.source import ROOT
 from tests.npm import MODULES
 
 needs_page = pytest.mark.skipif(
@@ -66,9 +67,27 @@ def test_only_its_own_files_are_served(small: int, path: str, host: str, status:
 
 
 def test_without_the_page_it_is_said_how_to_get_it(tmp_path: Path) -> None:
-    done = CliRunner().invoke(main, ["studio", "--site", str(tmp_path)])
-    assert isinstance(done.exception, (RbpsymError, SystemExit))
-    assert "make studio" in (done.output + getattr(done.exception, "instead", ""))
+    command = [sys.executable, "-m", "rbpsym", "studio", "--site", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False, cwd=ROOT)
+    assert done.returncode == 2
+    assert "pip install rbpsym-studio" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_the_wheel_of_the_page_is_served(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`make studio` packs the site as a wheel; installed, it is what is served where no checkout has built one."""
+    (tmp_path / "site" / "py").mkdir(parents=True)
+    (tmp_path / "site" / "index.html").write_text("page", encoding="utf-8")
+    (tmp_path / "site" / "py" / "engine.zip").write_bytes(b"PK")
+    command = [sys.executable, str(ROOT / "studio" / "wheel.py"), "site", "."]
+    made = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    target = tmp_path / "installed"
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", str(target)]
+    subprocess.run([*pip, str(tmp_path / made.stdout.strip())], capture_output=True, text=True, check=True)
+    monkeypatch.setattr(serving, "BUILT", tmp_path / "nowhere")
+    with pytest.raises(RbpsymError):
+        serving.site(serving.built())
+    monkeypatch.syspath_prepend(str(target))
+    assert set(serving.site(serving.built())) == {"/", "/index.html", "/py/engine.zip"}
 
 
 def _driven(script: str) -> Any:
