@@ -11,6 +11,7 @@ from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.question import Question
 from rbpsym.ask.seen import Scene
+from rbpsym.ask.special import left_open
 from rbpsym.ask.words import doubts
 from rbpsym.derivation.checks import guarded
 from rbpsym.derivation.context import Context
@@ -21,7 +22,6 @@ from rbpsym.equality.verdict import Verdict, all_of, undecided
 from rbpsym.mechanics.demands import settle
 from rbpsym.notation import tree as t
 
-LASTING = "if the contacts and the friction last so far, which is not decided"
 OPS = ("=", "<", ">", "<=", ">=")
 
 
@@ -35,9 +35,10 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     quantities = [certified(world.asked, *pair, name, is_ground=True) for pair, name in zip(kept, names, strict=True)]
     name = found.symbol or (found.place or ("",))[0]
     more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
+    there, open_ = left_open(world, found)
+    more = [*more, *there]
     left = settle((*found.valid, *more), world.motion.assumptions)
     found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
-    open_ = [] if found.symbol else map(undecided, world.doubts)
     nodes = tuple(draft.show(value, factor=True, met=found.valid) for value in found.values)
     letters = {}
     if found.form is not None:
@@ -51,13 +52,13 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
         world.study,
         found.values,
         nodes,
-        all_of([last.certificate.verdict, *open_, *(one.verdict for one in quantities)]),
+        all_of([last.certificate.verdict, *map(undecided, open_), *(one.verdict for one in quantities)]),
         "",
         draft.asked(found.valid),
         (*steps, *found.steps, *([last] if nodes and found.grounds else [])),
         symbol=found.symbol,
         relation=found.relation,
-        says="; ".join(filter(None, (found.says, LASTING if found.symbol and world.doubts else ""))),
+        says=found.says,
         holds_so=found.holds,
         each=tuple(draft.asked(demands) for demands in found.asked) if any(found.asked) else (),
         equation=None if found.equation is None else draft.show(found.equation, factor=True),

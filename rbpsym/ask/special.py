@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, root, substitute, symbol
+from rbpsym.algebra.present import present
+from rbpsym.ask.answer import found_of
 from rbpsym.ask.finding import Finding, checked, together
+from rbpsym.ask.lasting import asks
 from rbpsym.ask.limits import SMALL, Leading, leading
+from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import Scene, parameter, parts_seen, place_in, require_same, told
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
@@ -20,6 +24,7 @@ from rbpsym.equality.verdict import undecided
 from rbpsym.errors import ReadError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
 from rbpsym.statement.solids import put_into
 from rbpsym.statement.source import did_you_mean
@@ -63,12 +68,31 @@ def _pairs(world: Scene, text: str) -> dict[str, str]:
 
 def special_problem(world: Scene, text: str) -> Problem:
     """The problem in which parameters have these values from the beginning. Raises ReadError or StatementError."""
-    problem, pairs = world.asked.problem, _pairs(world, text)
+    pairs = _pairs(world, text)
     for name, to in pairs.items():
         place_in(world, name, to)
-    image = {name: read_infix(to, world.names) for name, to in pairs.items()}
+    return _with(world.asked.problem, {name: read_infix(to, world.names) for name, to in pairs.items()})
+
+
+def _with(problem: Problem, image: Mapping[str, Node]) -> Problem:
     found = put_into(problem, image)
-    return replace(found, parameters=tuple(quantity for quantity in found.parameters if quantity.name not in pairs))
+    return replace(found, parameters=tuple(quantity for quantity in found.parameters if quantity.name not in image))
+
+
+def left_open(world: Scene, found: Finding) -> tuple[list[Demand], list[str]]:
+    """What is not decided of the moments of a scene: for all parameters, or where one has the values that were found, with
+    what they ask for there. Raises StatementError where the motion that is stated surely ends before."""
+    problem, asked = world.asked.problem, list[Demand]()
+    if not world.doubts or found.relation != "=" or found.symbol not in {one.name for one in problem.parameters}:
+        return [], world.doubts
+    for value in found.values:
+        there = Asked(_with(problem, {found.symbol: present(value)}))
+        for question, _ in world.used:
+            demands, doubts = asks(there, found_of(there, question))
+            if doubts:
+                return [], [*doubts]
+            asked += demands
+    return asked, [] if found.values else world.doubts
 
 
 def _constant(world: Scene, name: str) -> str:

@@ -269,3 +269,15 @@ def test_what_turns_round_comes_to_the_other_side_of_its_start_too() -> None:
     assert "every" not in found.says
     assert found.text == "b*sqrt(k/m)"
 
+
+
+HOPS = "omega_0 for which N where theta = pi vanishes"
+
+
+def test_the_value_of_a_parameter_is_proved_only_where_the_motion_lasts_so_far() -> None:
+    """In general it may hop before; that is looked at once more with the value that was found."""
+    wheel = load_problem("loaded-wheel")
+    every, one = ask(wheel, HOPS, f"{HOPS} with k = 2*r/3, e = r/6")
+    assert "last so far is not decided" in every.verdict.reason and one.verdict.is_proved
+    with pytest.raises(StatementError, match="the motion that is stated ends"):
+        ask(wheel, f"{HOPS} with k = r/20, e = 9*r/10")

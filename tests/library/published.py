@@ -120,7 +120,7 @@ ANSWERS = (
     ("disk-with-spring", "frequency of x", "sqrt(2*k/(3*m))"),
     ("half-disk-rocking", "frequency of theta", "sqrt(8*g/(r*(9*pi-16)))"),
     ("half-ring-rocking", "frequency of theta", "sqrt(g/(r*(pi-2)))"),
-    ("loaded-wheel", "omega_0 for which N where theta = pi vanishes", "sqrt((g*(k^2+(r+e)^2)/e+4*g*e)/(k^2+(r-e)^2))"),
+    ("loaded-wheel", "omega_0 for which N where theta = pi vanishes with k = 2*r/3, e = r/6", "3*sqrt(46*g/(41*r))"),
     ("ring-with-point-mass", "frequency of theta", "sqrt(m*g/(2*M*R))"),
     ("rod-in-bowl", "frequency of theta", "sqrt(3*g*sqrt(R^2-a^2)/(3*R^2-2*a^2))"),
     ("rod-over-rim-of-bowl", "equilibrium of theta", "acos((ell+sqrt(ell^2+128*R^2))/(16*R))"),
