@@ -1,30 +1,72 @@
-"""Misconceptions about work and energy: what is left out, what is kept, which work belongs to which energy."""
+"""Misconceptions about work, energy and momentum: what is left out, counted twice, or taken for something else."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, is_zero
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, is_zero, short, symbol
 from rbpsym.derivation.step import BodyRef
-from rbpsym.mechanics.motion import ForceWork, Work
+from rbpsym.mechanics.motion import ForceWork, Work, along_motion
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import model as change
-from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site
+from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site, Sites, of_bodies
 from rbpsym.teaching.targets import axes
 
+KINETIC = ENERGY | {"kinetic"}
+SUMS = frozenset({"momentum", "kinetic"})
 
-def _no_rotational_energy(study: Study) -> Iterator[Site]:
-    """½ M V² is all: the works of the whole give the speed of the centre of mass."""
-    if study.potential is None or not study.kinetic[1]:
-        return
-    kept = {"system": study.system, "dynamics": study.dynamics, "kinetic": (study.kinetic[0], NOTHING)}
-    energy = study.kinetic[0] + study.potential
-    yield Site({}, lambda: change.with_parts(study, **kept, first_integral=energy))
+
+# --- energies
+
+
+def with_energy(study: Study, energy: Scalar, **parts: object) -> Study:
+    """Another first integral; the true dynamics stays."""
+    kept = {"system": study.system, "dynamics": study.dynamics, "kinetic": study.kinetic}
+    return change.with_parts(study, **(kept | parts), first_integral=energy)
+
+
+def _with_kinetic(study: Study, *kinetic: Scalar) -> Iterator[Site]:
+    """Another kinetic energy, translational and rotational, and the speed that follows from it."""
+    if study.potential is not None and kinetic != study.kinetic:
+        energy = sum(kinetic, NOTHING) + study.potential
+        yield Site({}, partial(with_energy, study, energy, kinetic=kinetic))
+
+
+def _times(translational: int, rotational: int) -> Sites:
+    """The two parts of the kinetic energy so many times; there must be both, if they are not taken alike."""
+
+    def sites(study: Study) -> Iterator[Site]:
+        first, second = study.kinetic
+        if translational == rotational or (first and second):
+            yield from _with_kinetic(study, first * translational, second * rotational)
+
+    return sites
+
+
+def _directed_energy(study: Study) -> Iterator[Site]:
+    """Energies of rotations in opposite senses taken to subtract."""
+    states = [state for _, state in change.spinning(study)]
+    turning = [(state, change.sign_of(study, short(state.omega / states[0].omega))) for state in states]
+    if {way for _, way in turning} == {1, -1}:
+        total = sum((s.moment * s.omega * s.omega * way for s, way in turning), NOTHING) / 2
+        yield from _with_kinetic(study, study.kinetic[0], total)
+
+
+def _no_half_in_spring(study: Study) -> Iterator[Site]:
+    """k s² for ½ k s²."""
+    for element in study.problem.interactions:
+        if element.kind == "spring" and study.first_integral is not None:
+            stiff = element.with_values(stiffness=t.mul(t.TWO, element["stiffness"]))
+            potential = change.with_element(study, element, stiff).potential
+            if potential is not None:
+                energy = sum(study.kinetic, NOTHING) + potential
+                yield Site({"force": t.Vec(element.name)}, partial(with_energy, study, energy))
 
 
 def _losses(element: Element) -> bool:
@@ -33,9 +75,8 @@ def _losses(element: Element) -> bool:
 
 def _energy_kept(study: Study) -> Iterator[Site]:
     """Energy kept though a bearing, a damper or friction takes some."""
-    problem = study.problem
-    if any(map(_losses, problem.elements)):
-        yield Site({}, lambda: change.with_elements(study, _lossless))
+    if any(map(_losses, study.problem.elements)):
+        yield Site({}, partial(change.with_elements, study, _lossless))
 
 
 def _lossless(element: Element) -> Element | None:
@@ -46,15 +87,66 @@ def _lossless(element: Element) -> Element | None:
 
 def _start_forgotten(study: Study) -> Iterator[Site]:
     """The kinetic energy that it has at the start is left out."""
-    moving = [c for c in study.problem.coordinates if change.is_nonzero(c.speed)]
-    if not moving:
+    if any(change.is_nonzero(c.speed) for c in study.problem.coordinates):
+        yield Site({}, partial(_started_at_rest, study))
+
+
+def _started_at_rest(study: Study) -> Study:
+    """The same motion from rest."""
+    still = tuple(replace(c, speed=t.ZERO) if change.is_nonzero(c.speed) else c for c in study.problem.coordinates)
+    return Study(replace(study.problem, coordinates=still))
+
+
+def _uniform_acceleration(study: Study) -> Iterator[Site]:
+    """v² = v₀² + 2 a s with an acceleration that changes on the way."""
+    start = study.system.scope.start
+    for name in study.squares:
+        push = (study.dynamics.accelerations or {}).get(f"{name}_ddot")
+        here = None if push is None else along_motion(push, study.squares)
+        if here is not None and name in start:
+            first = start.get(f"{name}_dot", NOTHING)
+            square = first * first + here * (symbol(name) - start[name]) * 2
+            squares = {**study.squares, name: square}
+            kept = {"system": study.system, "dynamics": study.dynamics}
+            yield Site({"coordinate": t.Sym(name)}, partial(change.with_parts, study, **kept, squares=squares))
+
+
+def _small_angle(study: Study) -> Iterator[Site]:
+    """The formula of small oscillations used for large ones."""
+    system, accelerations = study.system, study.dynamics.accelerations or {}
+    if len(system.independent) != 1 or system.problem.coordinates[0].quantity.dimension != NUMBER:
         return
+    [name] = system.independent
+    swings = (p for p in study.equilibria if p.stable and len(p.frequencies_squared) == 1 and name in p.at)
+    pulls = (-place.frequencies_squared[0] * (symbol(name) - place.at[name]) for place in swings)
+    pull = next((p for p in pulls if not is_zero(p - accelerations.get(f"{name}_ddot", p))), None)
+    if pull is not None:
+        dynamics = replace(study.dynamics, accelerations={f"{name}_ddot": pull})
+        parts = {"system": system, "dynamics": dynamics, "first_integral": None}
+        yield Site({"coordinate": t.Sym(name)}, partial(change.with_parts, study, **parts))
 
-    def wrong() -> Study:
-        still = tuple(replace(c, speed=t.ZERO) if c in moving else c for c in study.problem.coordinates)
-        return Study(replace(study.problem, coordinates=still))
 
-    yield Site({}, wrong)
+# --- bodies whose speeds are taken for others in momenta and energies
+
+
+Changes = Iterable[tuple[str, Mapping[str, Any]]]
+
+
+def _orbital_dropped(study: Study) -> Changes:
+    """Only I_cm ω: the motion of the centre of mass is left out of the momentum (or the energy)."""
+    return ((name, {"velocity": ORIGIN}) for name, state in change.spinning(study) if state.velocity)
+
+
+def _one_body_forgotten(study: Study) -> Changes:
+    """One body is not counted in the sum over the system."""
+    bodies = study.system.bodies.items() if len(study.system.bodies) > 1 else ()
+    return ((name, {"velocity": ORIGIN, "omega": NOTHING}) for name, s in bodies if s.velocity != ORIGIN or s.omega)
+
+
+def _sine_for_cosine(study: Study) -> Changes:
+    """The component of the momentum along the lever arm for the one across it."""
+    origin, bodies = study.origins["O"], study.system.bodies.items()
+    return ((n, {"velocity": s.velocity.turned()}) for n, s in bodies if not is_zero((s.center - origin).dot(s.velocity)))
 
 
 def _speed_of_end(study: Study) -> Iterator[Site]:
@@ -74,42 +166,50 @@ def _with_velocity(study: Study, name: str, velocity) -> Study:
     return wrong
 
 
-def _orbital_dropped(study: Study) -> Iterator[Site]:
-    """Only I_cm ω: the motion of the centre of mass is left out of the momentum (or the energy)."""
-    for name, state in change.spinning(study):
-        if state.velocity:
-            still = change.with_body(study, name, velocity=ORIGIN)
-            yield Site({"body": BodyRef(name)}, partial(change.with_kinematics, study, still))
-
-
-def _small_angle(study: Study) -> Iterator[Site]:
-    """The formula of small oscillations used for large ones."""
-    from rbpsym.algebra.scalar import symbol
-
-    system = study.system
-    if len(system.independent) != 1 or system.problem.coordinates[0].quantity.dimension != NUMBER:
-        return
-    [name] = system.independent
-    for place in study.equilibria:
-        if not place.stable or len(place.frequencies_squared) != 1 or name not in place.at:
-            continue
-        pull = -place.frequencies_squared[0] * (symbol(name) - place.at[name])
-        if is_zero(pull - (study.dynamics.accelerations or {}).get(f"{name}_ddot", pull)):
-            continue
-
-        def wrong(pull=pull) -> Study:
-            dynamics = replace(study.dynamics, accelerations={f"{name}_ddot": pull})
-            return change.with_parts(study, system=system, dynamics=dynamics, first_integral=None)
-
-        yield Site({"coordinate": t.Sym(name)}, wrong)
-        return
-
-
 # --- the two works of a force
 
 
-def _with_works(study: Study, turn) -> Study:
+Halves = Mapping[str, Scalar | None]
+
+
+def _with_works(study: Study, turn: Callable[[ForceWork], ForceWork]) -> Study:
     return change.with_kinematics(study, study.system, works=tuple(map(turn, study.works)))
+
+
+def _works(wrong: Callable[[Study, ForceWork], Halves]) -> Sites:
+    """At each force on a body whose works have other values by `wrong`: by half of the work, none for no such place."""
+
+    def sites(study: Study) -> Iterator[Site]:
+        for item in study.works:
+            if values := wrong(study, item):
+                halves = {half: Work(getattr(item, half).parts, value) for half, value in values.items()}
+                turned = partial(_replaced, item, replace(item, **halves))
+                yield Site({"force": t.Vec(item.force), "body": BodyRef(item.on)}, partial(_with_works, study, turned))
+
+    return sites
+
+
+def _replaced(old: ForceWork, new: ForceWork, item: ForceWork) -> ForceWork:
+    return new if item == old else item
+
+
+def _always_cancel(study: Study, item: ForceWork) -> Halves:
+    """W_θ = -W_T for a force whose works do not cancel, as if it were one of contact."""
+    first, second = item.translational.value, item.rotational.value
+    return {"rotational": -first} if first and second and not study.dynamics.workless.get(item.force) else {}
+
+
+def _never_cancel(study: Study, item: ForceWork) -> Halves:
+    """Both works of a force of contact with the same sign: they would add up instead of cancelling."""
+    work = item.rotational
+    turns = study.dynamics.workless.get(item.force) and work.parts and work.value is not None
+    return {"rotational": -work.value} if turns else {}
+
+
+def _opposite(study: Study, item: ForceWork) -> Halves:
+    """Both works of a force with the wrong sign."""
+    first, second = item.translational.value, item.rotational.value
+    return {} if first is None or second is None else {"translational": -first, "rotational": -second}
 
 
 NO_WORK = Work({}, NOTHING)
@@ -126,22 +226,19 @@ def _workless(name: str, item: ForceWork) -> ForceWork:
     return replace(item, translational=NO_WORK, rotational=NO_WORK) if item.force == name else item
 
 
-def _at_application_point(study: Study) -> Iterator[Site]:
-    """∫F·dr along the path of the point of application taken for the translational work."""
-    if any(w.rotational.parts for w in study.works):
-        yield Site({}, lambda: _with_works(study, partial(_all_in, "translational")))
+def _all_in(half: str) -> Sites:
+    """All the work of a force counted as one of its two works."""
+
+    def sites(study: Study) -> Iterator[Site]:
+        if any(w.translational.parts and w.rotational.parts for w in study.works):
+            yield Site({}, partial(_with_works, study, partial(_joined, half)))
+
+    return sites
 
 
-def _all_in(half: str, item: ForceWork) -> ForceWork:
-    """Both works of a force counted as one of them."""
+def _joined(half: str, item: ForceWork) -> ForceWork:
     values = (item.translational.value, item.rotational.value)
     return item if None in values else replace(item, **{half: Work(getattr(item, half).parts, sum(values, NOTHING))})
-
-
-def _whole_in_rotation(study: Study) -> Iterator[Site]:
-    """All the work of a force counted as rotational work: “it turns, so all of it is rotation”."""
-    if any(w.translational.parts and w.rotational.parts for w in study.works):
-        yield Site({}, lambda: _with_works(study, partial(_all_in, "rotational")))
 
 
 def _torque_about_axis(study: Study) -> Iterator[Site]:
@@ -155,40 +252,26 @@ def _torque_about_axis(study: Study) -> Iterator[Site]:
         yield Site({"body": BodyRef(name)}, partial(change.with_kinematics, study, system))
 
 
-def _always_cancel(study: Study) -> Iterator[Site]:
-    """W_θ = -W_T for a force whose works do not cancel, as if it were one of contact."""
-    workless = study.dynamics.workless
-    for item in study.works:
-        halves = (item.translational.value, item.rotational.value)
-        if workless.get(item.force) or None in halves or not all(halves):
-            continue
-        yield Site({"force": t.Vec(item.force)}, partial(_with_rotational, study, item, -item.translational.value))
-
-
-def _with_rotational(study: Study, item: ForceWork, value: Scalar) -> Study:
-    """Another rotational work of a force on a body."""
-    wrong = replace(item, rotational=Work(item.rotational.parts, value))
-    return _with_works(study, lambda w: wrong if w == item else w)
-
-
-def _never_cancel(study: Study) -> Iterator[Site]:
-    """Both works of a force of contact with the same sign: they would add up instead of cancelling."""
-    for item in study.works:
-        if study.dynamics.workless.get(item.force) and item.rotational.parts and item.rotational.value is not None:
-            yield Site({"force": t.Vec(item.force)}, partial(_with_rotational, study, item, -item.rotational.value))
-
-
 MISCONCEPTIONS = (
-    Misconception("rotational-energy-left-out", _no_rotational_energy, ENERGY | {"kinetic"}, WELL),
+    Misconception("rotational-energy-left-out", _times(1, 0), KINETIC, WELL),
     Misconception("energy-kept", _energy_kept, ENERGY | {"acceleration"}),
     Misconception("start-speed-forgotten", _start_forgotten, ENERGY, WELL),
-    Misconception("speed-of-end-for-center", _speed_of_end, frozenset({"speed", "kinetic", "momentum"})),
-    Misconception("orbital-part-dropped", _orbital_dropped, frozenset({"momentum", "kinetic"}), WELL),
+    Misconception("speed-of-end-for-center", _speed_of_end, SUMS | {"speed"}),
+    Misconception("orbital-part-dropped", of_bodies(_orbital_dropped), SUMS, WELL),
     Misconception("small-angle-for-large", _small_angle, frozenset({"acceleration", "speed"})),
     Misconception("torque-about-axis-in-work", _torque_about_axis, WORKS, WELL),
     Misconception("contact-forces-do-no-work", _contact_forces_workless, WORKS),
-    Misconception("work-at-application-point", _at_application_point, WORKS),
-    Misconception("all-work-is-rotational", _whole_in_rotation, WORKS),
-    Misconception("works-always-cancel", _always_cancel, WORKS, WELL),
-    Misconception("works-add-up", _never_cancel, WORKS, WELL),
+    Misconception("work-at-application-point", _all_in("translational"), WORKS),  # ∫F·dr along the path of that point
+    Misconception("all-work-is-rotational", _all_in("rotational"), WORKS),
+    Misconception("works-always-cancel", _works(_always_cancel), WORKS, WELL),
+    Misconception("works-add-up", _works(_never_cancel), WORKS, WELL),
+    Misconception("translational-energy-left-out", _times(0, 1), KINETIC, WELL),
+    Misconception("half-forgotten-in-kinetic-energy", _times(2, 2), KINETIC, WELL),
+    Misconception("half-forgotten-in-rotational-energy", _times(1, 2), KINETIC, WELL),
+    Misconception("rotational-energies-subtract", _directed_energy, KINETIC, WELL),
+    Misconception("half-forgotten-in-spring-energy", _no_half_in_spring, ENERGY),
+    Misconception("uniform-acceleration-formula", _uniform_acceleration, frozenset({"speed"})),
+    Misconception("one-body-not-in-the-sum", of_bodies(_one_body_forgotten), SUMS, WELL),
+    Misconception("sine-for-cosine-in-momentum", of_bodies(_sine_for_cosine), frozenset({"momentum"})),
+    Misconception("work-sign", _works(_opposite), WORKS),
 )

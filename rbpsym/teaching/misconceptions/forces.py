@@ -1,23 +1,27 @@
-"""Misconceptions about forces, lever arms and Newton's law: signs, arms, sines, F = ma at the wrong point."""
+"""Misconceptions about forces: signs, arms, sines, which of them there are, what they move, F = ma at the wrong point."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from math import prod
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, depends_on, is_zero, substitute
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import Force, System
+from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.teaching.misconceptions import model as change
-from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site
+from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site, Sites, of_forces, weights
+from rbpsym.teaching.targets import axes
+
+HALF = UNITY / 2
+DRIVEN = frozenset({"acceleration", "speed", "frequency", "work"})
 
 
 def _force_sign(study: Study) -> Iterator[Site]:
@@ -25,68 +29,67 @@ def _force_sign(study: Study) -> Iterator[Site]:
     for element in study.problem.interactions:
         name = element.name
         if element.kind != "gravity":  # see “weight-sign”
-            slots = {"force": t.Vec(name), "variant": "couple" if _is_couple(study, name) else "force"}
+            pushes = any(force.vector for force in study.system.named(name))
+            slots = {"force": t.Vec(name), "variant": "force" if pushes else "couple"}
             yield Site(slots, partial(change.with_force, study, name, change.opposite))
 
 
-def _is_couple(study: Study, name: str) -> bool:
-    """Does an interaction only turn, and neither push nor pull?"""
-    return not any(f.vector for f in study.system.named(name))
+# --- forces that are picked, and what is made of each
 
 
-def _one_torque_sign(study: Study) -> Iterator[Site]:
-    """The torque about the centre of mass of one contact force with the wrong sign."""
-    for force in _contacts(study):
-        arm = force.point - study.system.bodies[force.on].center
-        torque = arm.cross(force.vector)
-        if not is_zero(torque):
-            slots = {"force": t.Sym(force.name), "body": BodyRef(force.on)}
-            yield Site(slots, partial(_with_couple, study, force, -2 * torque))
+def _arm(study: Study, force: Force) -> Vector:
+    """From the centre of mass of its body to where a force acts."""
+    return force.point - study.system.bodies[force.on].center
+
+
+def _turning(study: Study, force: Force) -> Scalar:
+    return _arm(study, force).cross(force.vector)
 
 
 def _contacts(study: Study) -> list[Force]:
     """Forces of constraints with one unknown that act away from the centre of mass."""
-    return [f for f in study.system.forces if len(f.unknowns) == 1 and f.vector and f.point != _center(study, f)]
+    return [f for f in study.system.forces if len(f.unknowns) == 1 and f.vector and _arm(study, f) != ORIGIN]
 
 
-def _center(study: Study, force: Force) -> Vector:
-    return study.system.bodies[force.on].center
+def _turning_contacts(study: Study) -> list[Force]:
+    return [force for force in _contacts(study) if not is_zero(_turning(study, force))]
 
 
-def _with_couple(study: Study, force: Force, more: Scalar) -> Study:
-    return change.with_forces(study, lambda f: replace(f, couple=f.couple + more) if f is force else f)
+def _slanting_contacts(study: Study) -> list[Force]:
+    """Contact forces that are neither along their arms nor across them."""
+    return [force for force in _turning_contacts(study) if not is_zero(_arm(study, force).dot(force.vector))]
 
 
-def _whole_lever(study: Study) -> Iterator[Site]:
-    """The weight of a body that turns about its end is put at its other end: the whole length for the half."""
-    for name in study.system.bodies:
-        arm = change.arm_of(study, name)
-        if arm is not None and change.weights(study, name):
-            yield Site({"body": BodyRef(name)}, partial(_with_weight_at, study, name, study.system.bodies[name].center + arm))
+def _off_center(study: Study) -> list[Force]:
+    """Forces that turn a body with no fixed axis."""
+    free = (f for f in study.system.forces if f.law != "gravity" and f.on not in axes(study))
+    return [force for force in free if not is_zero(_turning(study, force))]
 
 
-def _weight_at_middle(study: Study) -> Iterator[Site]:
-    """The weight acts at the middle of the shape where the centre of mass is elsewhere."""
-    for name, state in study.system.bodies.items():
-        if (state.inertia.x or state.inertia.y) and state.pose.origin and change.weights(study, name):
-            yield Site({"body": BodyRef(name)}, partial(_with_weight_at, study, name, state.pose.origin))
+def _falling(study: Study) -> list[Force]:
+    """The weights that do work while it moves."""
+    return [f for f in weights(study) if any(depends_on(f.point.y, c) for c in study.system.coordinates)]
 
 
-def _with_weight_at(study: Study, name: str, place: Vector) -> Study:
-    return change.with_weight(study, name, lambda force: replace(force, point=place))
+def _strings_with_two_parts(study: Study) -> Iterator[Force]:
+    for force in study.system.forces:
+        whole = [force.vector.derivative(name) for name in force.unknowns]
+        if len(whole) == 1 and is_zero(whole[0].dot(whole[0]) - 4):
+            yield force
 
 
-def _swapped_weight(study: Study) -> Iterator[Site]:
-    """Sine for cosine in the component of the weight: across the lever arm, or along a slope."""
-    for name in study.system.bodies:
-        along = change.arm_of(study, name) or slope_under(study, name)
-        if along is None or not change.weights(study, name):
-            continue
+def _reactions(study: Study) -> Iterator[Force]:
+    """Of forces between two bodies the one on the second."""
+    for element in study.problem.constraints:
+        pair = [f for f in study.system.forces if f.name == element.name and f.by in study.system.bodies]
+        if len(pair) == 2 and not is_zero(pair[1].vector.dot(pair[1].vector)):
+            yield pair[1]
 
-        def swap(force: Force, along: Vector = along) -> Force:
-            return replace(force, vector=_mirrored(study, force.vector, along))
 
-        yield Site({"body": BodyRef(name)}, partial(change.with_weight, study, name, swap))
+def _off_middle(study: Study) -> list[Force]:
+    """Weights of bodies whose centre of mass is not the middle of their shape."""
+    states = ((force, study.system.bodies[force.on]) for force in weights(study))
+    return [force for force, state in states if (state.inertia.x or state.inertia.y) and state.pose.origin]
 
 
 def slope_under(study: Study, body: str) -> Vector | None:
@@ -101,108 +104,160 @@ def slope_under(study: Study, body: str) -> Vector | None:
     return None
 
 
-def _mirrored(study: Study, vector: Vector, along: Vector) -> Vector:
-    """The vector with its components along and across a direction exchanged, their signs kept."""
-    square = short(along.dot(along))
-    across = along.turned()
-    first, second = along.dot(vector), across.dot(vector)
+def _leaning(study: Study, force: Force) -> Vector | None:
+    """The lever arm from a fixed axis, else the slope."""
+    return change.arm_of(study, force.on) or slope_under(study, force.on)
+
+
+def _weights_with(direction: Callable[[Study, Force], Vector | None]) -> Callable[[Study], list[Force]]:
+    return lambda study: [force for force in weights(study) if direction(study, force) is not None]
+
+
+_on_slope = _weights_with(lambda study, force: slope_under(study, force.on))
+_on_axis = _weights_with(lambda study, force: change.arm_of(study, force.on))
+
+
+def _with_couple(force: Force, more: Scalar) -> Force:
+    return replace(force, couple=force.couple + more)
+
+
+def _mirrored(study: Study, force: Force) -> Force:
+    """The vector with its components along and across a direction exchanged, their signs kept: sine for cosine."""
+    along = _leaning(study, force)
+    square, across = short(along.dot(along)), along.turned()
+    first, second = along.dot(force.vector), across.dot(force.vector)
     way = prod(change.sign_of(study, value) or 1 for value in (first, second))
-    return (along * second + across * first) * (Scalar(square.den, square.num) * way)
+    return replace(force, vector=(along * second + across * first) * (Scalar(square.den, square.num) * way))
 
 
-def _swapped_lever(study: Study) -> Iterator[Site]:
-    """Sine for cosine in the lever arm of a contact force."""
-    for force in _contacts(study):
-        arm = force.point - _center(study, force)
-        right, wrong = arm.cross(force.vector), arm.dot(force.vector)
-        if is_zero(wrong) or is_zero(right):
-            continue
-        unit = {name: Scalar((wrong * 0 + 1).num) for name in force.unknowns}
-        ways = (change.sign_of(study, substitute(value, unit)) or 1 for value in (right, wrong))
-        slots = {"force": t.Sym(force.name), "body": BodyRef(force.on)}
-        yield Site(slots, partial(_with_couple, study, force, wrong * prod(ways) - right))
+def _sine_in_arm(study: Study, force: Force) -> Force:
+    """The torque with the component of the force along the arm for that across it."""
+    right, wrong = _turning(study, force), _arm(study, force).dot(force.vector)
+    unit = dict.fromkeys(force.unknowns, UNITY)
+    ways = (change.sign_of(study, substitute(value, unit)) or 1 for value in (right, wrong))
+    return _with_couple(force, wrong * prod(ways) - right)
+
+
+def _at_other_end(study: Study, force: Force) -> Force:
+    return replace(force, point=study.system.bodies[force.on].center + change.arm_of(study, force.on))
+
+
+def _whole_along(study: Study, force: Force) -> Force:
+    along = slope_under(study, force.on)
+    return replace(force, vector=along * (force.vector.y * -(change.sign_of(study, along.dot(force.vector)) or 1)))
+
+
+def _whole_across(study: Study, force: Force) -> Force:
+    along = slope_under(study, force.on)
+    across = along.turned()
+    way = change.sign_of(study, across.dot(force.vector)) or 1
+    return replace(force, vector=along * along.dot(force.vector) + across * (force.vector.y * -way))
+
+
+def _opposite(study: Study, force: Force) -> Force:
+    return change.opposite(force)
+
+
+# --- other values of the unknown forces
 
 
 def _as_at_rest(study: Study) -> Iterator[Site]:
     """Forces from the balance of a body at rest: N = weight, though it accelerates."""
     if study.system.unknowns and study.dynamics.accelerations:
-        yield Site({}, lambda: _resting(study))
+        yield Site({}, partial(_resting, study))
 
 
 def _resting(study: Study) -> Study:
     """ΣF = 0 for every body, the torques left aside."""
-    rows = [value for _, axis, value in newton_euler_rows(_still(study.system)) if axis != "rotation"]
-    found = solve_linear(rows, study.system.unknowns, keep_free=True)
-    known = {n: v for n, v in found.values.items() if not set(_unknowns(v)) & set(study.system.unknowns)}
-    return change.with_reactions(study, known)
-
-
-def _unknowns(value: Scalar) -> list[str]:
-    from rbpsym.algebra import atoms
-
-    return [name for index in value.atoms() if (name := atoms.symbol_name(index))]
-
-
-def _still(system: System) -> System:
     still = {"acceleration": ORIGIN, "alpha": NOTHING, "velocity": ORIGIN}
-    return replace(system, bodies={name: replace(state, **still) for name, state in system.bodies.items()})
+    system = replace(study.system, bodies={name: replace(state, **still) for name, state in study.system.bodies.items()})
+    rows = [value for _, axis, value in newton_euler_rows(system) if axis != "rotation"]
+    found = solve_linear(rows, system.unknowns, keep_free=True).values
+    return change.with_reactions(
+        study, {name: v for name, v in found.items() if not any(depends_on(v, unknown) for unknown in system.unknowns)}
+    )
 
 
 def _at_the_contact(study: Study) -> Iterator[Site]:
     """F = ma with the acceleration of the point where a contact force acts, instead of the centre of mass."""
     for force in _contacts(study):
-        state = study.system.bodies[force.on]
-        arm = force.point - state.center
+        state, arm = study.system.bodies[force.on], _arm(study, force)
         here = state.acceleration + arm.turned() * state.alpha - arm * (state.omega * state.omega)
-
-        def wrong(force: Force = force, here: Vector = here) -> Study:
-            rows = [value for _, _, value in newton_euler_rows(change.with_body(study, force.on, acceleration=here))]
-            images = study.dynamics.accelerations or {}
-            solved = solve_linear([r for r in rows if r], study.system.unknowns).values
-            found = {name: short(substitute(value, images)) for name, value in solved.items()}
-            return change.with_reactions(study, found)
-
-        yield Site({"force": t.Sym(force.name), "body": BodyRef(force.on)}, wrong)
+        yield Site({"force": t.Sym(force.name), "body": BodyRef(force.on)}, partial(_with_acceleration, study, force.on, here))
 
 
-def _no_centripetal(study: Study) -> Iterator[Site]:
-    """The acceleration towards the axis is left out of the forces."""
-    speeds = study.system.speeds
-    if not any(set(_unknowns(value)) & set(speeds) for value in study.dynamics.reactions.values()):
-        return
-
-    still = dict.fromkeys(speeds, NOTHING)
-    reactions = study.dynamics.reactions.items()
-    yield Site({}, lambda: change.with_reactions(study, {name: substitute(value, still) for name, value in reactions}))
+def _with_acceleration(study: Study, body: str, here: Vector) -> Study:
+    rows = [value for _, _, value in newton_euler_rows(change.with_body(study, body, acceleration=here))]
+    images = study.dynamics.accelerations or {}
+    solved = solve_linear([r for r in rows if r], study.system.unknowns).values
+    return change.with_reactions(study, {name: short(substitute(value, images)) for name, value in solved.items()})
 
 
-def _whole_length(study: Study) -> Iterator[Site]:
-    """The force of a spring from its length instead of its elongation."""
-    for element in study.problem.interactions:
-        if element.kind == "spring" and change.is_nonzero(element["natural_length"]):
-            wrong = element.with_values(natural_length=t.ZERO)
-            yield Site({"force": t.Vec(element.name)}, partial(change.with_element, study, element, wrong))
+def _speeds_squared(factor: int, applies: Callable[[Study], bool] = lambda study: True) -> Sites:
+    """What the squares of the speeds add to the forces, taken so many times."""
+
+    def sites(study: Study) -> Iterator[Site]:
+        speeds, known = study.system.speeds, study.dynamics.reactions
+        rest = {name: substitute(value, dict.fromkeys(speeds, NOTHING)) for name, value in known.items()}
+        if applies(study) and any(depends_on(value, speed) for value in known.values() for speed in speeds):
+            found = {name: rest[name] + (value - rest[name]) * factor for name, value in known.items()}
+            yield Site({}, partial(change.with_reactions, study, found))
+
+    return sites
+
+
+def _all_turn_freely(study: Study) -> bool:
+    return not axes(study) and all(not is_zero(state.omega) for state in study.system.bodies.values())
+
+
+# --- the motion of bodies
 
 
 def _wrong_sense(study: Study) -> Iterator[Site]:
     """ω and α of a body with the wrong sense: dθ/dt taken for them where the body turns against θ."""
     for name, state in study.system.bodies.items():
-        if not state.omega or is_zero(state.omega) or len(study.system.independent) != 1:
-            continue
-        system = change.with_body(study, name, omega=-state.omega, alpha=-state.alpha)
-        yield Site({"body": BodyRef(name)}, partial(change.with_parts, study, system=system))
+        if state.omega and not is_zero(state.omega) and len(study.system.independent) == 1:
+            system = change.with_body(study, name, omega=-state.omega, alpha=-state.alpha)
+            yield Site({"body": BodyRef(name)}, partial(change.with_parts, study, system=system))
+
+
+def _inertia_of_others(study: Study) -> Iterator[Site]:
+    """One body of several is accelerated for nothing: its M a is left out."""
+    for name, state in study.system.bodies.items():
+        if len(study.system.bodies) > 1 and name not in axes(study) and state.acceleration != ORIGIN:
+            yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, mass=NOTHING))
+
+
+def _changed(name: str, pick, wrong, about: frozenset[str], tells: frozenset[str] | None = None, **how: object) -> Misconception:
+    return Misconception(name, of_forces(pick, wrong, **how), about, tells)
 
 
 MISCONCEPTIONS = (
     Misconception("force-sign", _force_sign, MOTION, NO_FORCES),
-    Misconception("torque-sign", _one_torque_sign, MOTION, WELL),
-    Misconception("whole-length-for-lever-arm", _whole_lever, MOTION, WELL),
-    Misconception("weight-at-middle-of-shape", _weight_at_middle, MOTION, WELL),
-    Misconception("sine-for-cosine", _swapped_weight, MOTION),
-    Misconception("sine-for-cosine-in-lever-arm", _swapped_lever, MOTION, WELL),
+    _changed("torque-sign", _turning_contacts, lambda s, f: _with_couple(f, -2 * _turning(s, f)), MOTION, WELL, drawn=t.Sym),
+    # the weight of a body that turns about its end at its other end: the whole length for the half
+    _changed("whole-length-for-lever-arm", _on_axis, _at_other_end, MOTION, WELL),
+    _changed("weight-at-middle-of-shape", _off_middle,
+             lambda s, f: replace(f, point=s.system.bodies[f.on].pose.origin), MOTION, WELL),
+    _changed("sine-for-cosine", _weights_with(_leaning), _mirrored, MOTION),
+    _changed("sine-for-cosine-in-lever-arm", _slanting_contacts, _sine_in_arm, MOTION, WELL, drawn=t.Sym),
     Misconception("forces-as-at-rest", _as_at_rest, FORCES, WELL),
     Misconception("f-is-ma-at-contact-point", _at_the_contact, FORCES),
-    Misconception("centripetal-forgotten", _no_centripetal, FORCES, WELL),
-    Misconception("length-for-elongation", _whole_length, MOTION, WELL),
+    Misconception("centripetal-forgotten", _speeds_squared(0), FORCES, WELL),
     Misconception("wrong-sense-of-rotation", _wrong_sense, MOTION | {"momentum"}, WELL),
-)
+    # a force that turns a body is left out of the motion of its centre of mass, or its torque about that is
+    _changed("turning-force-moves-nothing", _off_center,
+             lambda s, f: replace(_with_couple(f, _turning(s, f)), vector=ORIGIN), MOTION),
+    _changed("force-acts-at-center", _off_center, lambda s, f: _with_couple(f, -_turning(s, f)), MOTION),
+    _changed("weight-sign", _falling, _opposite, DRIVEN, NO_FORCES),
+    _changed("weight-left-out", lambda s: _falling(s) if len(s.system.bodies) > 1 else [], lambda s, f: None, MOTION, NO_FORCES),
+    _changed("whole-weight-along-slope", _on_slope, _whole_along, DRIVEN | {"friction"}),
+    _changed("normal-force-is-weight", _on_slope, _whole_across, MOTION),
+    _changed("one-of-two-parts-of-string", _strings_with_two_parts, lambda s, f: replace(f, vector=f.vector * HALF), MOTION),
+    _changed("action-along-reaction", _reactions, _opposite, MOTION),
+    _changed("third-law-forgotten", _reactions, lambda s, f: None, MOTION),
+    Misconception("inertia-of-one-body-left-out", _inertia_of_others, MOTION),
+    Misconception("centripetal-outward", _speeds_squared(-1), FORCES, WELL),
+    # the accelerations of a rotation about the point that is at rest just now: that point has one of its own
+    Misconception("instantaneous-center-for-accelerations", _speeds_squared(0, _all_turn_freely), FORCES, WELL),
+)  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Container, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, reduce
@@ -13,10 +13,9 @@ from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.misconceptions import model as change
-from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site
+from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site, Sites
 from rbpsym.teaching.targets import axes
 
-Sites = Callable[[Study], Iterator[Site]]
 ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "shell": Fraction(2, 3)}
 
 

@@ -1,30 +1,53 @@
-"""Misconceptions about how bodies are joined: bearing and weld, rolling and sliding, the third law."""
+"""Misconceptions about how bodies are joined: bearing and weld, contacts that roll or slip, strings, springs."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
-from rbpsym.algebra import NOTHING, UNITY
+from rbpsym.algebra import NOTHING, UNITY, depends_on, derivative, is_zero, short
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import model as change
-from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_INERTIA, SPIN, WELL, Misconception, Site
+from rbpsym.teaching.misconceptions.energy import with_energy
+from rbpsym.teaching.misconceptions.model import (
+    ENERGY,
+    FORCES,
+    MOTION,
+    NO_INERTIA,
+    SPIN,
+    WELL,
+    Misconception,
+    Site,
+    of_elements,
+)  # fmt: skip
+
+SHOWN_AT_ONCE = frozenset({"acceleration", "frequency"})
+
+
+# --- bearings and welds
+
+
+def _borne(study: Study) -> Iterator[tuple[Element, str, str]]:
+    """Bearings between two bodies of which the second can turn: (element, carrier, body)."""
+    for element in study.problem.of_kind("pin"):
+        first, second = (ref.body for ref in element["points"])
+        if first is not None and second is not None and study.system.bodies[second].moment:
+            yield element, first, second
 
 
 def _free_as_welded(study: Study) -> Iterator[Site]:
     """A body on a bearing turns with the one that carries it."""
-    for element in study.problem.of_kind("pin"):
-        first, second = (ref.body for ref in element["points"])
-        body = None if second is None else study.problem.body(second)
-        if first is None or body is None or body.angle is None or not study.system.bodies[second].moment:
-            continue
-        yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(_welded, study, element, second))
+    for element, first, second in _borne(study):
+        if study.problem.body(second).angle is not None:
+            yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(_welded, study, element, second))
 
 
 def _welded(study: Study, element: Element, body: str) -> Study:
@@ -59,41 +82,78 @@ def _welded_as_free(study: Study) -> Iterator[Site]:
 
 def _spin_of_carrier(study: Study) -> Iterator[Site]:
     """The angular velocity of the carrier is used for the body on it (in momentum and energy)."""
-    for element in study.problem.of_kind("pin"):
-        first, second = (ref.body for ref in element["points"])
-        if first is None or second is None or not study.system.bodies[second].moment:
-            continue
-
+    for _, first, second in _borne(study):
         carrier = study.system.bodies[first]
         system = change.with_body(study, second, omega=carrier.omega, alpha=carrier.alpha)
         yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(change.with_kinematics, study, system))
 
 
-def _third_law_forgotten(study: Study) -> Iterator[Site]:
-    """The force between two bodies is counted on one of them only."""
-    for element in study.problem.constraints:
-        pair = [f for f in study.system.forces if f.name == element.name and f.by in study.system.bodies]
-        if len(pair) == 2:
-            carrier = pair[1].on
-            slots = {"force": t.Vec(element.name), "body": BodyRef(carrier)}
-            yield Site(slots, partial(_without, study, element.name, carrier))
+# --- contacts that roll or slip
 
 
-def _without(study: Study, name: str, body: str) -> Study:
-    return change.with_forces(study, lambda force: None if (force.name, force.on) == (name, body) else force)
+def _slipping(study: Study) -> list[Element]:
+    """Contacts with kinetic friction."""
+    return [e for e in study.problem.of_kind("touch") if e.values.get("coefficient") is not None]
 
 
-def _rolling_as_sliding(study: Study) -> Iterator[Site]:
-    """No friction where a body rolls: it slides down like a block."""
-    for element in study.problem.of_kind("rolling"):
-        friction = element["friction"]
-        slots = {"body": BodyRef(element["body"]), "friction": t.Sym(friction)}
-        yield Site(slots, partial(change.with_element, study, element, _touching(element, None, "auto")))
+def _rolling(study: Study) -> Iterable[Element]:
+    return study.problem.of_kind("rolling")
 
 
-def _touching(element: Element, coefficient: t.Node | None, slip: str) -> Element:
+def _stretched(study: Study) -> Iterable[Element]:
+    """Springs that are not without length."""
+    return (e for e in study.problem.interactions if e.kind == "spring" and change.is_nonzero(e["natural_length"]))
+
+
+def _slots(element: Element) -> Mapping[str, Any]:
+    return {"body": BodyRef(element["body"]), "friction": t.Sym(element["friction"])}
+
+
+def _as_rolling(element: Element) -> Element:
+    """v = R ω as a law, also while it slips."""
+    kept = {key: value for key, value in element.values.items() if key not in ("coefficient", "slip")}
+    return Element(element.name, "rolling", {**kept, "limit": None}, element.place)
+
+
+def _touching(element: Element, coefficient: t.Node | None = None, slip: str = "auto") -> Element:
+    """It slides; without a coefficient like a block on what is smooth."""
     kept = {key: value for key, value in element.values.items() if key != "limit"}
     return Element(element.name, "touch", {**kept, "coefficient": coefficient, "slip": slip}, element.place)
+
+
+def _along_the_slip(study: Study) -> Iterator[Site]:
+    """Kinetic friction to the side to which the point of contact slips."""
+    for element in _slipping(study):
+        yield Site(_slots(element), partial(change.with_force, study, element["friction"], change.opposite))
+
+
+def _about_accelerating_contact(study: Study) -> Iterator[Site]:
+    """τ = I α about the point of contact of a body whose centre of mass is not above it: M a of that point is left out."""
+    system = study.system
+    if len(system.bodies) != 1 or len(system.independent) != 1 or not study.dynamics.accelerations:
+        return
+    [(name, state)], [coordinate] = system.bodies.items(), system.independent
+    for element in study.problem.of_kind("rolling"):
+        point = meeting(element, geometry_of(system)).place
+        arm, push = state.center - point, f"{coordinate}_ddot"
+        known = (f.torque(point) for f in system.forces if not f.unknowns)
+        rate = short(derivative(state.alpha, push))
+        whole = (state.moment + state.mass * arm.dot(arm)) * rate
+        if element["of"] is not None or is_zero(whole) or not any(depends_on(arm.dot(arm), c) for c in system.coordinates):
+            continue
+        value = short(sum(known, NOTHING) / whole)
+        dynamics = replace(study.dynamics, accelerations={push: value})
+        wrong = partial(change.with_parts, study, system=system, dynamics=dynamics, first_integral=None)
+        yield Site({"body": BodyRef(name)}, wrong)
+
+
+def _static_friction_drains(study: Study) -> Iterator[Site]:
+    """The work of static friction on the centre of mass is counted as lost."""
+    energy, known = study.first_integral, study.reactions_along_motion or {}
+    for element in _rolling(study):
+        own = [w for w in study.works if w.force == element["friction"] and w.translational.value is not None]
+        if energy is not None and len(own) == 1 and element["friction"] in known:
+            yield Site(_slots(element), partial(with_energy, study, energy - own[0].translational.value))
 
 
 def _friction_is_mu_n(study: Study) -> Iterator[Site]:
@@ -116,16 +176,17 @@ def _with_greatest_friction(study: Study, element: Element) -> Study:
 
 def _friction_wrong_way(study: Study) -> Iterator[Site]:
     """Static friction drawn to the other side in the balance of forces, its torque left right."""
-    for element in study.problem.of_kind("rolling"):
-        friction = element["friction"]
+    for element in _rolling(study):
+        turned = partial(_turned, study)
+        yield Site({"friction": t.Sym(element["friction"])}, partial(change.with_force, study, element["friction"], turned))
 
-        def turned(force, name: str = friction):
-            if force.name != name:
-                return force
-            arm = force.point - study.system.bodies[force.on].center
-            return replace(force, vector=-force.vector, couple=force.couple + 2 * arm.cross(force.vector))
 
-        yield Site({"friction": t.Sym(friction)}, lambda turned=turned: change.with_forces(study, turned))
+def _turned(study: Study, force: Force) -> Force:
+    arm = force.point - study.system.bodies[force.on].center
+    return replace(force, vector=-force.vector, couple=force.couple + 2 * arm.cross(force.vector))
+
+
+# --- strings
 
 
 def _held_is_weight(study: Study) -> Iterator[Site]:
@@ -156,10 +217,16 @@ MISCONCEPTIONS = (
     Misconception("free-taken-as-welded", _free_as_welded, SPIN, WELL),
     Misconception("welded-taken-as-free", _welded_as_free, SPIN, NO_INERTIA),
     Misconception("spin-of-carrier", _spin_of_carrier, frozenset({"momentum", "kinetic"}), WELL),
-    Misconception("third-law-forgotten", _third_law_forgotten, MOTION),
-    Misconception("rolling-taken-as-sliding", _rolling_as_sliding, MOTION),
+    Misconception("rolling-taken-as-sliding", of_elements(_rolling, _touching, _slots), MOTION),
     Misconception("friction-is-mu-n", _friction_is_mu_n, MOTION),
     Misconception("friction-wrong-way", _friction_wrong_way, MOTION),
     Misconception("tension-is-weight", _held_is_weight, MOTION | FORCES),
     Misconception("same-tension-on-both-sides", _pulley_at_rest, MOTION),
-)
+    Misconception("rolls-while-slipping", of_elements(_slipping, _as_rolling, _slots), MOTION),
+    Misconception("friction-along-slip", _along_the_slip, MOTION),
+    Misconception("kinetic-friction-left-out", of_elements(_slipping, lambda e: e.with_values(coefficient=None), _slots), MOTION),
+    Misconception("torque-about-accelerating-contact", _about_accelerating_contact, SHOWN_AT_ONCE, WELL),
+    Misconception("static-friction-drains-energy", _static_friction_drains, ENERGY),
+    Misconception("length-for-elongation", of_elements(
+        _stretched, lambda e: e.with_values(natural_length=t.ZERO), lambda e: {"force": t.Vec(e.name)}), MOTION, WELL),
+)  # fmt: skip

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 from rbpsym.algebra import Scalar, Vector, is_zero
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
+from rbpsym.derivation.step import BodyRef
 from rbpsym.errors import NoNumber
 from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
-from rbpsym.notation.tree import Node
+from rbpsym.notation.tree import Node, Vec
 from rbpsym.statement.model import Element, Problem
 
 
@@ -24,6 +25,9 @@ class Site:
 
     slots: Mapping[str, Any]
     wrong: Callable[[], Study]
+
+
+Sites = Callable[[Study], Iterator[Site]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +41,7 @@ class Misconception:
     """
 
     name: str
-    sites: Callable[[Study], Iterator[Site]]
+    sites: Sites
     about: frozenset[str] = field(default_factory=frozenset)
     tells: frozenset[str] | None = None
 
@@ -116,9 +120,34 @@ def opposite(force: Force) -> Force:
     return replace(force, vector=-force.vector, couple=-force.couple)
 
 
-def with_weight(study: Study, body: str, change: Callable[[Force], Force]) -> Study:
-    """The weight of a body changed."""
-    return with_forces(study, lambda f: change(f) if (f.law, f.on) == ("gravity", body) else f)
+def of_forces(
+    pick: Callable[[Study], Iterable[Force]], wrong: Callable[[Study, Force], Force | None], drawn: Callable = Vec
+) -> Sites:
+    """At each force that is picked the study in which it alone is another one, or none."""
+
+    def sites(study: Study) -> Iterator[Site]:
+        for force in pick(study):
+            changed = partial(_with_one, study, force, wrong)
+            yield Site({"force": drawn(force.name), "body": BodyRef(force.on)}, changed)
+
+    return sites
+
+
+def _with_one(study: Study, force: Force, wrong: Callable[[Study, Force], Force | None]) -> Study:
+    return with_forces(study, lambda f: wrong(study, f) if f is force else f)
+
+
+def of_elements(pick: Callable[[Study], Iterable[Element]], wrong: Callable[[Element], Element], slots: Callable) -> Sites:
+    """At each element of the statement that is picked the study in which it alone is another one."""
+    return lambda study: (Site(slots(e), partial(with_element, study, e, wrong(e))) for e in pick(study))
+
+
+def of_bodies(pick: Callable[[Study], Iterable[tuple[str, Mapping[str, Any]]]]) -> Sites:
+    """At each body that is picked another kinematics of it in momenta, energies and works."""
+    return lambda study: (
+        Site({"body": BodyRef(name)}, partial(with_kinematics, study, with_body(study, name, **changes)))
+        for name, changes in pick(study)
+    )
 
 
 def with_kinematics(study: Study, system: System, **more: object) -> Study:

@@ -6,10 +6,10 @@ import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
-from rbpsym.teaching.misconceptions import blows, contacts, energy, forces, inertia, joints, levers, sums
+from rbpsym.teaching.misconceptions import blows, energy, forces, inertia, joints
 from rbpsym.teaching.misconceptions.model import Misconception
 
-MODULES = (joints, contacts, inertia, forces, levers, energy, sums, blows)
+MODULES = (joints, inertia, forces, energy, blows)
 MISCONCEPTIONS: Mapping[str, Misconception] = {item.name: item for module in MODULES for item in module.MISCONCEPTIONS}
 
 

@@ -40,16 +40,8 @@ def _works_cancel(study: Study, site: Site) -> bool:
     return {"one": are_opposite, "several": cancel_among_bodies}[site.slots["variant"]](study, site.slots["force"].name)
 
 
-def _works_are_opposite(study: Study, site: Site) -> bool:
-    return are_opposite(study, site.slots["force"].name)
-
-
 def _works_do_not_cancel(study: Study, site: Site) -> bool:
     return not any(is_zero(sum(pair, NOTHING)) for pair in powers(study, site.slots["force"].name).values())
-
-
-def _friction_gives_what_it_takes(study: Study, site: Site) -> bool:
-    return are_opposite(study, site.slots["friction"].name)
 
 
 def _path_is_curved(study: Study, site: Site) -> bool:
@@ -60,16 +52,15 @@ def _path_is_curved(study: Study, site: Site) -> bool:
 
 def _acceleration_changes(study: Study, site: Site) -> bool:
     name = site.slots["coordinate"].name
-    return not is_zero((study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING)) and any(
-        depends_on(study.dynamics.accelerations[f"{name}_ddot"], key) for key in (name, f"{name}_dot")
-    )
+    push = (study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING)
+    return any(depends_on(push, key) for key in (name, f"{name}_dot"))
 
 
 TRUE_OF: Mapping[str, Condition] = {
     "contact-forces-do-no-work": _works_cancel,
-    "works-add-up": _works_are_opposite,
+    "works-add-up": lambda study, site: are_opposite(study, site.slots["force"].name),
     "works-always-cancel": _works_do_not_cancel,
-    "static-friction-drains-energy": _friction_gives_what_it_takes,
+    "static-friction-drains-energy": lambda study, site: are_opposite(study, site.slots["friction"].name),
     "centripetal-forgotten": _path_is_curved,
     "centripetal-outward": _path_is_curved,
     "instantaneous-center-for-accelerations": _path_is_curved,
