@@ -8,12 +8,13 @@ from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
+from rbpsym.ask.conditions import wanted
 from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
-from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
-from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, stays
-from rbpsym.ask.wanted import Wanted, arrives, premises, wanted
+from rbpsym.ask.seen import Scene, moving, parameter, seen, told, way_to
+from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
+from rbpsym.ask.wanted import Wanted, arrives, premises
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat, rooted
@@ -30,6 +31,7 @@ SUPERLATIVES = LEAST | GREATEST
 OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip)s?(?: off| over)?((?: (?:until|before) .+)?)")
 NEVER = re.compile(r"(\w+) (?:(?:does not|never) (?:reach(?:es)?|gets? to|comes? to)|(?:stays|remains) (?:below|above)) (.+)")
 KEPT = {"slip": "does not slip", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
+VANISHES = re.compile(r"(\w+) vanishes((?: (?:until|before) .+)?)")
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
 
@@ -42,13 +44,17 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
         return _opposite(world, superlative, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
     if (never := NEVER.fullmatch(text)) and (never[1] in world.coordinates or "never" in text or "does" in text):
         return _opposite(world, superlative, name, f"{never[1]} reaches {never[2]}")
-    condition = slides or stays(world, text) or comes_to_rest(world, text) or wanted(world, text, name)
+    vanishing = VANISHES.fullmatch(text) if superlative and name not in world.coordinates else None
+    if vanishing and vanishing[1] in world.study.system.unknowns and moving(world, (seen(world, vanishing[1]),)):
+        return _opposite(world, superlative, name, f"{vanishing[1]} stays positive{vanishing[2]}")  # somewhere on the way
+    ways = (stays, comes_to_rest, rises)
+    condition = slides or next(filter(None, (find(world, text) for find in ways)), None) or wanted(world, text, name)
     if condition.equal:
         return _values(world, superlative, name, condition, text)
     stated = premises(world, condition)
     own = (demand.value for demand in stated if depends_on(demand.value, name) and demand.op != "!=")
     condition = replace(condition, beside=(*condition.beside, *own))
-    found = _region(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
+    found = region_of(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
     asked = [demand for demand in (*condition.asked, *stated) if not depends_on(demand.value, name)]
@@ -167,7 +173,8 @@ def on_what(world: Scene, value: Scalar) -> str:
 # --- regions
 
 
-def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -> Finding:
+def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int) -> Finding:
+    """For which values of a parameter what is wanted is positive; `sense`: of which bound it is asked."""
     moments = [demand for demand in world.demands if demand.op != "!="]
     along, given = condition.along, condition.given
     own = [demand for demand in (*condition.asked, *moments) if depends_on(demand.value, name)]

@@ -123,9 +123,22 @@ def _valued(world: Scene, form: t.Node, text: str) -> Scalar:
     return found if isinstance(form, t.Sym) else short(found)
 
 
-def made(world: Scene, text: str) -> Finding:
+def of_mode(world: Scene, first: str, second: str, mode: str) -> Finding:
+    """The ratio of two amplitudes in a mode by those to a third one, relative to which the shape of the mode is told.
+    Raises StatementError."""
+    refused = None
+    for name in (name for name in world.study.system.independent if name not in (first, second)):
+        try:
+            both = [_leaf(world, f"ratio of {each} to {name} {mode}") for each in (first, second)]
+            return made(world, f"ratio of {first} to {second} {mode}", t.Div(*both))
+        except StatementError as error:
+            refused = error
+    raise refused or StatementError(f"nothing ties {first} and {second}")
+
+
+def made(world: Scene, text: str, form: t.Node | None = None) -> Finding:
     """What is found for such a quantity: it is what the others in it are said to be."""
-    form = form_of(world, text)
+    form = form or form_of(world, text)
     value = neat(_valued(world, form, text), world.motion.assumptions)
     if left := moving(world, (value,)):
         raise StatementError(f"“{text}” still depends on {left[0]}", instead="say where, of each of them.")

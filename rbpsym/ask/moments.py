@@ -15,11 +15,12 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
+from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
 from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.at_start import StartStudy, study_of
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.instant import has_start
@@ -245,7 +246,12 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
             continue
         if number + 1 < len(asked.names) and place is None and not _comes_before(asked, number, state):
             continue
-        return Moment(number, at_start(study)) if _is_begun(study, state) else Moment(number, clear(study, state), "event", phase)
+        if _is_begun(study, state):
+            return Moment(number, at_start(study))
+        state = clear(study, state)
+        given = assuming(study.assumptions, state.valid)  # the sense in which it came tells that of its start
+        state = replace(state, speeds={name: neat(speed, given) for name, speed in state.speeds.items()})
+        return Moment(number, state, "event", phase)
     study = asked.study(asked.meant(place))
     is_sure = not isinstance(refused, NotApplicable) or mover(study) == subject  # else it may come there again
     if event == "reaches" and is_sure and is_zero(at_start(study).places[subject] - scalar(value)):

@@ -90,7 +90,7 @@ def extremum(
     closed = name in (*world.coordinates, "t") or low is not None
     found = []
     for _, range_ in ways:
-        parts = [_of_extreme(one, name, range_, sense, phrase, closed=closed, by_place=by_place) for one in (value, *back)]
+        parts = [of_extreme(one, name, range_, sense, phrase, closed=closed, by_place=by_place) for one in (value, *back)]
         found.append(_lasting(world, name, _best(parts, sense, range_, by_place=by_place)))
     if is_turned:
         says = f"“{phrase}” is negative: its magnitude is meant"
@@ -174,9 +174,10 @@ def _lasting(world: Scene, name: str, found: Finding) -> Finding:
 BEYOND = "where it would be, the motion is not the one that is stated"
 
 
-def _of_extreme(
+def of_extreme(
     value: Scalar, name: str, given: Assumptions, sense: int, phrase: str, *, closed: bool, by_place: bool
 ) -> Finding:
+    """The greatest (least) value on a range, or where it lies; `closed`: its ends belong to it."""
     found = extreme(value, name, given, sense)
     word = "largest" if sense > 0 else "least"
     if found is None:

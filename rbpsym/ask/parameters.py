@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from contextlib import suppress
 
-from rbpsym.ask import branches, critical, made, optima, special, through, yesno
+from rbpsym.ask import ahead, branches, critical, made, optima, special, through, yesno
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
@@ -32,6 +32,7 @@ ROWS: Rows = (
     (rf"is (.+) independent of {_N}", special.independent),
     (r"is (?:the )?(.+) (?:conserved|constant|kept)", special.conserved),
     (rf"(?:does|do|will|when does|where does) (\w+) vanish{_UNTIL}", yesno.vanishes),
+    (rf"(?:does|will) ((?:the )?\w+ {ahead.EVENT} before .+)", lambda w, text, *_: ahead.comes_first(w, text)),
     (rf"(?:does|do|will) {_N} slip{_UNTIL}", lambda w, name, *to: yesno.does_not(w, _clause(f"{name} does not slip", *to))),
     (
         rf"(?:does|do|will) (?:it|\w+) (?:leave|lift|let go|lose contact|tip)(?: off| over)?{_UNTIL}",
@@ -48,12 +49,14 @@ ROWS: Rows = (
     (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, what, name: special.near(w, what, name, "oo")),
     (rf"{_N} and {_N} (?:with|of|for) (?:equal|the same) (.+)", optima.with_equal),
     (rf"for which {_N} is (.+) {_BEST}", through.extreme_for),
+    (rf"{_N} where (.+) is {_BEST}", through.extreme_for),
     (rf"where is (.+) {_BEST}", lambda w, phrase, best: through.extreme_for(w, None, phrase, best)),
-    (rf"for which {_N} (?:is|does|do|has) (.+)", lambda w, name, text: critical.which(w, None, name, _told_after(text))),
-    (rf"(?:critical|limiting) (?:value of )?{_N} {_FOR} (.+)", lambda w, name, text: critical.which(w, None, name, text)),
+    (rf"for which {_N} (?:is|does|do|has) (.+)", lambda w, name, text: ahead.which(w, None, name, _told_after(text))),
+    (rf"(?:critical|limiting) (?:value of )?{_N} {_FOR} (.+)", lambda w, name, text: ahead.which(w, None, name, text)),
     (rf"{_N} {_FOR} (.+) is {_BEST}", through.extreme_for),
-    (rf"{_BEST} {_N} {_FOR} (.+)", critical.which),
-    (rf"{_N} {_FOR} (.+)", lambda world, name, text: critical.which(world, None, name, text)),
+    (rf"{_BEST} {_N} {_FOR} (.+)", ahead.which),
+    (rf"{_BEST} (.+) {_FOR} (.+)", ahead.bounded),
+    (rf"{_N} {_FOR} (.+)", lambda world, name, text: ahead.which(world, None, name, text)),
     (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
     (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
@@ -61,8 +64,9 @@ ROWS: Rows = (
 
 # what is asked otherwise if the plain reading of it is refused
 RESORTS: Rows = (
-    (rf"{_N} where (.+?) ((?:=|is|equals|vanishes) ?.*)", lambda w, name, *said: critical.which(w, None, name, " ".join(said))),
-    (r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)", lambda w, phrase: critical.which(w, None, _mover(w), f"{phrase} = 0")),
+    (rf"{_N} where (.+?) ((?:=|is|equals|vanishes) ?.*)", lambda w, name, *said: ahead.which(w, None, name, " ".join(said))),
+    (r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)", lambda w, phrase: ahead.which(w, None, _mover(w), f"{phrase} = 0")),
+    (r"ratio of (\w+) to (\w+) (in the \w+ mode)", made.of_mode),
     (r"(.+[-+*/].+)", made.made),
 )
 AFTER = re.compile(rf"(?:the )?({_BEST} .+) after (?:the )?(\w+)")

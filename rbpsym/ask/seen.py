@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from contextlib import suppress
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
@@ -20,7 +21,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.errors import DimensionError, StatementError
+from rbpsym.errors import DimensionError, StatementError, Undecided
 from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
@@ -177,11 +178,7 @@ def _lost(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar | None, tu
     happen = [(loss, left) for loss, left in zip(ended.found, asked, strict=True) if left is not None]
     case = _case(world, happen[0][1]) if len(happen) == 1 else None
     if ended.complete is not True or (happen and (case is None or way.name not in happen[0][0].at)):
-        what = ended.found[0].force if ended.found else "a contact"
-        raise StatementError(
-            f"whether, and where, {what} lets go depends on the parameters or is not decided",
-            instead=f"say where from and where to: “… over {way.name} between VALUE and VALUE”.",
-        )
+        return None, _kept_on(world, way, given)
     happens, left = case or (False, ())
     return (happen[0][0].at[way.name] if happens else None), left
 
@@ -194,6 +191,24 @@ def _case(world: Scene, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, 
     if all(floating(demand.value, numbers) >= 0 for demand in asked):
         return True, asked
     return (False, (Demand(-asked[0].value, ">=" if asked[0].op == ">" else ">"),)) if len(asked) == 1 else None
+
+
+def _kept_on(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
+    """Under what condition nothing lets go on the whole way, as it is at the sample numbers. Raises StatementError where that
+    is not decided, or something does."""
+    from rbpsym.ask.wanted import Wanted
+    from rbpsym.ask.yesno import least_values
+
+    alone, numbers = replace(world, used=[], lasting=[], doubts=[], standing=[]), sample(world.study.problem)
+    with suppress(Undecided):
+        asked = tuple(least_values(alone, Wanted(going_on(alone, way, given)[:-1], given, way.name, asked=way.asked)))
+        if all(floating(demand.value, numbers) >= 0 for demand in asked):
+            return asked
+    ended = world.study.ended.found
+    raise StatementError(
+        f"whether, and where, {ended[0].force if ended else 'a contact'} lets go depends on the parameters or is not decided",
+        instead=f"say where from and where to: “… over {way.name} between VALUE and VALUE”.",
+    )
 
 
 def _until_next(world: Scene, way: Way, given: Assumptions) -> Assumptions:

@@ -15,7 +15,7 @@ from rbpsym.mechanics.friction import slips
 from rbpsym.statement.model import Element
 
 DOES = r"(?: (?:does not|never|begins to|starts to|just))?"
-OF_BODY = re.compile(rf"(?:the )?(\w+)(?={DOES} (?:slip|leave|lift|tip|lose|let go|hold|stick|roll|keep|stay)s?\b)")
+OF_BODY = re.compile(rf"(?:the )?(\w+)(?={DOES} (?:slip|leave|lift|tip|lose|let go|hold|stick|roll|keep|stay|remain)s?\b)")
 
 
 def of_contact(world: Scene, text: str) -> str:
@@ -57,13 +57,28 @@ def stays(world: Scene, text: str) -> Wanted | None:
     """A coordinate stays what it is at the start, where it is at rest and kept momenta tie all other speeds to it: it gains no
     speed there, so that nothing changes. None for another condition."""
     said, study = STAYS.fullmatch(text), world.study
-    if said is None or not study.kept_speeds or mover(study) != said[1]:
+    if said is None or said[1] not in study.system.coordinates:
         return None
-    start = study.system.scope.start
+    start, gain = study.system.scope.start, seen(world, f"acceleration of {said[1]} as a function of the state")
+    if moving(world, (gain,)) and (not study.kept_speeds or mover(study) != said[1]):
+        return None
     is_here = said[2] == "constant" or (said[2] in world.names and is_zero(symbol(said[2]) - start[said[1]]))
     if not is_here or not is_zero(start.get(f"{said[1]}_dot", NOTHING)):
         return None
     return Wanted((seen(world, f"acceleration of {said[1]} at the start"),), world.motion.assumptions, equal=True)
+
+
+RISES = re.compile(r"(?:the )?(\w+) (?:begins to |starts to |just )?(rise|fall|sink|(?:goe?|move)s? (?:up|down))s?")
+
+
+def rises(world: Scene, text: str) -> Wanted | None:
+    """A body that is at rest begins to move upwards, or downwards. None for another condition."""
+    said = RISES.fullmatch(text)
+    if said is None or said[1] not in (body.name for body in world.study.problem.bodies):
+        return None
+    gain = seen(world, f"y component of acceleration of {said[1]}.cm at the start")
+    way = -1 if re.match("fall|sink|.*down", said[2]) else 1
+    return Wanted((gain * way,), world.motion.assumptions, closed=False)
 
 
 RESTS = re.compile(r"(\w+) (?:comes to rest|is brought to rest|stops)")

@@ -7,11 +7,12 @@ from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra import UNITY, Scalar, depends_on, is_zero
+from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.critical import kept_said
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.seen import Scene, moving, way_to
-from rbpsym.ask.wanted import Wanted, arrives, free_place, of_chapter, on_way, premises, rest_at, wanted
+from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.derivation.chapters import contact, oscillations
 from rbpsym.derivation.step import Step
@@ -22,9 +23,9 @@ from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Loss
 
 
-def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
+def does(world: Scene, text: str, *, opposite: bool = False, condition: Wanted | None = None) -> Finding:
     """Whether a condition is met on the motion: yes, no, or under which conditions on the parameters."""
-    condition = wanted(world, text)
+    condition = condition or wanted(world, text)
     if condition.equal:
         raise StatementError(f"“{text}” is no condition of a whole motion", instead="ask “where …”, or “does … depend on …”.")
     if condition.along is None and moving(world, condition.values) and not _always(condition):

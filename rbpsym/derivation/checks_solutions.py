@@ -148,8 +148,9 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
     slope = derivative(gap, "t")
     dying = [function("exp", atoms.atom(i).arg) for i in gap.atoms() if atoms.atom(i).kind == "exp" and "t" in atom_names(i)]
     steady = [slope, *(short(slope / factor) for factor in dying)]
-    given_ = _given(context, step).with_signs({"t": "positive"})
-    if sign(slope, given_).is_nonzero or any(value and not depends_on(value, "t") for value in steady):
+    given_, alike = _given(context, step).with_signs({"t": "positive"}), [gap, *(short(gap / factor) for factor in dying)]
+    slopes = (sign(derivative(value, "t"), given_) for value in alike)
+    if any(one.is_nonzero for one in slopes) or any(value and not depends_on(value, "t") for value in steady):
         return Verdict(PROVED, how="it changes in one sense all the time")
     begins, bends = sign(substitute(slope, {"t": NOTHING}), given_), sign(derivative(slope, "t"), given_)
     if bends.is_nonzero and bends.sense and (begins.kind == "zero" or begins.sense == bends.sense):
@@ -161,7 +162,7 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
         return Verdict(PROVED, how="it changes in one sense until then")
     if bends.is_nonzero and is_zero(substitute(gap, {"t": NOTHING})):
         return Verdict(PROVED, how="it bends to one side all the time, and begins with zero")
-    for value in (gap, *(short(gap / factor) for factor in dying)):
+    for value in alike:
         rates = {derivative(Scalar(atoms.atom(i).arg), "t") for i in value.atoms() if atoms.atom(i).kind in ("cos", "sin")}
         rates = {rate for rate in rates if rate and not depends_on(rate, "t")}
         bent = derivative(derivative(value, "t"), "t")
@@ -282,7 +283,9 @@ def _terminal(context: Context, step: Step, value: Scalar) -> list[Verdict]:
     gained = context.on_motion(symbol(f"{step.data['name']}_ddot"))
     found = [same(context, substitute(gained, {speed: value}), NOTHING)]
     found += _positive(context, -substitute(derivative(gained, speed), {speed: value}))
-    other = context.start(symbol(speed)) + value
+    begin = context.start(symbol(speed))
+    found.append(positive(context, step, (value - begin) * context.start(gained)))
+    other = begin + value
     return [*found, *(_positive(context, other * value) if form.drag else ())]
 
 

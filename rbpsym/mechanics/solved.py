@@ -11,7 +11,7 @@ from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import WAYS, Demand
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.friction import stops
+from rbpsym.mechanics.friction import slips, stops
 from rbpsym.mechanics.solutions import Given, kind_of, steady
 
 Letters = Mapping[str, Scalar]
@@ -40,7 +40,9 @@ def sets_out(known: Given) -> tuple[Demand, ...]:
 
 
 def swings(known: Given, key: str) -> tuple[Demand, ...]:
-    """What has to be positive for the motion to swing, of which this is told."""
+    """What has to be positive for the motion to swing, or to go on, of which this is told."""
+    if key == "terminal speed":
+        return tuple(Demand(slip) for slip in last_slips(known, _terminal(known)))
     return (Demand(known.form.stiffness),) if key in ("amplitude", "greatest speed", "phase lag") else ()
 
 
@@ -140,8 +142,17 @@ FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
 
 
 def feature(known: Given, key: str) -> Scalar | None:
-    """What is told of the whole motion; None where kinetic friction acts, with which it ends when the slip stops."""
-    return None if stops(known.study.system) else FEATURES[key][1](known)
+    """What is told of the whole motion; None where kinetic friction acts, with which it ends when the slip stops, as it never
+    does where the last speed is in its sense."""
+    value = None if key != "terminal speed" and stops(known.study.system) else FEATURES[key][1](known)
+    lasts = value is None or all(known.sense(slip, open_=1) > 0 for slip in last_slips(known, value))
+    return value if lasts else None
+
+
+def last_slips(known: Given, value: Scalar) -> list[Scalar]:
+    """The slips at a last speed, where kinetic friction acts."""
+    at = {f"{known.name}_dot": value}
+    return [substitute(slip, at) for slip in slips(known.study.system).values()]
 
 
 # --- when it comes somewhere
@@ -151,9 +162,17 @@ def time_to(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[
     """The first t > 0 at which a function of the time vanishes, and what has to be positive for that; None where no formula
     gives it: one is found where the time stands in it as t, as t and t², or once in e^{λt}, in a logarithm or a root, in e^{ηt}
     and e^{-ηt} alone, or in sines and cosines of ϑt. `letters` stand for their values in it, and in the time that is found."""
-    ways = (_by_power, _by_square, _by_growth, _by_logarithm, _by_root, _by_wave)
-    found = (find(Scalar(gap.num), known, letters) for find in ways)
+    ways = (_by_power, _by_square, _by_growth, _by_pair, _by_logarithm, _by_root, _by_wave)
+    found = (find(_without_factor(Scalar(gap.num)), known, letters) for find in ways)
     return next((one for one in found if one is not None), None)
+
+
+def _without_factor(gap: Scalar) -> Scalar:
+    """Without what dies out like e^{-γt} and is no more than a factor."""
+    for index in (index for index in _moving(gap) if atoms.atom(index).kind == "exp"):
+        parts = gap.num.by_power(index)
+        gap = Scalar(next(iter(parts.values()))) if len(parts) == 1 else gap
+    return gap
 
 
 def _moving(gap: Scalar) -> list[int]:
@@ -220,6 +239,21 @@ def _by_growth(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tup
     return function("ln", value) / rates[first], asked
 
 
+def _by_pair(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """a e^{ηt} + b e^{ζt} = 0 as e^{(η-ζ)t} = -b/a, where that is greater than one for a rate that is positive."""
+    moving = _moving(gap)
+    if len(moving) != 2 or any(atoms.atom(index).kind != "exp" for index in moving):
+        return None
+    parts = [Scalar(gap.num.by_power(index).get(1, Poly({}))) for index in moving]
+    rest = sum((part * -Scalar(generator(index)) for part, index in zip(parts, moving, strict=True)), gap)
+    rate = short(derivative(atoms.atom(moving[0]).arg - atoms.atom(moving[1]).arg, "t"))
+    if not is_zero(rest) or any(depends_on(part, "t") for part in (*parts, rate)):
+        return None
+    way = known.sense(substitute(rate, letters))
+    value = short(-parts[1] / parts[0]) ** way
+    return function("ln", value) / (rate * way), (Demand(substitute(value - 1, letters)),)
+
+
 def _by_logarithm(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
     """a ln f(t) + b + c t = 0 as f(t) e^{ct/a} = e^{-b/a}."""
     logs = [index for index in _moving(gap) if atoms.atom(index).kind == "ln"]
@@ -245,11 +279,7 @@ def _by_root(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple
 
 
 def _by_wave(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
-    """a cos ϑt + b sin ϑt + c = 0, one of a, b and c being zero; what dies out like e^{-γt} is no more than a factor."""
-    dying = [index for index in _moving(gap) if atoms.atom(index).kind == "exp"]
-    for index in dying:
-        parts = gap.num.by_power(index)
-        gap = Scalar(next(iter(parts.values()))) if len(parts) == 1 else gap
+    """a cos ϑt + b sin ϑt + c = 0, one of a, b and c being zero."""
     moving = {atoms.atom(index).kind: index for index in _moving(gap)}
     if not moving or not moving.keys() <= {"cos", "sin"} or len(moving) != len(_moving(gap)):
         return None

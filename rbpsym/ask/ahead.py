@@ -1,0 +1,120 @@
+"""Limits that a parameter of the statement comes to: which of two of them comes first as it grows, and how great a quantity gets
+before one. The question does not name that parameter."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+
+from rbpsym.algebra import Scalar, depends_on, is_zero
+from rbpsym.ask import critical, optima, yesno
+from rbpsym.ask.conditions import COEFFICIENT, wanted
+from rbpsym.ask.critical import KEPT, SUPERLATIVES, region_of
+from rbpsym.ask.finding import Finding, together
+from rbpsym.ask.seen import Scene, parameter, parts_seen
+from rbpsym.ask.sliding import of_contact
+from rbpsym.ask.wanted import Wanted
+from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.mechanics.demands import settle
+
+EVENT = r"(?:begin to |start to |begins to |starts to )?(slip|tip)s?(?: over)?"
+ORDER = re.compile(rf"(?:the )?\w+ {EVENT} before (?:the )?\w+ {EVENT}(?: as (\w+) (?:grows|increases))?")
+
+
+def which(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
+    """SYMBOL for which a condition is met (see `critical.which`), or one limit comes before another."""
+    if superlative and name not in {*_free(world), *world.coordinates, COEFFICIENT} and _is_quantity(world, name):
+        return bounded(world, superlative, name, text)
+    first = _first_of_two(world, name, text)
+    if first is None:
+        return critical.which(world, superlative, name, text)
+    return _resting(world, region_of(world, name, first[0], text, SUPERLATIVES.get(superlative, 0)), first[1])
+
+
+def _is_quantity(world: Scene, name: str) -> bool:
+    with suppress(RbpsymError):
+        return bool(parts_seen(_afresh(world), name))
+    return False
+
+
+def _afresh(world: Scene) -> Scene:
+    return replace(world, used=[], lasting=[], doubts=[], standing=[])
+
+
+def comes_first(world: Scene, text: str) -> Finding:
+    """Whether one limit comes before another."""
+    condition, limits = _first_of_two(world, "", text)
+    return _resting(world, yesno.does(world, text, condition=condition), limits)
+
+
+def _resting(world: Scene, found: Finding, limits: Finding) -> Finding:
+    left = settle((*found.valid, *limits.valid), world.motion.assumptions)
+    return replace(found, **together(found, limits), valid=found.valid if left is None else left)
+
+
+def _first_of_two(world: Scene, name: str, text: str) -> tuple[Wanted, Finding] | None:
+    """That one limit comes before the other as a load grows, with what finds the two; None for another condition.
+
+    Raises StatementError where no parameter takes it to both.
+    """
+    said = ORDER.fullmatch(text)
+    if said is None or said[1] == said[2]:
+        return None
+    for load in [said[3]] if said[3] else _free(world, name):
+        with suppress(RbpsymError):
+            (first, one), (second, other) = (_limit(world, load, f"it {KEPT[kind]}", name) for kind in said.group(1, 2))
+            limits = Finding(**together(one, other), valid=(*one.valid, *other.valid))
+            return Wanted((second - first,), world.motion.assumptions, closed=False), limits
+    raise StatementError(f"no parameter is known whose growth makes it both {said[1]} and {said[2]}",
+                         instead=f"say which: “… {said[1]}s before it {said[2]}s as P grows”.")  # fmt: skip
+
+
+def _free(world: Scene, name: str = "") -> list[str]:
+    return [quantity.name for quantity in world.study.problem.parameters if quantity.name != name]
+
+
+def _limit(world: Scene, load: str, text: str, name: str = "") -> tuple[Scalar, Finding]:
+    """The greatest value of a parameter for which a condition holds, whatever else happens before. Raises StatementError."""
+    alone = _afresh(world)
+    found = region_of(alone, parameter(world, load), replace(wanted(alone, text, name), beside=()), text, 1)
+    if len(found.values) != 1 or found.relation != "=":
+        raise StatementError(f"there is no largest {load} of that kind")
+    return found.values[0], found
+
+
+def bounded(world: Scene, superlative: str, phrase: str, text: str) -> Finding:
+    """The greatest (least) value of a quantity for which a condition holds, where that is the same whichever parameter takes it
+    there. Raises StatementError where it depends on that, or none does."""
+    found = [*_bounds(world, superlative, phrase, of_contact(world, text))]
+    found.sort(key=lambda one: len(one[0].valid))
+    if not found:
+        raise StatementError(f"no parameter is known that takes “{phrase}” to such a bound",
+                             instead=f"ask for that of one parameter: “{superlative} P for which {text}”.")  # fmt: skip
+    [(first, _), *others] = found
+    names = [name for _, name in found]
+    if any(not is_zero(one.values[0] - first.values[0]) for one, _ in others) or depends_on(first.values[0], names[0]):
+        raise StatementError(f"it depends on which of {', '.join(names)} changes",
+                             instead=f"ask for that of one: “{superlative} {names[0]} for which {text}”.")  # fmt: skip
+    return replace(first, place=None) if others else first
+
+
+def _bounds(world: Scene, superlative: str, phrase: str, text: str) -> Iterator[tuple[Finding, str]]:
+    """What a quantity is at most where a parameter that changes it meets a condition, for each that bounds it."""
+    for name in _free(world):
+        with suppress(RbpsymError):
+            alone = _afresh(world)
+            phrase, value = optima.sized(alone, phrase)
+            region = critical.which(alone, None, name, text) if depends_on(value, name) else Finding()
+            if len(region.values) != 1 or region.relation not in OPS:
+                continue
+            ends, given = (None, region.values[0])[:: OPS[region.relation]], world.motion.assumptions
+            known = zip(ends, given.range_of(name), strict=True)
+            given = given.with_range(name, *(old if end is None else end for end, old in known))
+            best = optima.of_extreme(value, name, given, SUPERLATIVES[superlative], phrase, closed=True, by_place=False)
+            if len(best.values) == 1 and best.relation == "=" and best.place == (name, region.values[0]):
+                yield _resting(world, best, region), name
+
+
+OPS = {"<": 1, "<=": 1, ">": -1, ">=": -1}

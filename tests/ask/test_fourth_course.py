@@ -1,0 +1,74 @@
+"""Limits and bounds of which a question names no parameter, what a resistance leaves at last, and forces between: worked out
+by hand before the engine was asked.
+
+Kleppner & Kolenkow 2, 6, 7; Morin 5, 8; Meriam & Kraige 3, 6, 8; Beer & Johnston 8, 12, 16, 19; Irodov 1.2, 1.3; French 3.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.ask.asking import answered
+from rbpsym.errors import StatementError
+from tests.ask.test_unseen import asked
+from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
+
+ANSWERS = (
+    # which of two limits comes first
+    ("push-at-height", "H for which it tips before it slips", "b/(2*mu)"),
+    ("push-at-height", "smallest mu for which the crate tips before it slips", "b/(2*H)"),
+    ("push-at-height", "largest H for which it slips before it tips as P grows", "b/(2*mu)"),
+    ("push-at-height", "largest P for which it neither slips nor tips", "mu*m*g"),
+    ("push-at-height", "smallest mu for which the crate stays at rest", "P/(m*g)"),
+    ("block-on-incline", "mu for which it tips before it slips", "b/h"),
+    ("block-on-incline", "largest h for which the block slips before it tips", "b/mu"),
+    # bounds of quantities
+    ("stacked-and-hung", "largest acceleration of x for which it does not slip", "mu*g"),
+    ("stacked-and-hung", "largest m for which the top does not slip", "mu*(m_1 + m_2)/(1 - mu)"),
+    ("stacked-and-hung", "largest tension for which it does not slip", "mu*g*(m_1 + m_2)"),
+    # what is least under a condition of its own
+    ("ring-with-beads", "least T", "M*g - 2*m*g/3"),
+    ("ring-with-beads", "theta where T is least", "acos(1/3)"),
+    ("ring-with-beads", "smallest m for which T vanishes", "3*M/2"),
+    # motions as functions of the time
+    ("critical-blow", "time until x comes to rest", "sqrt(m/k)"),
+    ("critical-blow", "x where x comes to rest", "v_0*sqrt(m/k)*exp(-1)"),
+    ("overdamped", "time until x comes to rest", "sqrt(m/k)*ln(2)"),
+    ("overdamped", "x where x comes to rest", "v_0*sqrt(m/k)/4"),
+    ("drag-on-slope", "terminal speed of s", "m*g*(sin(beta)-mu*cos(beta))/c"),
+    # bodies that rise, and what stays
+    ("geared-winch", "smallest tau for which the load rises", "m*g*r*r_1/r_2"),
+    ("geared-winch", "tau for which y stays constant", "m*g*r*r_1/r_2"),
+    # a sense that a start of either sign tells
+    ("turning-parabola", "speed of x where x = 0", "-x_0*sqrt(g/p - Omega**2)"),
+    ("held-by-string", "smallest mu for which it does not slip", "tan(beta/2)"),
+    ("rod-with-beads", "speed of phi as a function of r", "omega_0*(M*L**2/3+2*m*r_0**2)/(M*L**2/3+2*m*r**2)"),
+    ("ball-off-wall", "ratio of energy lost until rolling to kinetic energy at the start", "40/49"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: value[:60])
+def test_it_finds_what_is_worked_out(name: str, question: str, worked_out: str) -> None:
+    found(name, question, worked_out)
+
+
+def test_a_start_of_either_sign_needs_no_case() -> None:
+    answer = answered(asked("turning-parabola"), "speed of x where x = 0")
+    assert all(op == "!=" for node in answer.valid for op in node.ops)
+
+
+def test_whether_one_limit_comes_first_is_told_with_its_condition() -> None:
+    answer = answered(asked("push-at-height"), "does it tip before it slips")
+    assert answer.verdict.is_proved and answer.holds_so is None and answer.valid
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "said"),
+    [
+        ("push-at-height", "P for which it tips before it slips", "no parameter is known whose growth"),
+        ("stacked-and-hung", "largest magnitude of N for which it does not slip", "no parameter is known"),
+    ],
+)
+def test_what_no_parameter_bounds_gets_a_sentence(name: str, question: str, said: str) -> None:
+    with pytest.raises(StatementError, match=said):
+        answered(asked(name), question)
