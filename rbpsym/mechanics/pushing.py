@@ -15,7 +15,7 @@ from rbpsym.errors import LimitError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import resistances, slips
+from rbpsym.mechanics.friction import resistances, slips, spare
 from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.mechanics.study import Study
@@ -29,7 +29,7 @@ LARGEST = 4000  # terms: signs of what is longer are not looked for
 def check_start(study: Study, *, moves: bool = True) -> None:
     """Raises StatementError where a one-sided force or the friction at the start surely has the wrong sense; of a phase that
     ends at once (it never `moves`), nothing has to begin to slide."""
-    found = [item for item in asked(study) if moves or item[1] != "gain"]
+    found = [item for item in asked(study) if moves or item[1] not in ("gain", "grip")]
     for element, what, value in found:
         if sign(value, study.assumptions, factoring=False).kind == "negative":
             raise WRONG[what](element, what, value)
@@ -63,18 +63,21 @@ def begun_numbers(study: Study) -> dict[str, float]:
     return next(fits, None) or sample(study.problem)
 
 
-OPS = {"way": ">", "force": ">=", "size": ">=", "slip": ">", "gain": ">"}
+OPS = {"way": ">", "force": ">=", "grip": ">=", "size": ">=", "slip": ">", "gain": ">"}
 
 
 def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
-    """What has to be positive at the start: lengths and heights that tell ways and sides, one-sided forces, the slip in
-    its sense, or its gain from rest."""
+    """What has to be positive at the start: lengths and heights that tell ways and sides, one-sided forces, what static
+    friction has left of its limit, the slip in its sense, or its gain from rest."""
     start, reactions = _gained(study), study.solved.reactions
     yield from ((element, "way", value) for element, value in ways_taken(study))
     for element in study.problem.constraints:
         for name in pushes(element):
             value = _at_start(reactions[name], start)
             yield from () if value is None else [(element, "force", value)]
+        for left in spare(element, reactions.__getitem__):
+            value = _at_start(left, start)
+            yield from () if value is None else [(element, "grip", value)]
     for name, found in resistances(study.system).items():
         used = names_in(found.size) & reactions.keys()
         value = _at_start(substitute(found.size, {n: reactions[n] for n in used}), start) if used else None
@@ -176,6 +179,14 @@ def _slips_back(element: Element, what: str, value: Scalar) -> StatementError:
     )
 
 
+def _lets_go(element: Element, what: str, value: Scalar) -> StatementError:
+    return StatementError(
+        f"the {element.kind} “{element.name}” would slip at the start: the static friction exceeds its limit there",
+        instead='check the start and the limit; what slides is type = "contact" with a coefficient and a slip.',
+        place=element.place,
+    )
+
+
 def _elsewhere(element: Element, what: str, value: Scalar) -> StatementError:
     return StatementError(
         f"the {element.kind} “{element.name}” does not run, or touch, at the start where the ranges would have it",
@@ -192,4 +203,4 @@ def _negative(element: Element, what: str, value: Scalar) -> StatementError:
     )
 
 
-WRONG = {"way": _elsewhere, "size": _negative, "force": _pulls, "slip": _slips_back, "gain": _slips_back}
+WRONG = {"way": _elsewhere, "grip": _lets_go, "size": _negative, "force": _pulls, "slip": _slips_back, "gain": _slips_back}

@@ -2,15 +2,19 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from pathlib import Path
 
 import pytest
 
+from rbpsym.algebra import NOTHING, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.errors import RbpsymError, ReadError, StatementError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.numbers import floating
+from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
 from rbpsym.solve import answer_of, solve
@@ -140,3 +144,29 @@ def test_the_ways_of_strings_and_springs_are_asked_for_on_the_whole_way(name, as
 
 def _follows(value: Scalar, op: str, one: Demand) -> bool:
     return any(is_zero(short(value - one.value * way)) for way in ((1, -1) if op == "!=" else (1,)))
+
+
+LIMITED = [name for name in NAMES if any(element.values.get("limit") is not None for element in problem(name).constraints)]
+
+
+@pytest.mark.parametrize("name", LIMITED)
+def test_a_start_asks_for_no_more_friction_than_there_is(name):
+    """With a little more than what is needed at the start it begins so, with a little less it does not."""
+    study = unsimulated(name).study
+    numbers, start = begun_numbers(study), {**dict.fromkeys(study.system.speeds, NOTHING), **study.system.scope.start}
+    for need in study.friction_needs:
+        needed = abs(floating(substitute(need.ratio, start), numbers))
+        limit = next((q.name for q in study.problem.parameters if need.limit == symbol(q.name)), None)
+        for factor in (0.99, 1.01) if needed and limit else ():
+            asked = [floating(one.value, {**numbers, limit: factor * needed}) >= 0 for one in begins(study)]
+            assert all(asked) is (factor > 1), (need.constraint, factor)
+
+
+def test_a_start_that_static_friction_cannot_hold_is_refused():
+    text = (Path(__file__).parents[2] / "derivations/friction/box-pushed-at-top.toml").read_text(encoding="utf-8")
+    text = text.partition("[meanings.es]")[0].replace('["P", "0"]', '["m*g", "0"]').replace('P  = "force: push"', "")
+    held, slipping = (text.replace('limit    = "mu"', f'limit = "{limit}"').replace('mu = "number: coefficient of static friction"', "")
+                      for limit in ("1", "1/2"))  # fmt: skip
+    assert solve(load_text(held), simulation=False)["start_valid_where"] == ["b - 2*h >= 0"]
+    with pytest.raises(StatementError, match="would slip at the start"):
+        solve(load_text(slipping), simulation=False)
