@@ -50,6 +50,42 @@ const ACTS = {
     await page.waitForTimeout(300);
     return { before, after, tip, start, dragged: (await readings(page))["p.theta_0"], length: (await readings(page))["p.ell"], said: await page.textContent("#status") };
   },
+  predict: async (page) => {
+    const said = {}, told = () => page.textContent("#outcome");
+    await page.click("#predict summary");
+    const hidden = await page.locator("#readings-0").isHidden(), last = (await page.locator("#question option").count()) - 1;
+    await page.selectOption("#speed", "1");
+    await page.selectOption("#question", String(last));
+    const keys = await page.locator("#choices input").evaluateAll((all) => all.map((one) => one.value));
+    for (const key of keys) {
+      await page.check(`#choices input[value="${key}"]`);
+      await page.click("#release");
+      await page.waitForFunction(() => document.querySelector("#outcome").textContent, null, { timeout: 20000 });
+      said[key] = await told();
+      await page.click("#restart");
+      await page.selectOption("#question", String(last));
+    }
+    return { said, hidden, after: await page.locator("#readings-0").isVisible() };
+  },
+  moment: async (page) => {
+    await page.check("#layer-moment");
+    await page.evaluate(() => scrollTo(0, 0));
+    const [wall, floor] = await page.evaluate(() => [...document.querySelectorAll("#picture-0 path.reaction")].map((one) => one.getBoundingClientRect().toJSON()));
+    const mark = await page.locator("#picture-0 circle.about").boundingBox(), session = await page.context().newCDPSession(page);
+    const goal = [floor.x + floor.width / 2 + 3, wall.y + wall.height / 2 - 3], before = (await readings(page))["p.theta_0"];
+    const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+    await touch("touchStart", [[mark.x + mark.width / 2, mark.y + mark.height / 2]]);
+    for (const share of [0.3, 0.7, 1]) await touch("touchMove", [[mark.x + share * (goal[0] - mark.x), mark.y + share * (goal[1] - mark.y)]]);
+    await touch("touchEnd", []);
+    await page.waitForTimeout(100);
+    const lines = await page.locator("#picture-0 path.action").count(), told = await page.locator("#moments p").textContent();
+    const silent = await page.evaluate(() => document.documentElement.dataset.pitch ?? "");
+    await page.check("#layer-sound");
+    const heard = [];
+    for (const time of ["0", "0.6"]) { await page.fill("#time", time); heard.push(await page.evaluate(() => Number(document.documentElement.dataset.pitch))); }
+    await page.fill("#time", "0");
+    return { lines, told, before, silent, heard, scrolled: await page.evaluate(() => scrollY) };
+  },
   keys: async (page) => {
     const order = [], after = {};
     await page.evaluate(() => document.activeElement.blur());
@@ -80,7 +116,7 @@ const ACTS = {
   const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: ["--no-sandbox"] });
   const found = [];
   for (const { file, hash, act, width } of JSON.parse(readFileSync(jobs, "utf8"))) {
-    const page = await browser.newPage({ viewport: { width: width || 1000, height: 800 } }), errors = [];
+    const page = await browser.newPage({ viewport: { width: width || 1000, height: 800 }, hasTouch: act === "moment" }), errors = [];
     page.on("pageerror", (error) => errors.push(error.message));
     await page.goto("file://" + file + (hash || ""));
     await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");

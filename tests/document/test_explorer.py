@@ -329,6 +329,32 @@ def problem_length(name: str) -> float:
 
 
 @played
+def test_a_prediction_is_decided_by_the_motion(tmp_path: Path) -> None:
+    """Of all that can end the ladder's first phase the force of the wall vanishes; the readings wait for the prediction."""
+    found = model(load_problem(FILES["sliding-ladder"]), "en")
+    end = explored.run(found, (0.5,))[0]["end"]
+    [seen] = met(tmp_path, {"file": str(written(tmp_path, "sliding-ladder")), "act": "predict"})
+    right = [key for key, told in seen["said"].items() if told.startswith("The motion says so, too")]
+    known = {f"{one['kind']} {one['name']}" for one in found.data["phases"][0]["events"]}
+    assert set(seen["said"]) == {*known, "none"} and len(known) > 1
+    assert right == [f"{end['kind']} {end['name']}"]
+    assert seen["hidden"] and seen["after"]
+
+
+@played
+def test_a_point_for_torques_is_dragged_by_touch_and_the_motion_is_heard(tmp_path: Path) -> None:
+    """Where the lines of action of both contacts meet, only the weight has a torque: M g ℓ cos θ."""
+    [seen] = met(tmp_path, {"file": str(written(tmp_path, "sliding-ladder")), "act": "moment"})
+    read = {key: float(value) for key, value in seen["readings"].items()}
+    weight = read["p.M"] * read["p.g"] * read["p.ell"] * np.cos(read["0.q.theta"])
+    assert explored.close(read["0.tau.W@ladder"], weight)
+    assert max(abs(read["0.tau.N_w@ladder"]), abs(read["0.tau.N_f@ladder"])) < 1e-6 * weight
+    assert seen["lines"] == 2 and "N" in seen["told"] and "W" not in seen["told"]
+    assert float(seen["before"]) == read["p.theta_0"] and seen["scrolled"] == 0, "the point is dragged, not the body or the page"
+    assert seen["silent"] == "" and seen["heard"][0] != seen["heard"][1] and min(seen["heard"]) > 100
+
+
+@played
 def test_it_is_worked_by_keyboard_alone(tmp_path: Path) -> None:
     """Tab meets every control in the order of the page, each with a name; keys move the sliders and press the buttons."""
     page = str(written(tmp_path, "sliding-ladder"))
@@ -336,7 +362,8 @@ def test_it_is_worked_by_keyboard_alone(tmp_path: Path) -> None:
         order, after = found["order"], found["after"]
         ids = [one["id"] for one in order]
         assert ids[:4] == ["play", "restart", "speed", "time"]
-        assert ids[4:9] == ["layer-trace", "layer-velocity", "layer-acceleration", "curves-kind", "place-0-theta"]
+        assert ids[4:9] == [f"layer-{name}" for name in ("trace", "velocity", "acceleration", "moment", "sound")]
+        assert ids[9:12] == ["predict-title", "curves-kind", "place-0-theta"]
         assert ids[-1] == "reset"
         assert sum(one.startswith("number-") for one in ids) == 4
         assert all(one["name"] for one in order)

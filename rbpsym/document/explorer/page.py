@@ -182,7 +182,8 @@ def _coordinate(coordinate, notation: Notation, said: Words) -> dict[str, Any]:
 # ---
 
 
-SCRIPTS = ("numbers", "motion", "shapes", "drawing", "readings", "curves", "layers", "controls")
+SCRIPTS = ("numbers", "motion", "shapes", "drawing", "readings", "curves", "layers", "moments",
+           "predicting", "sound", "controls")  # fmt: skip
 FOLDER = Path(__file__).with_name("script")
 
 

@@ -76,6 +76,8 @@ function rebuild() {
   byId("impulse-key").hidden = !fine.some((motion) => motion.blows.length);
   seekers();
   curves();
+  aboutTable();
+  asks();
 }
 
 function curves() {
@@ -123,6 +125,9 @@ function seek(time) {
   byId("clock").textContent = clock();
   state.seekers.forEach((update) => update());
   if (state.curves) state.curves.show(state.time);
+  aboutShown();
+  hear();
+  decideAt(state.time);
 }
 
 const clock = () => shown(Math.round(state.time * 1e4) / 1e4) + "\u202fs";
@@ -244,7 +249,8 @@ function say() {
     const places = Object.entries(motion.data.coordinates).map(([name, c]) => `${c.here.text} = ${shown(moment.out[moment.data.coordinates[name]] / c.size)}${c.unit === "°" ? "°" : " " + c.unit}`);
     return [state.motions.length > 1 ? motion.data.title + ": " : "", places.join(", "), ". ", byId("end-" + k).textContent].join("");
   });
-  byId("status").textContent = told("now", { time: clock() }) + " " + parts.join(" ");
+  const vanishing = layers.has("moment") ? [about.told.textContent] : [];
+  byId("status").textContent = [told("now", { time: clock() }), ...parts, ...vanishing].join(" ");
 }
 
 function restart() { pause(); seek(0); say(); }
@@ -261,6 +267,9 @@ byId("restart").addEventListener("click", restart);
 byId("reset").addEventListener("click", reset);
 byId("time").addEventListener("input", (event) => { pause(); seek(Number(event.target.value)); });
 byId("time").addEventListener("change", say);
+byId("question").addEventListener("change", offers);
+byId("release").addEventListener("click", release);
+byId("predict").addEventListener("toggle", () => predicting(byId("predict").open));
 byId("curves-kind").addEventListener("change", () => { curves(); seek(state.time); });
 document.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|BUTTON|SUMMARY|A)$/.test(event.target.tagName)) return;

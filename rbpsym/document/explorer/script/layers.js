@@ -1,12 +1,12 @@
-// What may be shown besides: the ways of the centres of mass, their velocities and accelerations; and bodies that are dragged to their start.
+// What may be shown besides: the ways of the centres of mass, their velocities and accelerations; bodies that are dragged to their start.
 
-const LAYERS = ["trace", "velocity", "acceleration"], BESIDE = 1e-3, ARROW = 70, REACH = 34, TRIED = 40;
+const LAYERS = ["trace", "velocity", "acceleration", "moment", "sound"], BESIDE = 1e-3, ARROW = 70, REACH = 34, TRIED = 40;
 const layers = new Set();
 
 function layerBoxes() {
   byId("layers").replaceChildren(...LAYERS.map((name) => {
     const box = element("input", { type: "checkbox", id: "layer-" + name });
-    box.addEventListener("change", () => { if (box.checked) layers.add(name); else layers.delete(name); seek(state.time); });
+    box.addEventListener("change", () => { layers[box.checked ? "add" : "delete"](name); if (name === "sound") listening(box.checked); aboutTable(); seek(state.time); });
     return element("label", { class: "layer " + name }, [box, " " + WORDS["layer." + name]]);
   }));
 }
@@ -30,7 +30,7 @@ function layered(drawing, moment) {
     const [u, v] = rushes(motion, moment, body.cm)[k], size = (Math.hypot(u, v) * ARROW) / fastest(motion)[k];
     return size > 1.5 ? drawing.pointed(scale.point(pick(body.cm, moment.out)), [u, -v], Math.min(size, 1.5 * ARROW), name, "") : [];
   }) : []));
-  return [...ways, ...arrows];
+  return [...ways, ...arrows, ...marked(drawing, moment)];
 }
 
 /** Of each body the places of its centre of mass, with their times. */
@@ -90,29 +90,32 @@ function drag(model, body, goal) {
   }
 }
 
+/** What lies under a finger or the pointer: the point for torques, or a body that can be dragged; the handle takes a place in metres. */
+function handleAt(place, goal, reach) {
+  const model = MODELS[place], { scale, out } = state.drawings[place];
+  const away = (point) => Math.hypot(point[0] - goal[0], point[1] - goal[1]) * scale.factor;
+  if (layers.has("moment") && away(about.at) < REACH) return (point) => moveAbout(point, place);
+  const far = (body) => away(pick(body.cm, out)), body = model.data.phases[0].bodies.reduce((a, b) => (far(b) < far(a) ? b : a));
+  if (far(body) > reach || !startNumbers(model).length) return null;
+  return (point) => { pause(); if (state.time) seek(0); drag(model, body, point); sliders(); soon(); };
+}
+
 function draggable(svg, place) {
   let held = null;
   const at = (event, scale) => {
-    const box = svg.getBoundingClientRect(), x = ((event.clientX - box.left) * ROOM) / box.width, y = ((event.clientY - box.top) * ROOM) / box.width;
+    const box = svg.getBoundingClientRect(), size = Math.min(box.width / ROOM, box.height / scale.height);
+    const x = (event.clientX - box.left - (box.width - size * ROOM) / 2) / size, y = (event.clientY - box.top - (box.height - size * scale.height) / 2) / size;
     return [scale.middle[0] + (x - ROOM / 2) / scale.factor, scale.middle[1] - (y - scale.height / 2) / scale.factor];
   };
+  const handle = (event, isTouch) => { const { scale } = state.drawings[place], goal = at(event, scale); return [handleAt(place, goal, isTouch ? REACH : REACH * 2), scale]; };
+  svg.addEventListener("touchstart", (event) => { if (event.touches.length === 1 && handle(event.touches[0], true)[0]) event.preventDefault(); }, { passive: false }); // else the page scrolls
   svg.addEventListener("pointerdown", (event) => {
-    const model = MODELS[place], { scale, out } = state.drawings[place], goal = at(event, scale);
-    if (event.pointerType === "touch" || !startNumbers(model).length) return;
-    const far = (body) => Math.hypot(...pick(body.cm, out).map((value, k) => value - goal[k])) * scale.factor;
-    const body = model.data.phases[0].bodies.reduce((a, b) => (far(b) < far(a) ? b : a));
-    if (far(body) > REACH * 2) return;
-    held = { model, body, scale };
+    const [move, scale] = handle(event, event.pointerType === "touch");
+    if (!move) return;
+    held = { move, scale }; // nothing is drawn anew before “touchstart” has met what is touched
     svg.setPointerCapture(event.pointerId);
-    pause();
-    seek(0);
   });
-  svg.addEventListener("pointermove", (event) => {
-    if (!held) return;
-    drag(held.model, held.body, at(event, held.scale));
-    sliders();
-    soon();
-  });
+  svg.addEventListener("pointermove", (event) => { if (held) held.move(at(event, held.scale)); });
   const drop = () => { if (held) { held = null; say(); tells("changed", { name: "start" }); } };
   svg.addEventListener("pointerup", drop);
   svg.addEventListener("pointercancel", drop);
