@@ -7,11 +7,12 @@ from dataclasses import replace
 from itertools import chain
 from typing import Any
 
-from rbpsym.algebra import NOTHING, PLAIN, Scalar, substitute, symbol
+from rbpsym.algebra import NOTHING, PLAIN, Scalar, has_roots, substitute, symbol
 from rbpsym.algebra.present import present
 from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.derivation.step import Derivation
 from rbpsym.equality.domain import divisors
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
@@ -94,7 +95,8 @@ def text(value: Scalar | None, study: Study | None = None) -> str | None:
 
 
 def shown(value: Scalar, study: Study | None = None) -> Node:
-    """The value in the form of a textbook, in sines and cosines."""
+    """The value in the form of a textbook, in sines and cosines, its roots by the declared signs."""
+    value = neat(value, study.assumptions) if study and has_roots(value) else value
     return present(value, replace(study.style if study else PLAIN, tangents=False))
 
 

@@ -18,6 +18,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import RULES
 from rbpsym.derivation.step import Certificate, Step
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.verdict import Verdict, all_of, undecided
 from rbpsym.mechanics.demands import settle
 from rbpsym.notation import tree as t
@@ -39,6 +40,7 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     more = [*more, *there]
     left = settle((*found.valid, *more), world.motion.assumptions)
     found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
+    found = _not_contradicted(found, world.motion.assumptions)
     nodes = tuple(draft.show(value, factor=True, met=found.valid) for value in found.values)
     letters = {}
     if found.form is not None:
@@ -66,6 +68,19 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
         grounds=tuple(map(ground, found.grounds)),
         at=None if found.place is None or found.place[1] is None else (found.place[0], draft.show(found.place[1])),
     )
+
+
+def _not_contradicted(found: Finding, given: Assumptions) -> Finding:
+    """Without the values whose own conditions contradict those of all."""
+    if found.relation == "between" or not len(found.values) == len(found.asked) > 1:
+        return found
+    left = [settle((*found.valid, *demands), given) for demands in found.asked]
+    kept = [k for k, demands in enumerate(left) if demands is not None]
+    if len(kept) in (0, len(left)):
+        return found
+    grounds = tuple(found.grounds[k] for k in kept) if found.parted else found.grounds
+    found = replace(found, values=tuple(found.values[k] for k in kept), asked=tuple(found.asked[k] for k in kept), grounds=grounds)
+    return replace(found, valid=left[kept[0]], asked=()) if len(kept) == 1 else found
 
 
 def _steps(quantities: list[Answer]) -> tuple[list[Step], list[str]]:

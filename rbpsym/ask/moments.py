@@ -91,8 +91,9 @@ class Asked:
 
     @property
     def names(self) -> list[str]:
-        """Names of all phases; the first is called as the problem is."""
-        return [self.problem.name, *(phase.name for phase in self.problem.phases)]
+        """Names of all phases; the first is called as the problem is, unless a later one is."""
+        later = [phase.name for phase in self.problem.phases]
+        return ["first" if self.problem.name in later else self.problem.name, *later]
 
     def study(self, place: int) -> Study:
         """The mechanics of a phase. Raises NotApplicable where its beginning has no closed form."""
@@ -143,7 +144,7 @@ class Asked:
         """The place of a phase, by its name or that of a blow at its beginning. Raises StatementError."""
         name = re.sub(r"^(?:the )?(?:phase |blow |collision |impulse )?", "", name)
         blows = {e.name: k for k, phase in enumerate(self.problem.phases, 1) for e in phase.impulses}
-        known = {name: k for k, name in reversed(list(enumerate(self.names)))} | blows | {"first": 0}
+        known = {"first": 0} | {name: k for k, name in enumerate(self.names)} | blows
         before = (self.problem, *(phase.problem for phase in self.problem.phases))
         struck = {k for k, phase in enumerate(self.problem.phases, 1) if _is_struck(phase, before[k - 1])}
         known |= dict.fromkeys(("blow", "collision", "impact", "impulse"), *struck) if len(struck) == 1 else {}

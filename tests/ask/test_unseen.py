@@ -21,6 +21,10 @@ from tests.ask.law import one_value_a_letter
 
 HERE = Path(__file__).parent / "unseen"
 ANSWERS = (
+    ("block-on-pulled-block", "smallest mu_1 for which the upper does not slip", "F/((m + M)*g) - mu"),
+    ("block-on-pulled-block", "largest F for which it does not slip", "(mu + mu_1)*(m + M)*g"),
+    ("cut", "F_y right after cut", "M*g/4"),  # the phase is called as the file is
+    ("cut", "S just before cut", "M*g/(2*sin(alpha))"),
     ("ballistic-string", "largest theta", "acos(1 - m**2*v**2/(2*g*ell*(m + M)**2))"),
     ("ballistic-string", "least T in phase together", "(m + M)*g - m**2*v**2/(2*ell*(m + M))"),
     ("full-circle", "least T", "m**2*v**2/((m + M)*ell) - 5*(m + M)*g"),
