@@ -79,7 +79,8 @@ def _not_contradicted(found: Finding, given: Assumptions) -> Finding:
     if len(kept) in (0, len(left)):
         return found
     grounds = tuple(found.grounds[k] for k in kept) if found.parted else found.grounds
-    found = replace(found, values=tuple(found.values[k] for k in kept), asked=tuple(found.asked[k] for k in kept), grounds=grounds)
+    values, asked = (tuple(part[k] for k in kept) for part in (found.values, found.asked))
+    found = replace(found, values=values, asked=asked, grounds=grounds)
     return replace(found, valid=left[kept[0]], asked=()) if len(kept) == 1 else found
 
 
