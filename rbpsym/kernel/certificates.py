@@ -44,7 +44,8 @@ class Have:
     formula and one that is not negative).
 
     multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0, and
-    `begin` that it is 0 at the start; source: the premises that it rests on; parts: the two formulas of "nonzero".
+    `begin` that it is 0 at the start; source: the premises that it rests on; parts: the two formulas of "nonzero", the
+    integrand without roots of "integral".
     """
 
     name: str

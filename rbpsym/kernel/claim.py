@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from rbpsym.algebra import Monomial, Poly, Scalar, atoms
+from rbpsym.algebra import Monomial, Poly, Scalar, atoms, factors
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
@@ -58,8 +58,14 @@ def tree_of(value: Scalar | Poly) -> t.Node:
     """A value as a tree, term by term."""
     if isinstance(value, Scalar):
         num = tree_of(value.num)
-        return num if value.den.constant_value() == 1 else t.Div(num, tree_of(value.den))
+        return num if value.den.constant_value() == 1 else t.Div(num, _product(value.den))
     return t.add(*(_term(m, c) for m, c in value.terms.items()))
+
+
+def _product(poly: Poly) -> t.Node:
+    """A polynomial by its factors: each of them is shown not to vanish."""
+    number, parts = factors(poly)
+    return t.mul(tree_of(Poly({(): number})), *(t.power(tree_of(part), exponent) for part, exponent in parts))
 
 
 def _term(monomial: Monomial, coefficient: int | Fraction) -> t.Node:

@@ -106,8 +106,9 @@ def surely(search: Search, value: Scalar, known: Sequence[Known]) -> tuple[Scala
     for whole in (search.value(item.left) for item in search.met_by if item.kind == "more" and item.right == t.ZERO):
         rest, by = search.follow(whole, known)
         ratio = search.ratio(value, rest)  # a multiple of what is more than 0 where the claim has to hold
-        sign = next((s for s in (1, -1) if ratio is not None and search.is_positive(ratio * s)), 0)
-        if ratio is not None and sign and not by.circles:
+        told = None if ratio is None or by.circles else signed(search, ratio)
+        if ratio is not None and told is not None:
+            sign = told.sign
             parts = tuple((search.tree(ratio * -1 * search.value(factor)), item) for factor, item in by.known)
             return ratio * whole, Sum(sign, ratio * whole * sign, (), ()), Multiples(parts)
     return None

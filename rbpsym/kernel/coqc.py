@@ -124,16 +124,21 @@ def reported(folder: Path | None, key: str, make: Callable[[], Report]) -> Repor
     return Report(**{**found, "axioms": None if found["axioms"] is None else tuple(found["axioms"])})
 
 
+@cache
+def _desk() -> tempfile.TemporaryDirectory[str]:
+    """A folder with the compiled prelude, for all files of a run."""
+    made = tempfile.TemporaryDirectory()
+    shutil.copy(PRELUDE, made.name)
+    _run(Path(made.name), PRELUDE.name)
+    return made
+
+
 def with_prelude(contents: Iterable[str]) -> list[subprocess.CompletedProcess[str]]:
     """coqc on texts that begin with the prelude."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        shutil.copy(PRELUDE, folder)
-        _run(folder, PRELUDE.name)
-        found = []
-        for content in contents:
-            (folder / "Steps.v").write_text(content, encoding="utf-8")
-            found.append(_run(folder, "Steps.v"))
+    folder, found = Path(_desk().name), []
+    for content in contents:
+        (folder / "Steps.v").write_text(content, encoding="utf-8")
+        found.append(_run(folder, "Steps.v"))
     return found
 
 

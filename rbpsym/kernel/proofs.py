@@ -42,7 +42,7 @@ class Search:
         self.integrals = source.integrals
         self.met: list[t.Integral] = []
         self.roots: dict[str, Scalar] = {}  # what stands below the roots that are letters
-        self.root_notes: dict[str, Have] = {}
+        self.notes: dict[str, Have] = {}  # what is known whichever way is tried: of roots, of what stands below
         self.haves: list[Have] = []
         signs = source.study.assumptions.signs
         above = [name for name, sign in signs.items() if sign == "positive"]
@@ -218,11 +218,13 @@ class Search:
     def prove(self, claim: Claim) -> Proof:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
         found = self._sought(claim)
-        written = [*sides(claim), *formulas(found)]
+        divided = [t.Div(t.ONE, found.factor)] if found.factor is not None else []
+        written = [*sides(claim), *formulas(found), *divided]
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = list(nonzero(self, written, known))
-        parts = {part for node in (*written, *(part for have in below for part in have.parts)) for part in t.walk(node)}
-        signs = [have for have in found.steps if have.how in SIGNS and have.claim.left in parts]
+        shown = [node for have in (*below, *found.steps) for node in have.parts]
+        parts = {part for node in (*written, *shown) for part in t.walk(node)}
+        signs = sorted((h for h in found.steps if h.how in SIGNS and h.claim.left in parts), key=lambda h: h.how == "positive")
         others = [have for have in found.steps if have.how not in SIGNS]
         return replace(found, steps=(*signs, *below, *others))
 
@@ -241,7 +243,7 @@ class Search:
         known += courses(self, known) if claim.given and self.source.event is not None else []
         self._count = len(self.haves)
         if claim.kind == "slope":
-            return Proof()
+            return self.proof(Multiples())
         if claim.kind == "rate":
             like, by = self.follow(self.value(claim.left), known, only=True)
             found = self.shown(self._rate(like) - self.value(claim.right), known)
@@ -263,7 +265,7 @@ class Search:
     def proof(self, multiples: Multiples, like: tuple[t.Node, Multiples] | None = None, **more: Any) -> Proof:
         """The proof, without what was noted on the way and is not used."""
         used, kept = {known.name for part in (multiples, *(like or ())[1:]) for _, known in part.known}, []
-        for have in reversed([*self.root_notes.values(), *self.haves]):
+        for have in reversed([*self.notes.values(), *self.haves]):
             if have.name in used or have.how in SIGNS:
                 used |= {known.name for _, known in have.multiples.known}
                 kept.append(have)

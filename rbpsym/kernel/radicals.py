@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 from math import isqrt
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
+from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known
 from rbpsym.kernel.claim import Claim
-from rbpsym.kernel.ranges import signed
+from rbpsym.kernel.ranges import above, signed
 from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:
@@ -20,13 +22,20 @@ def rootless(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, 
     """The value with even powers of roots replaced, no roots below, and no root that is a multiple of another; and by which
     multiples of what is known of roots it differs."""
     taken: list[tuple[Scalar, Known]] = []
-    names = sorted(names_in(value) & search.roots.keys())
+    while True:
+        value, more = _once(search, value)
+        taken += more
+        if not more:
+            return value, taken
+
+
+def _once(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Known]]]:
+    """The same for the roots that stand there now, not for those below them."""
+    taken: list[tuple[Scalar, Known]] = []
+    names = [name for name in sorted(names_in(value) & search.roots.keys()) if _is_certain(search, name)]
     for place, name in enumerate(names):
         node, arg = search.source.circular[name], search.roots[name]
         assert isinstance(node, t.Sqrt)
-        if not _is_certain(search, arg):
-            continue
-        search.positive |= symbol(name).atoms()
         number, factor = list(search.roots).index(name), NOTHING
         index, square = atoms.intern("symbol", name), symbol(name) ** 2 - arg
         while (low := min(value.num.by_power(index), default=0)) < 0:
@@ -36,14 +45,20 @@ def rootless(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, 
             term = _head(value, index, top) * symbol(name) ** -2
             value, factor = value - term * square, factor + term
         if factor:
-            taken.append((factor, _known(search, Have(f"r{number}", "root", Claim(t.Pow(node, t.TWO), node.arg)))))
+            with suppress(Undecided):
+                by, parts = above(search, arg, ())
+                squared = Have(f"r{number}", "root", Claim(t.Pow(node, t.TWO), node.arg), node.arg, by, parts=parts)
+                search.notes.setdefault(squared.name, squared)
+            squared = search.notes.setdefault(f"r{number}", Have(f"r{number}", "root", Claim(t.Pow(node, t.TWO), node.arg)))
+            taken.append((factor, Known(squared.name, squared.claim)))
         for other in names[:place]:
             ratio = _root_of(search, arg / search.roots[other])
             if ratio is not None and 1 in value.num.by_power(index):
                 term = _head(value, index, 1) / symbol(name)
                 value = value - term * (symbol(name) - ratio * symbol(other))
                 right = t.mul(search.tree(ratio), search.source.circular[other])
-                taken.append((term, _known(search, Have(f"m{number}", "multiple root", Claim(node, right)))))
+                same = search.notes.setdefault(f"m{number}", Have(f"m{number}", "multiple root", Claim(node, right)))
+                taken.append((term, Known(same.name, same.claim)))
                 break
     return value, taken
 
@@ -53,15 +68,15 @@ def _head(value: Scalar, index: int, power: int) -> Scalar:
     return Scalar(value.num.by_power(index)[power]) * Scalar(generator(index)) ** power / Scalar(value.den)
 
 
-def _known(search: Search, have: Have) -> Known:
-    search.root_notes[have.name] = have
-    return Known(have.name, have.claim)
-
-
-def _is_certain(search: Search, arg: Scalar) -> bool:
-    """Whether what stands below a root is positive for certain."""
-    found = signed(search, Scalar(arg.num) * Scalar(arg.den))
-    return found is not None and found.sign > 0
+def _is_certain(search: Search, name: str) -> bool:
+    """Whether what stands below a root is positive for certain; then the root is."""
+    arg = search.roots[name]
+    is_known = all(_is_certain(search, inner) for inner in sorted(names_in(arg) & search.roots.keys()))
+    found = signed(search, Scalar(arg.num) * Scalar(arg.den)) if is_known else None
+    if found is None or found.sign < 0:
+        return False
+    search.positive |= symbol(name).atoms()
+    return True
 
 
 def _root_of(search: Search, ratio: Scalar) -> Scalar | None:

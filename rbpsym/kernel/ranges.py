@@ -8,10 +8,10 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, PI, Poly, Scalar, atoms, generator, substitute, symbol
+from rbpsym.algebra import NOTHING, PI, Poly, Scalar, atoms, factors, generator, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, circles, partner, wound
+from rbpsym.kernel.certificates import Have, Known, Multiples, circles, parted, partner, wound
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.formulas import brief
 from rbpsym.kernel.positive import Sum, positive_sum
@@ -101,7 +101,7 @@ def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: 
     for factor, wave, turn in found.waves:
         swing = search.tree(wave)
         rest.append(t.mul(search.tree(factor), t.Add((t.ONE, swing if turn > 0 else t.Neg(swing)))))
-    above, others = search.tree(found.above), t.add(*rest)
+    above, others = _above(search, found.above), t.add(*rest)
     whole = search.value(t.Add((above, others)))
     turned, left = circles(value * found.sign - whole)
     assert not left, "a sum that was found is the formula"
@@ -116,6 +116,19 @@ def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: 
     return Have(name, how, Claim(node, t.ZERO, kind, given), side, Multiples(known, tuple(angles)), parts=(above, others))
 
 
+def _above(search: Search, value: Scalar) -> t.Node:
+    """A positive value; by its positive factors if it is no sum of positive terms."""
+    common, inner = parted(value)
+    if all(coefficient > 0 for coefficient in value.num.terms.values()) or inner.den.constant_value() != 1:
+        return search.tree(value)
+    number, parts = factors(inner.num)
+    shown: list[t.Node] = [search.tree(common * abs(Fraction(number)))]
+    for part, exponent in parts:
+        found = signed(search, Scalar(part))
+        shown.append(t.power(search.tree(Scalar(part) * (found.sign if found else 1)), exponent))
+    return t.mul(*shown)
+
+
 def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multiples, tuple[t.Node, ...]]:
     """left - right is a sum of something positive and of what is not negative: the multiples, and these two."""
     rest, by = search.follow(goal, known)
@@ -124,7 +137,8 @@ def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multipl
     if found is not None and under is not None and found.sign == under.sign:
         below = search.tree(den * under.sign)
         if not search.is_positive(den):
-            search.haves.append(shown(search, "z0", (below, den * under.sign), replace(under, sign=1), Multiples(), "more"))
+            name = f"u{len(search.notes)}"
+            search.notes[name] = shown(search, name, (below, den * under.sign), replace(under, sign=1), Multiples(), "more")
         have = shown(search, "", (t.ZERO, num * found.sign), replace(found, sign=1), Multiples())
         by = Multiples(by.known, (*by.circles, *((t.Div(factor, below), angle) for factor, angle in have.multiples.circles)))
         return by, tuple(t.Div(part, below) for part in have.parts)

@@ -275,7 +275,7 @@ class Writer:
 
     def _rooted(self, have: Have, finish: str) -> str:
         """The square of a root is what stands below it."""
-        return "apply root2; nng"
+        return f"apply root2; {f'apply Rlt_le; {self._positive(have, finish)}' if have.parts else 'nng'}"
 
     def _same_root(self, have: Have, finish: str) -> str:
         """One root is a multiple of another."""
@@ -283,12 +283,20 @@ class Writer:
 
     def _integral(self, have: Have, finish: str) -> str:
         """By an antiderivative; an integral inside is replaced by its value first."""
-        x = replace(self.terms, bound={_head(have.claim): "x"})
-        if (inner := have.inner) is None:
-            return _primitive(x.term(have.of))
-        y = replace(x, bound={**x.bound, _head(inner.claim): "y"})
-        outside = f"apply (RInt_on (fun x : R => {x.term(inner.claim.right)}))"
-        return f"{outside}; [intros x; {_primitive(y.term(inner.of), 'y')} | {_primitive(x.term(have.of))}]"
+        return self.primitive(have, {})
+
+    def primitive(self, have: Have, bound: Mapping[str, str]) -> str:
+        """The tactics of an integral between what is bound outside of it."""
+        x = f"x{len(bound) or ''}"
+        inside = {**bound, _head(have.claim): x}
+        body = replace(self.terms, bound=inside).term(have.of)
+        found = f"apply (RInt_by (fun {x} : R => {body})); [intros; eapply D_eq; [der | fld] | intros; cont | cbv beta; fld]"
+        for plain in have.parts:
+            found = f"apply (RInt_in (fun {x} : R => {replace(self.terms, bound=inside).term(plain)})); [between; fld | {found}]"
+        if have.inner is None:
+            return found
+        value = replace(self.terms, bound=inside).term(have.inner.claim.right)
+        return f"apply (RInt_on (fun {x} : R => {value})); [intros {x}; {self.primitive(have.inner, inside)} | {found}]"
 
 
 def _bounds(have: Have) -> str:
@@ -301,10 +309,6 @@ def _head(claim: Claim) -> str:
     """The function that stands on the left, or the variable of the integral there."""
     assert isinstance(claim.left, t.Fn | t.Integral)
     return claim.left.name if isinstance(claim.left, t.Fn) else claim.left.var
-
-
-def _primitive(body: str, name: str = "x") -> str:
-    return f"apply (RInt_by (fun {name} : R => {body})); [intros; eapply D_eq; [der | fld] | intros; cont | cbv beta; fld]"
 
 
 HAVES = {
