@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Any
 
 from rbpsym.algebra import atoms, sympy_bridge
-from rbpsym.algebra.normal import Bases, bases_of, in_bases, partner_of
+from rbpsym.algebra.normal import Bases, bases_of, in_bases, partner, partner_of, reduce_squares, shorten
 from rbpsym.algebra.poly import ONE, Poly, generator, inverse
 from rbpsym.algebra.ring import cofactors, element
 from rbpsym.algebra.scalar import Scalar
@@ -17,8 +17,6 @@ LARGEST_GCD = 1_000_000  # products of terms, above which a common factor is not
 
 def cancel(num: Poly, den: Poly) -> tuple[Poly, Poly]:
     """num and den without their common factor (sin² + cos² = 1 used to shorten them first)."""
-    from rbpsym.algebra.normal import reduce_squares, shorten
-
     num, den = shorten(num), shorten(den)
     if len(den) < 2 or not num.terms:
         return num, den
@@ -41,8 +39,6 @@ def _cancel_plain(num: Poly, den: Poly) -> tuple[Poly, Poly]:
 
 def _has_partners(num: Poly, den: Poly) -> bool:
     """Whether a sine and the cosine of the same angle occur, one of them below."""
-    from rbpsym.algebra.normal import partner
-
     everywhere = num.atoms() | den.atoms()
     return any(partner(index) in everywhere for index in den.atoms())
 

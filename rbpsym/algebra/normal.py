@@ -210,7 +210,7 @@ def short(value: Scalar) -> Scalar:
 def shorten(poly: Poly) -> Poly:
     """The shortest of: as it is, without sin², without cos² (angle by angle); without squares of numbers' roots."""
     squared = _squared(poly)
-    for index in [i for i in squared if _is_root_of_number(i)]:
+    for index in [i for i in squared if is_root_of_number(i)]:
         poly = _without_even_powers(poly, index, atoms.atom(index).arg.num)
     if len(poly) < 2:
         return poly
@@ -240,7 +240,8 @@ def _merges(poly: Poly, index: int) -> bool:
     return False
 
 
-def _is_root_of_number(index: int) -> bool:
+def is_root_of_number(index: int) -> bool:
+    """Whether an atom is the root of a number."""
     found = atoms.atom(index)
     return found.kind == "root" and found.arg.number() is not None
 

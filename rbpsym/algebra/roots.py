@@ -34,24 +34,24 @@ def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
     if not has_roots(value):
         return value
     value = tidy(without_even_roots(inside(value, lambda part: tidied(part, sense))))
-    has_below = len(value.den) > 1 and any(map(_is_root, value.den.atoms()))
+    has_below = len(value.den) > 1 and any(map(is_root, value.den.atoms()))
     below = tidied(Scalar(value.den), sense) if has_below else Scalar(value.den)
     if below.num != value.den:
         return tidied(Scalar(value.num) / below, sense)
     high, low = value.num.content()[1], value.den.content()[1]
     common = times(high, inverse(low))
-    if any(_is_root(i) for i, _ in common):
+    if any(is_root(i) for i, _ in common):
         rest = Scalar(value.num.scaled(1, inverse(high))) / Scalar(value.den.scaled(1, inverse(low)))
         value = _product(common, rest, sense, is_whole=True)
-    elif any(map(_is_root, value.num.atoms())):
-        below, [index, *others] = UNITY / Scalar(value.den), filter(_is_root, value.num.atoms())
+    elif any(map(is_root, value.num.atoms())):
+        below, [index, *others] = UNITY / Scalar(value.den), filter(is_root, value.num.atoms())
         parts = value.num.by_power(index)
         if not others and set(parts) <= {0, 1}:  # what stands before the only root is one factor
             return _product(((index, 1),), Scalar(parts[1]) * below, sense) + Scalar(parts.get(0, Poly({}))) * below
         terms = value.num.terms.items()
         parted = total(_product(m, below * c, sense) for m, c in terms)
         value = parted if parted.den is ONE else total(_product(m, lift(c), sense) for m, c in terms) * below
-    value = value if value.den is ONE or any(map(_is_root, value.den.atoms())) else with_root_taken_out(value)
+    value = value if value.den is ONE or any(map(is_root, value.den.atoms())) else with_root_taken_out(value)
     for index in _sizes(value):  # what is even in √(x²) is a function of x
         side = side_of(atoms.atom(index).arg)
         if side is not None and _replaced(value, index, -Scalar(generator(index))) == value:
@@ -61,7 +61,7 @@ def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
 
 def with_root_taken_out(value: Scalar) -> Scalar:
     """A √x + B x as √x (A + B √x), where a denominator that is a multiple of x makes it shorter or there is none."""
-    for index in sorted(filter(_is_root, value.num.atoms()), key=name_of):
+    for index in sorted(filter(is_root, value.num.atoms()), key=name_of):
         parts, radicand = value.num.by_power(index), atoms.atom(index).arg
         if set(parts) != {0, 1} or len(radicand.num) < 2:  # by one term all can be divided
             continue
@@ -73,14 +73,15 @@ def with_root_taken_out(value: Scalar) -> Scalar:
     return value
 
 
-def _is_root(index: int) -> bool:
+def is_root(index: int) -> bool:
+    """Whether an atom is a square root."""
     return atoms.atom(index).kind == "root"
 
 
 def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int], *, is_whole: bool = False) -> Scalar:
     """A product of powers and a rest, its roots made one: of each factor an even power stands before the root."""
-    radicand = math.prod((atoms.atom(i).arg ** e for i, e in powers if _is_root(i)), start=UNITY)
-    rest = rest * Scalar(Poly({tuple(item for item in powers if not _is_root(item[0])): 1}))
+    radicand = math.prod((atoms.atom(i).arg ** e for i, e in powers if is_root(i)), start=UNITY)
+    rest = rest * Scalar(Poly({tuple(item for item in powers if not is_root(item[0])): 1}))
     size, within = _factored(radicand)
     if not within:
         return rest * root(radicand)
@@ -155,18 +156,18 @@ def _replaced(value: Scalar, index: int, image: Scalar) -> Scalar:
 
 def with_numbers_inside(value: Scalar) -> Scalar:
     """The value with the numbers before a root in it: √6/3 √(ℓ/g) as √(2 ℓ/(3 g)), √2 √3 as √6; only squares stay before."""
-    if not any(map(_is_root, value.num.atoms())):
+    if not any(map(is_root, value.num.atoms())):
         return value
     number, common = value.num.content()
     divisor = value.den.content()[0]
-    if not any(_is_root(i) for i, _ in common):
+    if not any(is_root(i) for i, _ in common):
         return total(_with_number_inside(m, Fraction(c)) for m, c in value.num.terms.items()) / Scalar(value.den)
     rest = Scalar(value.num.scaled(1 / number, inverse(common)), value.den.scaled(1 / divisor))
     return rest * _with_number_inside(common, number / divisor)
 
 
 def _with_number_inside(powers: Monomial, number: Fraction) -> Scalar:
-    roots = {i: atoms.atom(i).arg for i, e in powers if _is_root(i) and e == 1}
+    roots = {i: atoms.atom(i).arg for i, e in powers if is_root(i) and e == 1}
     plain = {i: arg.number() for i, arg in roots.items() if arg.number() is not None}
     size = math.prod(plain.values(), start=Fraction(1))
     whole, others = Scalar(Poly({tuple(item for item in powers if item[0] not in plain): 1})), [*roots.keys() - plain.keys()]

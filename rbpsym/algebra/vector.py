@@ -91,6 +91,12 @@ class Vector:
         plain = polar(NOTHING if is_zero(x) else x, NOTHING) + polar(NOTHING if is_zero(y) else y, QUARTER)
         return plain if len(plain.parts) < len(self.parts) else self
 
+    def vanishes(self) -> bool:
+        """Whether both components are zero."""
+        from rbpsym.algebra.normal import is_zero
+
+        return is_zero(self.x) and is_zero(self.y)
+
     def derivative(self, name: str) -> Vector:
         """∂/∂(symbol), directions included."""
         return self.rate({name: UNITY})

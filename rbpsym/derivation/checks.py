@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from rbpsym.algebra import NOTHING, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol
-from rbpsym.algebra.division import vanishes_on
+from rbpsym.algebra.division import divide, vanishes_on
+from rbpsym.algebra.normal import normal
 from rbpsym.derivation.context import Context
-from rbpsym.derivation.mass import primitive
+from rbpsym.derivation.mass import angular_momentum, kinetic_energy, mass_moments, moment_about, moments_of, primitive, torque
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict, undecided
@@ -257,24 +258,18 @@ def _gained(values: Sequence[Scalar], name: str) -> list[Scalar]:
 
 def momentum_over_mass(context: Context, step: Step) -> Verdict:
     """L as ∫ r × v dm over the mass itself (`data`: "origin" Vector, "bodies", "value" Scalar)."""
-    from rbpsym.derivation.mass import angular_momentum
-
     total = sum((angular_momentum(context.study.system, b, step.data["origin"]) for b in step.data["bodies"]), NOTHING)
     return same(context, total, step.data["value"])
 
 
 def energy_over_mass(context: Context, step: Step) -> Verdict:
     """T as ½∫ v² dm over the mass itself (`data`: "bodies", "value")."""
-    from rbpsym.derivation.mass import kinetic_energy
-
     total = sum((kinetic_energy(context.study.system, b) for b in step.data["bodies"]), NOTHING)
     return same(context, total, step.data["value"])
 
 
 def moment_over_mass(context: Context, step: Step) -> Verdict:
     """I about a point as ∫ |r - p|² dm (`data`: "body", or the "elements" of a part of one, "point" local (x, y), "value")."""
-    from rbpsym.derivation.mass import moment_about, moments_of
-
     found = moments_of(step.data["elements"]) if step.data.get("elements") else _moments(context, step)
     return same(context, moment_about(found, step.data["point"]), step.data["value"])
 
@@ -286,15 +281,11 @@ def center_over_mass(context: Context, step: Step) -> Verdict:
 
 
 def _moments(context: Context, step: Step) -> tuple[Scalar, ...]:
-    from rbpsym.derivation.mass import mass_moments
-
     return mass_moments(context.study.system, step.data["body"])
 
 
 def torque_by_components(context: Context, step: Step) -> Verdict:
     """Σ (x F_y - y F_x) + couples (`data`: "forces", "origin" Vector, "value")."""
-    from rbpsym.derivation.mass import torque
-
     _use_forces(context, step)
     return same(context, torque(step.data["forces"], step.data["origin"]), step.data["value"])
 
@@ -359,9 +350,6 @@ def first_integral(context: Context, step: Step) -> Verdict:
 
 def divides(factor: Scalar, value: Scalar) -> Verdict:
     """PROVED if the factor divides the numerator, so that both vanish together."""
-    from rbpsym.algebra.division import divide
-    from rbpsym.algebra.normal import normal
-
     num, by = normal(value.num), normal(factor.num)
     common = dict(num.content()[1])
     is_there = all(common.get(index, 0) >= power for index, power in by.content()[1] if power > 0)

@@ -11,7 +11,7 @@ from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.derivation.checks import agree, difference, first_proved, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import MOTION, law_rows
-from rbpsym.derivation.mass import angular_momentum, torque
+from rbpsym.derivation.mass import angular_momentum, power, torque
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
@@ -82,8 +82,6 @@ def _velocity(system: System, body: str | None, place: Vector) -> Vector:
 
 def tension_without_power(context: Context, step: Step) -> Verdict:
     """The pulls of the tension, taken together, do no work at any moment (`data`: "tension")."""
-    from rbpsym.derivation.mass import power
-
     system, name = context.study.system, step.data["tension"]
     pulls = [force for force in system.forces if name in force.unknowns]
     return same(context, power(system, pulls), NOTHING)

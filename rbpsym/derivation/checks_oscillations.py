@@ -10,10 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import permutations, zip_longest
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, depends_on, derivative, substitute, symbol, total
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, depends_on, derivative, short, substitute, symbol, total
 from rbpsym.derivation.checks import difference, first_proved, relations, right_side, same, weakest
 from rbpsym.derivation.context import Context
-from rbpsym.derivation.entailment import short
 from rbpsym.derivation.expansion import Nearby, nearby
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Value, Vector, at_start, depends_on, rate, time_derivative, value
+from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Value, Vector, at_start, atoms, depends_on, rate, time_derivative, value
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.derivation.facts import Fact
 from rbpsym.derivation.step import Step
@@ -80,9 +80,6 @@ class Context:
 
     def body_integral(self, integrand: Scalar, body: str) -> Scalar:
         """∫ f dm for f a polynomial in the distance from the centre of mass of a body."""
-        from rbpsym.algebra import atoms
-        from rbpsym.algebra.scalar import NOTHING
-
         parts = integrand.num.by_power(atoms.intern("symbol", self.radius))
         moments = self.moments[body]
         if unknown := parts.keys() - moments:

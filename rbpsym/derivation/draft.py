@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import Scalar, Space, Vector, apart, ask_for_more, at_most, has_roots
+from rbpsym.algebra import NOTHING, Scalar, Space, Vector, apart, ask_for_more, at_most, has_roots, tidy
 from rbpsym.algebra.present import present
 from rbpsym.derivation.assertions import Said, settled, told
 from rbpsym.derivation.context import Context
@@ -197,8 +197,6 @@ class Draft:
 
     def show_vector(self, vector: Vector, *, factor: bool = False) -> t.Node:
         """x i + y j, components that vanish left out."""
-        from rbpsym.mechanics.inertia import tidy
-
         parts = [(tidy(vector.x), "x"), (tidy(vector.y), "y")]
         return t.add(*(t.mul(self.show(value, factor=factor), t.Unit(axis)) for value, axis in parts if value))
 
@@ -209,8 +207,6 @@ class Draft:
 
     def define_vector(self, name: str, value: Vector, z: Scalar | None = None) -> t.Vec:
         """Gives a vector quantity its meaning and returns its symbol."""
-        from rbpsym.algebra.scalar import NOTHING
-
         self.context.vectors[name] = Space(value, NOTHING if z is None else z)
         return t.Vec(name)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.algebra import NOTHING, Vector, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.algebra import NOTHING, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import PROVED
@@ -103,7 +103,7 @@ def acts_at_same_points(said: Said) -> bool:
     bodies = {b for premise in said.step.data["terms"] for b in premise[1].id.split(".")[1:]}
     inner = [f for f in said.system.forces if f.unknowns and f.on in bodies and f.by in bodies]
     ends = [(a, b) for a in inner for b in inner if a.name == b.name and a.on == b.by and b.on == a.by]
-    return is_without_unknowns(said) and all(vanishes(a.point - b.point) for a, b in ends if a.vector)
+    return is_without_unknowns(said) and all((a.point - b.point).vanishes() for a, b in ends if a.vector)
 
 
 def is_steady(said: Said) -> bool:
@@ -156,7 +156,7 @@ def touching_body_moves(said: Said) -> bool:
     if name is None or not is_proved(said):
         return False
     body = said.system.bodies[name]
-    return not is_zero(body.omega) or any(not is_zero(part) for part in (body.velocity.x, body.velocity.y))
+    return not (is_zero(body.omega) and body.velocity.vanishes())
 
 
 def is_turned_back(said: Said) -> bool:
@@ -180,12 +180,7 @@ def turns_about_point(said: Said) -> bool:
     origin, states = said.study.origins[said.slot("point")], said.system.bodies
     told = [states[said.slot("body")]] if "body" in said.step.slots else states.values()
     rest = [state.velocity - (state.center - origin).turned() * state.omega for state in told]
-    return is_proved(said) and all(vanishes(speed) for speed in rest)
-
-
-def vanishes(vector: Vector) -> bool:
-    """Both components are zero."""
-    return is_zero(vector.x) and is_zero(vector.y)
+    return is_proved(said) and all(speed.vanishes() for speed in rest)
 
 
 def is_orbital(said: Said) -> bool:
@@ -208,7 +203,7 @@ def is_one_place(said: Said) -> bool:
 
 def point_moves(said: Said) -> bool:
     """The point about which torques are taken is not at rest."""
-    return is_proved(said) and not vanishes(vector_rate(said.step.data["origin"], said.system.scope))
+    return is_proved(said) and not vector_rate(said.step.data["origin"], said.system.scope).vanishes()
 
 
 def all_lines_meet(said: Said) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, at_start, depends_on, is_zero, names_in
-from rbpsym.derivation.grounds import Said, is_proved, vanishes
+from rbpsym.derivation.grounds import Said, is_proved
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED
@@ -34,7 +34,7 @@ def works_cancel_as_points_move_together(said: Said) -> bool:
     for force in said.forces:
         state = said.system.bodies[force.on]
         speeds.append(state.velocity + (force.point - state.center).turned() * state.omega)
-    return works_cancel(said) and all(vanishes(speed - speeds[0]) for speed in speeds)
+    return works_cancel(said) and all((speed - speeds[0]).vanishes() for speed in speeds)
 
 
 def takes_from_centre(said: Said) -> bool:
@@ -117,7 +117,7 @@ def turns_and_moves(said: Said) -> bool:
     """There is a kinetic energy of rotation, and one of translation."""
     states = said.system.bodies.values()
     turns = any(not is_zero(state.omega * state.moment) for state in states)
-    return is_proved(said) and turns and not all(vanishes(state.velocity) for state in states)
+    return is_proved(said) and turns and not all(state.velocity.vanishes() for state in states)
 
 
 def energy_has_no_drive(said: Said) -> bool:

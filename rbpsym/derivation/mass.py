@@ -10,11 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, derivative, is_zero, remembered, substitute
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, cosine, derivative, is_zero, remembered, short, sine, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.normal import without_even_roots
-from rbpsym.derivation.entailment import short
 from rbpsym.errors import Undecided
 from rbpsym.mechanics.system import Force, System
 from rbpsym.statement.model import MassElement
@@ -89,8 +88,6 @@ def kinetic_energy(system: System, body: str) -> Scalar:
 
 
 def _frame(system: System, body: str):
-    from rbpsym.algebra.trig import cosine, sine
-
     state = system.bodies[body]
     place, angle = state.pose.origin, state.pose.angle
     c, s = cosine(angle), sine(angle)

@@ -5,115 +5,132 @@ A check shares nothing but formulas and arithmetic with the maker of the step. A
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import cache
+from importlib import import_module
 
 from rbpsym.derivation import checks as c
-from rbpsym.derivation import checks_answers as answers
-from rbpsym.derivation import checks_constraints as k
-from rbpsym.derivation import checks_oscillations as o
-from rbpsym.derivation import checks_parameters as parameters
-from rbpsym.derivation import checks_phases as p
-from rbpsym.derivation import checks_places as places
-from rbpsym.derivation import checks_solutions as solved
-from rbpsym.derivation import checks_stability as s
-from rbpsym.derivation import checks_values as values
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.duties import duties
 from rbpsym.derivation.step import Certificate, Step
 from rbpsym.derivation.view import seen_by
 from rbpsym.equality.verdict import undecided
 
-RULES: Mapping[str, tuple[c.Check, ...]] = {
-    "statement": (c.identity,),
-    "constraint": (c.identity,),
-    "no_slip": (c.identity, k.no_slip),
-    "taut": (c.identity, k.tension_without_power),
-    "tied": (c.identity, k.conditions_kept),
-    "mass_integral": (c.identity, c.integrals_by_differentiation),
-    "parallel_axis": (c.identity, c.moment_over_mass),
-    "mass_center": (c.identity, c.center_over_mass),
-    "differentiation": (c.identity, c.derivatives_by_integration),
-    "angular_momentum": (c.identity, c.momentum_over_mass),
-    "kinetic_energy": (c.identity, c.energy_over_mass),
-    "torque": (c.identity, c.torque_by_components),
-    "force": (c.identity,),
-    "potential": (c.identity, c.conservative),
-    "balance": (c.on_motion,),
-    "held": (k.kept_condition,),
-    "start_rate": (k.rate_at_start,),
-    "start_law": (k.law_at_start,),
-    "identity": (c.identity,),
-    "combination": (c.combination,),
-    "solution": (c.on_motion,),
-    "work": (c.rates,),
-    "workless": (c.rates,),
-    "power": (c.power_of_works,),
-    "work_energy": (c.rates_on_motion,),
-    "work_together": (c.rates_on_motion,),
-    "work_integral": (c.rates,),
-    "work_sum": (c.combination,),
-    "work_done": (c.rates_on_motion,),
-    "conservation": (c.identity, c.constant),
-    "energy_rate": (c.identity, c.on_motion),
-    "first_integral": (c.first_integral,),
-    "substitution": (c.along_motion,),
-    "stays": (places.stays,),
-    "rest": (o.forces_at_rest,),
-    "equilibrium": (o.place_stated, o.at_rest, s.stability_said, places.can_rest),
-    "linearization": (o.series, s.stability_said),
-    "open_balance": (o.force_vanishes,),
-    "open_ends": (c.identity, o.force_at_ends),
-    "open_linear": (o.series_in_balance,),
-    "linear_system": (o.linear_rows,),
-    "minors": (o.positive_minors,),
-    "secular": (o.secular,),
-    "normal_modes": (c.identity, o.characteristic),
-    "mode_shape": (c.identity, o.mode_shape),
-    "polynomial": (o.polynomial,),
-    "rate_of_mode": (c.identity, o.rate_of_mode),
-    "motion_of_mode": (c.identity, o.motion_of_mode),
-    "critical": (c.identity, o.critical),
-    "hurwitz": (c.identity, o.hurwitz),
-    "asked": (places.has_sign_of_force,),
-    "vanishing": (c.vanishing, c.holds_there, places.comes_first),
-    "value_there": (c.identity, c.value_there),
-    "value_then": (values.value_then,),
-    "direction": (values.direction,),
-    "value_told": (values.value_told,),
-    "value_along": (values.value_along,),
-    "vanishes_for": (parameters.place_told, parameters.vanishes_there),
-    "holds_for": (parameters.bound_told, parameters.bounds_hold),
-    "extreme": (parameters.extreme_told, parameters.extreme_there),
-    "approached": (parameters.approached,),
-    "limit": (parameters.limit_told, parameters.tends_to),
-    "put_in": (answers.put_in,),
-    "no_change": (answers.no_change,),
-    "changes": (answers.changes,),
-    "kept_or_not": (answers.kept_or_not,),
-    "least_on_way": (answers.least_on_way,),
-    "one_zero": (answers.one_zero,),
-    "greatest_of": (answers.greatest_of,),
-    "course": (solved.course,),
-    "reached_in_time": (c.identity, solved.reached),
-    "speed_along": (solved.speed_along,),
-    "swing": (c.identity, solved.swing),
-    "kept_speed": (values.kept_speed,),
-    "followed": (values.followed,),
-    "steady_place": (values.steady_place,),
-    "steady_frequency": (c.identity, values.steady_frequency),
-    "feature": (c.identity, solved.feature),
-    "inequality": (c.identity,),
-    "slip": (c.identity, p.slip),
-    "event_time": (c.identity, p.reached_then, p.first_then),
-    "event_place": (c.identity, p.reached_there, p.first_there),
-    "kept_until": (c.identity, k.kept_until),
-    "end_state": (c.identity, p.state_then),
-    "jump": (c.on_motion, k.momenta_kept),
-    "impulse": (c.on_motion, p.momentum_jump),
-    "restitution": (c.on_motion, p.parting),
-    "energy_jump": (c.on_motion, p.energy_jump),
+# rule -> its checks, each with the module `checks_…` in which it stands (without one: `checks`)
+CHECKED: Mapping[str, str] = {
+    "statement": "identity",
+    "constraint": "identity",
+    "no_slip": "identity constraints.no_slip",
+    "taut": "identity constraints.tension_without_power",
+    "tied": "identity constraints.conditions_kept",
+    "mass_integral": "identity integrals_by_differentiation",
+    "parallel_axis": "identity moment_over_mass",
+    "mass_center": "identity center_over_mass",
+    "differentiation": "identity derivatives_by_integration",
+    "angular_momentum": "identity momentum_over_mass",
+    "kinetic_energy": "identity energy_over_mass",
+    "torque": "identity torque_by_components",
+    "force": "identity",
+    "potential": "identity conservative",
+    "balance": "on_motion",
+    "held": "constraints.kept_condition",
+    "start_rate": "constraints.rate_at_start",
+    "start_law": "constraints.law_at_start",
+    "identity": "identity",
+    "combination": "combination",
+    "solution": "on_motion",
+    "work": "rates",
+    "workless": "rates",
+    "power": "power_of_works",
+    "work_energy": "rates_on_motion",
+    "work_together": "rates_on_motion",
+    "work_integral": "rates",
+    "work_sum": "combination",
+    "work_done": "rates_on_motion",
+    "conservation": "identity constant",
+    "energy_rate": "identity on_motion",
+    "first_integral": "first_integral",
+    "substitution": "along_motion",
+    "stays": "places.stays",
+    "rest": "oscillations.forces_at_rest",
+    "equilibrium": "oscillations.place_stated oscillations.at_rest stability.stability_said places.can_rest",
+    "linearization": "oscillations.series stability.stability_said",
+    "open_balance": "oscillations.force_vanishes",
+    "open_ends": "identity oscillations.force_at_ends",
+    "open_linear": "oscillations.series_in_balance",
+    "linear_system": "oscillations.linear_rows",
+    "minors": "oscillations.positive_minors",
+    "secular": "oscillations.secular",
+    "normal_modes": "identity oscillations.characteristic",
+    "mode_shape": "identity oscillations.mode_shape",
+    "polynomial": "oscillations.polynomial",
+    "rate_of_mode": "identity oscillations.rate_of_mode",
+    "motion_of_mode": "identity oscillations.motion_of_mode",
+    "critical": "identity oscillations.critical",
+    "hurwitz": "identity oscillations.hurwitz",
+    "asked": "places.has_sign_of_force",
+    "vanishing": "vanishing holds_there places.comes_first",
+    "value_there": "identity value_there",
+    "value_then": "values.value_then",
+    "direction": "values.direction",
+    "value_told": "values.value_told",
+    "value_along": "values.value_along",
+    "vanishes_for": "parameters.place_told parameters.vanishes_there",
+    "holds_for": "parameters.bound_told parameters.bounds_hold",
+    "extreme": "parameters.extreme_told parameters.extreme_there",
+    "approached": "parameters.approached",
+    "limit": "parameters.limit_told parameters.tends_to",
+    "put_in": "answers.put_in",
+    "no_change": "answers.no_change",
+    "changes": "answers.changes",
+    "kept_or_not": "answers.kept_or_not",
+    "least_on_way": "answers.least_on_way",
+    "one_zero": "answers.one_zero",
+    "greatest_of": "answers.greatest_of",
+    "course": "solutions.course",
+    "reached_in_time": "identity solutions.reached",
+    "speed_along": "solutions.speed_along",
+    "swing": "identity solutions.swing",
+    "kept_speed": "values.kept_speed",
+    "followed": "values.followed",
+    "steady_place": "values.steady_place",
+    "steady_frequency": "identity values.steady_frequency",
+    "feature": "identity solutions.feature",
+    "inequality": "identity",
+    "slip": "identity phases.slip",
+    "event_time": "identity phases.reached_then phases.first_then",
+    "event_place": "identity phases.reached_there phases.first_there",
+    "kept_until": "identity constraints.kept_until",
+    "end_state": "identity phases.state_then",
+    "jump": "on_motion constraints.momenta_kept",
+    "impulse": "on_motion phases.momentum_jump",
+    "restitution": "on_motion phases.parting",
+    "energy_jump": "on_motion phases.energy_jump",
 }
+
+
+class Rules(Mapping[str, tuple[c.Check, ...]]):
+    """The checks of each rule; a module of checks is loaded when a rule asks for it."""
+
+    def __getitem__(self, rule: str) -> tuple[c.Check, ...]:
+        return tuple(map(_check, CHECKED[rule].split()))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(CHECKED)
+
+    def __len__(self) -> int:
+        return len(CHECKED)
+
+
+@cache
+def _check(name: str) -> c.Check:
+    module, _, function = name.rpartition(".")
+    found: c.Check = getattr(import_module(f"rbpsym.derivation.checks_{module}" if module else c.__name__), function)
+    return found
+
+
+RULES = Rules()
 
 
 def certify(context: Context, step: Step) -> Certificate:

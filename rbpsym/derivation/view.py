@@ -14,8 +14,7 @@ from functools import cached_property
 from typing import Any
 from weakref import proxy
 
-from rbpsym.algebra import EX, EY, Scalar, Scope, Space, Value, depends_on, names_in, substitute, symbol, value
-from rbpsym.algebra.exponentials import with_squares
+from rbpsym.algebra import EX, EY, Scalar, Scope, Space, Value, depends_on, names_in, substitute, symbol, value, with_squares
 from rbpsym.algebra.modular import NoImage
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import Known, Row, cofactors, known_by, used_by_numbers

@@ -23,6 +23,7 @@ from rbpsym.equality.domain import Condition, conditions, holds_at, obligations
 from rbpsym.equality.enclosure import Number
 from rbpsym.equality.points import Point, all_atoms, points
 from rbpsym.equality.poles import pole
+from rbpsym.equality.radicals import vanishes
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, Witness, all_of, proved, refuted, undecided
@@ -144,8 +145,6 @@ def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: tuple[Condit
 
 
 def _with_functions(difference: Scalar, assumptions: Assumptions, *, deep: bool) -> str:
-    from rbpsym.equality.radicals import vanishes
-
     return vanishes(difference, assumptions, deep=deep)
 
 

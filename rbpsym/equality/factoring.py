@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 
-from rbpsym.algebra import Poly, accumulate, atoms, generator, reduce_roots, reduce_squares
+from rbpsym.algebra import Poly, accumulate, atoms, factors, generator, reduce_roots, reduce_squares
 from rbpsym.errors import LimitError
 
 Factors = dict[Poly, int]
@@ -51,8 +51,6 @@ def split(poly: Poly, deep: bool) -> tuple[Fraction, tuple[tuple[Poly, int], ...
 
 @lru_cache(maxsize=512)
 def _factor_list(poly: Poly) -> tuple[Fraction, tuple[tuple[Poly, int], ...]]:
-    from rbpsym.algebra.ring import factors
-
     if len(poly) > MOST_TERMS:
         raise LimitError("a radicand is too large to be factored")
     coefficient, found = factors(poly)

@@ -78,14 +78,10 @@ def faults(node: t.Node, dimensions: Dimensions) -> int:
 
 
 def _is_faulty(node: t.Node, dimensions: Dimensions) -> bool:
-    if not _is_known(node, dimensions):
+    if not all(name == "pi" or name in dimensions for name in t.names(node)):
         return False
     try:
         dimension_of(node, dimensions)
     except DimensionError:
         return True
     return False
-
-
-def _is_known(node: t.Node, dimensions: Dimensions) -> bool:
-    return all(name == "pi" or name in dimensions for name in t.names(node))

@@ -12,7 +12,7 @@ from math import isqrt
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import ONE, UNIT, Bases, Coefficient, Monomial, Poly, Scalar, atoms, bases_of, has_roots, inside
-from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.roots import is_root, without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.constants import is_zero_form
 from rbpsym.equality.factoring import NONZERO, ZERO, cleared, reduced, split
@@ -141,7 +141,7 @@ class Denested:
 def denested(reading: Reading, coefficient: Fraction, found: Factors) -> Denested | None:
     """The root of a factor with a root inside, if it can be written without nesting."""
     for factor, k in found.items():
-        if k % 2 and len(factor) > 1 and any(_is_root(index) for index in factor.atoms()):
+        if k % 2 and len(factor) > 1 and any(is_root(index) for index in factor.atoms()):
             others = {f: e for f, e in found.items() if f != factor} | {factor: k - 1}
             signs = [reading.sign(f) for f, e in others.items() if e % 2]
             image = _root_of(reading, factor.scaled(coefficient)) if -1 not in signs else None
@@ -150,16 +150,12 @@ def denested(reading: Reading, coefficient: Fraction, found: Factors) -> Deneste
     return None
 
 
-def _is_root(index: int) -> bool:
-    return atoms.atom(index).kind == "root"
-
-
 def _parts(poly: Poly) -> dict[Monomial, Poly]:
     """The terms by their product of roots."""
     parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
     for m, c in poly.terms.items():
-        roots = tuple(item for item in m if _is_root(item[0]))
-        parts.setdefault(roots, {})[tuple(item for item in m if not _is_root(item[0]))] = c
+        roots = tuple(item for item in m if is_root(item[0]))
+        parts.setdefault(roots, {})[tuple(item for item in m if not is_root(item[0]))] = c
     return {roots: Poly(terms) for roots, terms in parts.items()}
 
 

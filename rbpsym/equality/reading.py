@@ -18,6 +18,7 @@ from rbpsym.algebra.normal import turn, turned
 from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import Factors, cleared, divisor, primes, reduced, split
+from rbpsym.equality.inverses import inverse_image, turn_of_inverse
 from rbpsym.equality.signs import sign
 from rbpsym.errors import Undecided
 from rbpsym.frozen import dataclass, field
@@ -224,8 +225,6 @@ def _turn_of(reading: Reading, angle: Poly) -> Turn:
 
 
 def _base(reading: Reading, m: Monomial, parts: int) -> Turn:
-    from rbpsym.equality.inverses import turn_of_inverse
-
     known = turn_of_inverse(reading, m, parts)
     if known is not None:
         return known
@@ -239,8 +238,6 @@ def _base(reading: Reading, m: Monomial, parts: int) -> Turn:
 
 def _of_inverse(kind: str) -> Callable[[Reading, Scalar], Poly]:
     def image(reading: Reading, arg: Scalar) -> Poly:
-        from rbpsym.equality.inverses import inverse_image
-
         return inverse_image(reading, kind, arg)
 
     return image

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import ONE, Poly, Scalar, atoms, generator, inverse, is_exponential, quotient
 from rbpsym.algebra import ZERO as ZERO_POLY
 from rbpsym.algebra.normal import normal, partner, substitute, without_squares
+from rbpsym.algebra.ring import factors
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality import bounds as b
 from rbpsym.equality import enclosure
@@ -214,10 +215,8 @@ def _are_opposite(study: Study, a: Scalar, b: Scalar) -> bool:
 
 def _by_factors(study: Study, poly: Poly) -> int:
     """The product of the signs of irreducible factors."""
-    if not study.factoring or len(poly) < 2 or _is_linear(poly):
+    if not study.factoring or len(poly) < 2 or all(sum(abs(exponent) for _, exponent in m) < 2 for m in poly.terms):
         return ANY
-    from rbpsym.algebra.ring import factors
-
     _, powers = poly.content()
     coefficient, found = factors(poly.scaled(1, inverse(powers)))
     odd = (factor for factor, exponent in found if exponent % 2)
@@ -227,10 +226,6 @@ def _by_factors(study: Study, poly: Poly) -> int:
     for factor, exponent in found:
         mask = times(mask, power(study.poly(factor), exponent))
     return mask
-
-
-def _is_linear(poly: Poly) -> bool:
-    return all(sum(abs(exponent) for _, exponent in m) < 2 for m in poly.terms)
 
 
 QUICK: tuple[Rule, ...] = ((_by_terms, "all terms have this sign"), (_by_number, "it is a number"))

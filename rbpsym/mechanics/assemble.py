@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
+from rbpsym.algebra.present import present
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS
@@ -18,6 +19,7 @@ from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.placing import locator, open_names, poses, still_open
 from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
 from rbpsym.mechanics.tying import Tied, tie
+from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Node
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Problem
@@ -121,14 +123,7 @@ def _refuse_frozen(problem: Problem, implicit: tuple[Condition, ...], free: tupl
         used = [name for name in free if depends_on(condition.value, name)]
         if len(used) < (1 if depends_on(condition.value, CLOCK) else 2):
             element = next(e for e in problem.constraints if e.name == condition.constraint)
-            raise contradiction(condition, element, _text(condition.value))
-
-
-def _text(value: Scalar) -> str:
-    from rbpsym.algebra.present import present
-    from rbpsym.notation.machine import to_machine
-
-    return to_machine(present(value))
+            raise contradiction(condition, element, to_machine(present(condition.value)))
 
 
 def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) -> tuple[Scope, tuple[str, ...]]:

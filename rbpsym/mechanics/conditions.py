@@ -8,18 +8,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, has_roots, is_zero, short, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
-from rbpsym.algebra.normal import has_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, StatementError
 from rbpsym.mechanics.constraints import JOINTS
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import Condition, Force, Pose
 from rbpsym.statement.model import Coordinate, Element, Problem
 from rbpsym.statement.premises import declared
@@ -106,7 +105,7 @@ def _meeting(element: Element, first, second: Vector, where: Callable, problem: 
     """Two points in one place; a pivot without a place holds its point where the pose has it."""
     if first is None:
         moving = [c.name for c in problem.coordinates if second.derivative(c.name)]
-        if moving and not _is_still(second, moving):
+        if not all(second.derivative(name).vanishes() for name in moving):
             raise StatementError(
                 f"the pivot “{element.name}” holds {element['point'].label}, but in the given pose that "
                 f"point moves with {moving[0]}",
@@ -118,11 +117,6 @@ def _meeting(element: Element, first, second: Vector, where: Callable, problem: 
     if not difference:
         return [Condition(element.name, NOTHING, what) for what in "xy"]
     return [Condition(element.name, difference.x, "x"), Condition(element.name, difference.y, "y")]
-
-
-def _is_still(point: Vector, moving: list[str]) -> bool:
-    rates = [point.derivative(name) for name in moving]
-    return all(is_zero(rate.x) and is_zero(rate.y) for rate in rates)
 
 
 def _turned(join, placed: Mapping[str, Pose], problem: Problem) -> Scalar:
@@ -175,8 +169,6 @@ def _names_in(value: Scalar, names: tuple[str, ...]) -> list[str]:
 def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | None:
     """Where a condition on one coordinate of several holds it: the zero that is nearest to 0 of those
     that its range allows, or its start if it has one. None if it does not hold there."""
-    from rbpsym.mechanics.roots import zeros
-
     used = _names_in(value, names)
     coordinate = next((c for c in problem.coordinates if [c.name] == used), None)
     if coordinate is not None and coordinate.start is None and depends_on(value, CLOCK):
@@ -194,8 +186,6 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
 def _driven(value: Scalar, coordinate: Coordinate, given: Assumptions) -> Scalar | None:
     """Where a condition that runs with the time puts a coordinate: the only zero that may lie in its range. None if that
     is not decided."""
-    from rbpsym.mechanics.roots import zeros
-
     ends = [(scalar(end), side) for end, side in ((coordinate.lower, 1), (coordinate.upper, -1)) if end is not None]
     is_length = bool(coordinate.quantity.dimension.length)  # an angle comes back after each turn: both ends tell which is meant
     found = zeros(value, coordinate.name) if len(ends) == 2 or (ends and is_length) else []

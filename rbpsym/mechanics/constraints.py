@@ -13,7 +13,7 @@ from rbpsym.frozen import dataclass
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import couples, curve_gaps, holding_forces, meeting, meshing_force, normal_forces, taken
 from rbpsym.mechanics.geometry import Geometry, pair
-from rbpsym.mechanics.system import Force, rotated
+from rbpsym.mechanics.system import Force, opposed, rotated
 from rbpsym.statement.curves import toucher
 from rbpsym.statement.model import Element, Line, PointRef
 
@@ -87,13 +87,8 @@ def _pair_of_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """
     first, second = element["points"]
     vector, names = unknown(element)
-    if second.body is None:
-        first, second = second, first
-    name, at = element.name, geometry.where
-    forces = [Force(name, second.body, first.body or "ground", at(second), vector, unknowns=names, where=second.label)]
-    if first.body is not None:
-        forces.append(Force(name, first.body, second.body, at(first), -vector, unknowns=names, where=first.label))
-    return tuple(forces)
+    ends = ((ref.body, geometry.where(ref), ref.label) for ref in ((first, second) if second.body is None else (second, first)))
+    return opposed(element.name, *ends, vector, unknowns=names)
 
 
 def _weld_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
@@ -150,13 +145,9 @@ def _driven_along(element: Element, geometry: Geometry) -> Vector:
 
 def _driving_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """On the point; the opposite one on the body along which it is driven, if there is one."""
-    ref, of, push = element["point"], element["of"], _driven_along(element, geometry) * symbol(element.name)
-    ends = ((ref.body, of or "agent", push), (of, ref.body, -push))
-    return tuple(
-        Force(element.name, on, by, geometry.where(ref), vector, unknowns=(element.name,), where=ref.label)
-        for on, by, vector in ends
-        if on
-    )
+    ref, push = element["point"], _driven_along(element, geometry) * symbol(element.name)
+    ends = ((body, geometry.where(ref), ref.label) for body in (ref.body, element["of"]))
+    return opposed(element.name, *ends, push, outside="agent", unknowns=(element.name,))
 
 
 def _driven_angles(element: Element) -> tuple[AngleJoin, ...]:

@@ -9,13 +9,27 @@ Kleppner & Kolenkow 2.5 and 7.6; Meriam & Kraige, Dynamics, 6/4.
 
 from __future__ import annotations
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, Vector, atoms, cartesian, derivative, is_zero, root, substitute, symbol
+from rbpsym.algebra import (
+    NOTHING,
+    ORIGIN,
+    UNITY,
+    Poly,
+    Scalar,
+    Vector,
+    atoms,
+    cartesian,
+    derivative,
+    is_zero,
+    root,
+    substitute,
+    symbol,
+)
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import tidy
 from rbpsym.errors import StatementError
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import Geometry, components, normal
-from rbpsym.mechanics.system import Force, rotated
+from rbpsym.mechanics.system import Force, opposed, rotated
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Curve, Element, PointRef
 
@@ -198,13 +212,8 @@ def _there(value: Scalar, curve: Curve, here: Vector) -> Scalar:
 
 def _pair(element: Element, name: str, met: Meeting, vector: Vector, unknowns: tuple[str, ...]) -> tuple[Force, ...]:
     """The force on what touches, and the opposite one on the body of the curve."""
-    ends = ((met.on, met.by, vector), (met.by, met.on, -vector))
     label = touching_point(element).label if "point" in element.values else element["body"]
-    return tuple(
-        Force(name, on, by or "ground", met.place, push, unknowns=unknowns, where=label)
-        for on, by, push in ends
-        if on is not None
-    )
+    return opposed(name, (met.on, met.place, label), (met.by, met.place, label), vector, unknowns=unknowns)
 
 
 def couples(name: str, on: str | None, by: str | None, outer: str, geometry: Geometry) -> tuple[Force, ...]:
@@ -212,12 +221,8 @@ def couples(name: str, on: str | None, by: str | None, outer: str, geometry: Geo
 
     It is an entry of its own: the force that acts beside it has its torque, and its work, for itself.
     """
-    ends = ((on, by, symbol(name)), (by, on, -symbol(name)))
-    return tuple(
-        Force(name, body, other or outer, geometry.center(body), couple=turn, unknowns=(name,), where=f"{body}.cm")
-        for body, other, turn in ends
-        if body is not None
-    )
+    ends = ((body, ORIGIN if body is None else geometry.center(body), f"{body}.cm") for body in (on, by))
+    return opposed(name, *ends, couple=symbol(name), outside=outer, unknowns=(name,))
 
 
 def normal_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, names_in, substitute, symbol, total
+from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, names_in, short, substitute, symbol, total
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable
 from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics import slipping, solutions
-from rbpsym.mechanics.elimination import Matrix, determinant, short, solve_linear, solve_matrix
+from rbpsym.mechanics.elimination import Matrix, determinant, solve_linear, solve_matrix
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.roots import numerator_factors

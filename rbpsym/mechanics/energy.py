@@ -9,6 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.errors import LimitError
@@ -82,8 +83,6 @@ def is_conserved(system: System, dynamics: Dynamics, value: Scalar) -> bool | No
 
     The rate of an energy is the power of M q̈ - f, Σ q̇ (M q̈ - f), which needs no solution.
     """
-    from rbpsym.algebra.evaluate import time_derivative
-
     rate = time_derivative(value, system.scope)
     if is_zero(rate - _power(system, dynamics)):
         return True

@@ -10,14 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, substitute
+from rbpsym.algebra import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, short, substitute
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.system import System

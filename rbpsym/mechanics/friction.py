@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, substitute
+from rbpsym.algebra import NOTHING, Scalar, short, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.interactions import resisted_by
 from rbpsym.mechanics.placing import locator

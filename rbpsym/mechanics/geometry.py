@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root
+from rbpsym.algebra import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NoNumber, StatementError
 from rbpsym.frozen import dataclass, field
-from rbpsym.mechanics.inertia import Inertia, tidy
+from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import BodyState, Pose, at_point
 from rbpsym.statement.model import Body, Element, Line, PointRef, Problem

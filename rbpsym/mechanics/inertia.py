@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, cosine, sine
+from rbpsym.algebra import NOTHING, UNITY, Scalar, cosine, sine, tidy
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import tidy
 from rbpsym.frozen import dataclass
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Body, MassElement, PlacedShape, Shape

@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
 from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.geometry import no_direction, pair
-from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.resistance import Resisted, resisted
-from rbpsym.mechanics.system import BodyState, Force, rotated
+from rbpsym.mechanics.system import BodyState, Force, opposed, rotated
 from rbpsym.notation.tree import ONE
 from rbpsym.statement.model import Element, PointRef
 
@@ -85,13 +84,8 @@ def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
 
 def _ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]:
     """The pull on the first end (towards the second) and its opposite on the second."""
-    first, second = element["between"]
-    ends = ((first, second, pull), (second, first, -pull))
-    return tuple(
-        Force(element.name, ref.body, other.body or "ground", setting.where(ref), vector, law=element.kind, where=ref.label)
-        for ref, other, vector in ends
-        if ref.body is not None
-    )
+    ends = ((ref.body, setting.where(ref), ref.label) for ref in element["between"])
+    return opposed(element.name, *ends, pull, law=element.kind)
 
 
 def _spring(element: Element, setting: Setting) -> tuple[Force, ...]:

@@ -219,8 +219,6 @@ def _value(system: System, parts: Mapping[str, Scalar], reactions, squares) -> S
 
 
 def _of_one(value: Scalar, name: str, system: System) -> bool:
-    from rbpsym.algebra.calculus import depends_on
-
     return not any(depends_on(value, other) for other in (*system.coordinates, "t") if other != name)
 
 

@@ -9,13 +9,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, Scalar, derivative, function, is_zero, names_in, root, substitute
-from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra import NOTHING, Scalar, derivative, function, is_zero, names_in, root, short, substitute, without_even_roots
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import StatementError
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand, existence, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium, where_stable
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study

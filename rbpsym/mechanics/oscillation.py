@@ -16,7 +16,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, derivative, is_zero, root, substitute, symbol, total
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, derivative, is_zero, root, short, substitute, symbol, total
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of, rooted
 from rbpsym.equality.signs import sign
@@ -24,7 +25,8 @@ from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.elimination import Matrix, determinant, short, solve_rows
+from rbpsym.mechanics.elimination import Matrix, determinant, solve_rows
+from rbpsym.mechanics.energy import potentials
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.roots import numerator_factors
@@ -188,9 +190,6 @@ def is_symmetric(matrix: Matrix) -> bool:
 
 def gains_nothing(system: System, dynamics: Dynamics, assumptions: Assumptions) -> bool:
     """Whether the energy (relative to driven supports: Jacobi's integral) is kept or taken away by dampers alone."""
-    from rbpsym.algebra.evaluate import scalar
-    from rbpsym.mechanics.energy import potentials
-
     without = {name for name, energy in potentials(system).items() if energy is None}
     others = [element for element in system.problem.interactions if element.name in without]
     losses = (e.kind in DAMPERS and sign(scalar(e["coefficient"]), assumptions).is_nonnegative for e in others)

@@ -10,17 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, Style, depends_on, is_zero, names_in, symbol
+from rbpsym.algebra import NOTHING, Scalar, Style, depends_on, is_zero, names_in, short, symbol, without_even_roots
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike

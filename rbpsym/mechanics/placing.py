@@ -130,16 +130,12 @@ def _follow_lines(problem: Problem, inertias: Inertias, angles, origins: dict[st
         if body.name in origins:
             continue
         touches = [t for e in problem.constraints for t in JOINTS[e.kind].touches(e) if t.point.body == body.name]
-        for touch, other in _pairs(touches):
+        for touch, other in [(a, b) for k, a in enumerate(touches) for b in touches[k + 1 :]]:
             rows = [_row(t, body, inertias, angles) for t in (touch, other)]
             origin = _intersection(*rows)
             if origin is not None:
                 origins[body.name] = origin
                 break
-
-
-def _pairs(items: list) -> list[tuple]:
-    return [(a, b) for k, a in enumerate(items) for b in items[k + 1 :]]
 
 
 def _row(touch, body: Body, inertias: Inertias, angles) -> tuple[Scalar, Scalar, Scalar]:
@@ -187,21 +183,15 @@ def origins(system: System) -> dict[str, Vector]:
     for element in system.problem.constraints:
         if element.kind == "pivot":
             place = where(element["point"])
-            if is_fixed(place, system) and not any(_same(place, other) for other in found.values()):
+            if is_fixed(place, system) and not any((place - other).vanishes() for other in found.values()):
                 found[letters.free(f"P_{element.name}", taken=letters.things)] = place
     for name, ref in system.problem.origins.items():
         place = pair(ref.at) if ref.body is None else where(ref)
-        if is_fixed(place, system) and not any(_same(place, other) for other in found.values()):
+        if is_fixed(place, system) and not any((place - other).vanishes() for other in found.values()):
             found[name] = place
     return found
 
 
 def is_fixed(place: Vector, system: System) -> bool:
     """Whether a place does not move."""
-    rates = [place.derivative(name) for name in (*system.coordinates, "t")]
-    return all(is_zero(rate.x) and is_zero(rate.y) for rate in rates)
-
-
-def _same(a: Vector, b: Vector) -> bool:
-    difference = a - b
-    return is_zero(difference.x) and is_zero(difference.y)
+    return all(place.derivative(name).vanishes() for name in (*system.coordinates, "t"))

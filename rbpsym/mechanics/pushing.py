@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, substitute, time_derivative
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.algebra.present import present
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import resistances, slips, spare
 from rbpsym.mechanics.numbers import floating, sample, samples

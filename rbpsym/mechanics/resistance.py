@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rbpsym.algebra import UNITY, Scalar, Vector, depends_on, root, substitute, symbol
+from rbpsym.algebra import UNITY, Scalar, Vector, depends_on, is_zero, root, substitute, symbol, tidy
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero, tidy
 from rbpsym.errors import StatementError
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import pair

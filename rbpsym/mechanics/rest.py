@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, short, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
@@ -13,7 +13,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.elimination import Matrix, determinant, short
+from rbpsym.mechanics.elimination import Matrix, determinant
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import spare, stops
 from rbpsym.mechanics.roots import common_zeros

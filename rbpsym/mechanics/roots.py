@@ -270,15 +270,11 @@ def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spr
     found: list[dict[str, Scalar]] = []
     left: list[Scalar] = []
     for factor in factors_in(value, *open_):
-        solved = ((name, _plain_zeros(factor, name, names)) for name in open_)
+        solved = ((name, [root for root in zeros(factor, name) if _is_plain_in(root, names)]) for name in open_)
         name, roots = next((item for item in solved if item[1]), ("", []))
         found += [{name: place} for root in roots for place in spread(name, root, period(factor, name))]
         left += [] if roots else [factor]
     return found, left
-
-
-def _plain_zeros(factor: Scalar, name: str, names: Sequence[str]) -> list[Scalar]:
-    return [root for root in zeros(factor, name) if _is_plain_in(root, names)]
 
 
 def _is_plain_in(value: Scalar, names: Sequence[str]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.demands import Demand, settle

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
-from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra import depends_on, derivative, names_in, short, substitute, without_even_roots
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.solutions import TIME, Course, Given
 from rbpsym.mechanics.solved import time_to

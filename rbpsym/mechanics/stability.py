@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra import UNITY, Scalar, atoms, generator, is_zero, name_of, with_root_taken_out
+from rbpsym.algebra import UNITY, Scalar, generator, is_zero, name_of, short, with_root_taken_out
+from rbpsym.algebra.normal import is_root_of_number
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
-from rbpsym.mechanics.elimination import Matrix, determinant, short
+from rbpsym.mechanics.elimination import Matrix, determinant
 from rbpsym.mechanics.roots import numerator_factors
 
 
@@ -59,13 +60,8 @@ def open_factors(value: Scalar, assumptions: Assumptions) -> list[Scalar]:
 
 def _primitive(value: Scalar) -> Scalar:
     """Without a common number, be it a root: √2 a - 2 b + √2 b as a - √2 b + b, by a term that no other is a multiple of."""
-    plain = [(sorted((name_of(i), e) for i, e in m if not _is_root_of_number(i)), m) for m in value.num.terms]
+    plain = [(sorted((name_of(i), e) for i, e in m if not is_root_of_number(i)), m) for m in value.num.terms]
     single = [(key, m) for key, m in plain if sum(key == other for other, _ in plain) == 1]
-    for index in (i for i, _ in max(single)[1] if _is_root_of_number(i)) if single else ():
+    for index in (i for i, _ in max(single)[1] if is_root_of_number(i)) if single else ():
         value = short(value * Scalar(generator(index)))
     return Scalar(value.num.scaled(1 / abs(Fraction(value.num.content()[0]))), value.den)
-
-
-def _is_root_of_number(index: int) -> bool:
-    found = atoms.atom(index)
-    return found.kind == "root" and found.arg.number() is not None

@@ -8,12 +8,11 @@ Kleppner & Kolenkow 2.4, 7.6.
 
 from __future__ import annotations
 
-from rbpsym.algebra import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol
+from rbpsym.algebra import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import Geometry, no_direction
-from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import Force
 from rbpsym.statement.model import Element, Turn
 from rbpsym.statement.paths import runs, tensions

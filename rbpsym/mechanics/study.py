@@ -28,6 +28,7 @@ from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.instant import Instant, has_start
+from rbpsym.mechanics.placing import origins
 from rbpsym.mechanics.system import Condition, System
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.notation.tree import Fn, Sym, walk
@@ -277,8 +278,6 @@ class Study:
     @kept
     def origins(self) -> dict[str, Vector]:
         """Fixed points about which momenta are taken: O, pivots, and those that the author names."""
-        from rbpsym.mechanics.placing import origins
-
         return origins(self.system)
 
     def on_motion(self, value: Scalar) -> Scalar:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Scope, Vector, kept, substitute, time_derivative
+from rbpsym.algebra import NOTHING, ORIGIN, QUARTER, Scalar, Scope, Vector, kept, substitute, time_derivative
+from rbpsym.algebra.vector import vector_sum
 from rbpsym.frozen import dataclass, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem
@@ -65,6 +67,21 @@ class Force:
     def torque(self, origin: Vector) -> Scalar:
         """Its torque about a point, the couple included, counter-clockwise positive."""
         return (self.point - origin).cross(self.vector) + self.couple
+
+
+End = tuple[str | None, Vector, str]  # a body (None: what is outside), a place, the name of that place
+
+
+def opposed(
+    name: str, first: End, second: End, vector: Vector = ORIGIN, couple: Scalar = NOTHING, outside: str = "ground", **told: Any
+) -> tuple[Force, ...]:
+    """A force and a couple on the body of the first end, and their opposites on that of the second."""
+    ends = ((first, second, vector, couple), (second, first, -vector, -couple))
+    return tuple(
+        Force(name, on, by or outside, place, push, turn, where=where, **told)
+        for (on, place, where), (by, _, _), push, turn in ends
+        if on is not None
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,8 +184,6 @@ def _names_of(element: Element) -> tuple[str, ...]:
 
 def rotated(x: Scalar, y: Scalar, angle: Scalar) -> Vector:
     """The vector (x, y) of a body frame in space."""
-    from rbpsym.algebra.vector import QUARTER, vector_sum
-
     return vector_sum(((x, angle), (y, angle + QUARTER)))
 
 

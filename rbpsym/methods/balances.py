@@ -56,14 +56,10 @@ ONLY_SHIFTED = -0.2  # mass times acceleration of bodies that do not turn
 def all_balances(study: Study) -> list[Balance]:
     """Every balance of the kinds above, cheapest first."""
     found: list[Balance] = []
-    for bodies in _sets(study.system):
+    for bodies in connected_sets(tuple(study.system.bodies), {(force.on, force.by) for force in study.system.forces}):
         found += _torques(study, bodies)
         found += _pushes(study, bodies)
     return sorted(found, key=lambda b: b.cost)
-
-
-def _sets(system: System) -> Iterator[tuple[str, ...]]:
-    return connected_sets(tuple(system.bodies), {(force.on, force.by) for force in system.forces})
 
 
 def outer_forces(system: System, bodies: tuple[str, ...]) -> list[Force]:
@@ -128,7 +124,7 @@ def _keeps_distance(state: BodyState, point: Vector) -> bool:
 def _joint_points(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Vector]]:
     """Points that move, where an unknown force acts on the set from outside."""
     for force in outer_forces(study.system, bodies):
-        if force.unknowns and force.vector and not any(_same(force.point, place) for place in study.origins.values()):
+        if force.unknowns and force.vector and not any((force.point - place).vanishes() for place in study.origins.values()):
             yield force.where, force.point
 
 
@@ -148,11 +144,6 @@ def _crossing(a: Force, b: Force) -> Vector | None:
         return None
     step = (b.point - a.point).cross(b.vector) / slope
     return (a.point + a.vector * step).settled()
-
-
-def _same(a: Vector, b: Vector) -> bool:
-    difference = a - b
-    return is_zero(difference.x) and is_zero(difference.y)
 
 
 def _pushes(study: Study, bodies: tuple[str, ...]) -> Iterator[Balance]:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, short, substitute, symbol
-from rbpsym.algebra.normal import tidy
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, short, substitute, symbol, tidy
 from rbpsym.derivation.chapters import momentum
 from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft

@@ -36,7 +36,7 @@ def write(draft: Draft, works: tuple[ForceWork, ...]) -> None:
             _cancelling(draft, name, items, terms)
         elif is_dissipative(draft, name):
             _dissipated(draft, name, items, terms)
-        elif len(terms) > 1 and _unknown(draft, name):
+        elif len(terms) > 1 and any(force.unknowns for force in draft.study.system.named(name)):
             _handed_on(draft, name, items, terms)
 
 
@@ -48,10 +48,6 @@ def work_symbols(draft: Draft, items: list[ForceWork]) -> Iterator[t.Sym]:
         for half, word in HALVES:
             if getattr(item, word).parts:
                 yield t.Sym(name_of(draft, item, half))
-
-
-def _unknown(draft: Draft, name: str) -> bool:
-    return any(force.unknowns for force in draft.study.system.named(name))
 
 
 def is_dissipative(draft: Draft, name: str) -> bool:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import Scalar, positive_first
-from rbpsym.algebra.normal import short, tidy
+from rbpsym.algebra import Scalar, positive_first, short, tidy
 from rbpsym.derivation.chapters.forces import force_node, torque_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef

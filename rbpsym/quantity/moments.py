@@ -11,9 +11,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, short, substitute
+from rbpsym.algebra import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, short, substitute, with_squares
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.friction import FrictionNeed

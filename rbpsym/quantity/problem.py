@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Space, Vector, kept, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.domain import Condition
+from rbpsym.equality.points import names_of
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.geometry import pair, position
+from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.notation.glyphs import notation_for
@@ -43,8 +45,6 @@ class ProblemWorld:
     @kept
     def stages(self) -> tuple[Stage, ...]:
         """The phases of the motion, the first included. Raises NotApplicable."""
-        from rbpsym.mechanics.phases import stages
-
         return stages(self.study.problem)
 
     @kept
@@ -68,7 +68,7 @@ class ProblemWorld:
         study = self.study
         scope = study.system.scope
         coordinates = study.system.independent
-        starts = {name for value in scope.start.values() for name in _names(value)} - set(_constants(study))
+        starts = {name for value in scope.start.values() for name in set(names_of([value]))} - set(_constants(study))
         return Motion(
             scope,
             study.assumptions,
@@ -241,12 +241,6 @@ class ProblemWorld:
             if name not in known:
                 raise StatementError(f"no force “{name}” acts on {on}", instead=did_you_mean(name, known, "forces"))
         return [force for force in here if force.name in wanted]
-
-
-def _names(value: Scalar) -> set[str]:
-    from rbpsym.equality.points import names_of
-
-    return set(names_of([value]))
 
 
 def _constants(study: Study) -> list[str]:

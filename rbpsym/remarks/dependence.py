@@ -126,15 +126,15 @@ def _reason(parts: list[Force], result: Result) -> tuple[str, ...]:
     if len(parts) == 1 and not is_zero(parts[0].couple):
         return ()
     if len(parts) == 1:
-        if _is_nothing(speeds[0]):
+        if speeds[0].vanishes():
             return ("fixed_point",)
         return ("across",) if is_zero(parts[0].vector.dot(speeds[0])) else ()
     if len(parts) != 2 or not is_zero(parts[0].couple + parts[1].couple):
         return ()
     if not pushes:
         return ("pair_turning", *sorted({p.on for p in parts})) if is_zero(bodies[0].omega - bodies[1].omega) else ()
-    is_pair = _is_nothing(parts[0].vector + parts[1].vector) and is_zero(parts[0].couple)
-    return ("pair", *sorted({p.on for p in parts})) if is_pair and _is_nothing(speeds[0] - speeds[1]) else ()
+    is_pair = (parts[0].vector + parts[1].vector).vanishes() and is_zero(parts[0].couple)
+    return ("pair", *sorted({p.on for p in parts})) if is_pair and (speeds[0] - speeds[1]).vanishes() else ()
 
 
 def _speed(part: Force, result: Result) -> Vector:
@@ -142,6 +142,3 @@ def _speed(part: Force, result: Result) -> Vector:
     state = result.study.system.bodies[part.on]
     return state.velocity + (part.point - state.center).turned() * state.omega
 
-
-def _is_nothing(vector: Vector) -> bool:
-    return is_zero(vector.x) and is_zero(vector.y)

@@ -95,7 +95,7 @@ def _about(table: Table, name: str) -> dict[str, object]:
         "meanings": _translations(table, "meanings", "theta"),
         "names": _translations(table, "names", "rod"),
         "example": _values(table, "example"),
-        "claims": _claims(table),
+        "claims": tuple(dict(row.data) for row in table.rows("claims", "“claims”")),
         "questions": dict(_questions(table)),
         "file": table.source.file,
     }
@@ -133,10 +133,6 @@ def _translations(table: Table, key: str, example: str) -> dict[str, dict[str, s
     section = table.table(key, key)
     check_languages(section, f'write [{key}.es] and, below it, {example} = "..."')
     return {language: strings(section, language) for language in section.names()}
-
-
-def _claims(table: Table) -> tuple[Mapping[str, object], ...]:
-    return tuple(dict(row.data) for row in table.rows("claims", "“claims”"))
 
 
 def _questions(table: Table) -> Iterator[tuple[str, Mapping[str, str]]]:

@@ -81,17 +81,12 @@ def _parameter(name: str, section: Table) -> Quantity:
     if not isinstance(item.value, str) or not item.value.strip():
         raise item.error(f"the parameter “{name}” must be a text, not {kind_of(item.value)}", _EXAMPLE)
     head, _, meaning = item.value.partition(":")
-    dimension, _, sign = _unbounded(head).partition(",")
+    dimension, _, sign = _BOUND.sub("", head, count=1).partition(",")
     checked = _sign(item, sign, len(dimension) + 1) if sign else "positive"
     return _quantity(item, name, _dimension(item, dimension), meaning.strip(), checked)
 
 
 _BOUND = re.compile(r"\s*([<>]=?|[≤≥])([^,]*)")  # an end that may be reached bounds the same open interval
-
-
-def _unbounded(head: str) -> str:
-    """What is left without “> a”, wherever that stands."""
-    return _BOUND.sub("", head, count=1)
 
 
 def _parameter_of_table(name: str, table: Table) -> Quantity:

@@ -7,7 +7,7 @@ only shown in full detail. Kleppner & Kolenkow 7.6; Meriam & Kraige, Dynamics, 5
 
 from __future__ import annotations
 
-from rbpsym.algebra import NOTHING, Scalar, Vector, is_zero, time_derivative
+from rbpsym.algebra import NOTHING, Scalar, Vector, is_zero, short, time_derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.places import (
     Given,
@@ -26,7 +26,6 @@ from rbpsym.equality.signs import sign
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, rim_of
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.pushing import ways_kept, ways_taken
 from rbpsym.mechanics.strings import segments
 from rbpsym.notation import tree as t
@@ -185,7 +184,7 @@ def _speed(draft: Draft, given: Given, body: str | None, place: Vector, directio
     moved = short(speed_along(given, body, about, direction))
     letter = None
     if body in given.unplaced and moved:
-        letter = draft.define(_free_letter(draft, body), _settled(draft, moved))
+        letter = draft.define(_free_letter(draft, body), draft.context.value(draft.show(moved)))
     still = letter or draft.show(moved)
     return _Part(still, _turned(draft, given, body, arm), letter)
 
@@ -204,11 +203,6 @@ def _turned(draft: Draft, given: Given, body: str, arm: Scalar) -> t.Node:
 
 def _free_letter(draft: Draft, body: str) -> str:
     return draft.free("v" if draft.is_single else f"v_{body}")
-
-
-def _settled(draft: Draft, value: Scalar) -> Scalar:
-    """The value with what is tied put in."""
-    return draft.context.value(draft.show(value))
 
 
 def _no_slip(draft: Draft, element: Element, given: Given) -> None:
@@ -288,14 +282,10 @@ def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given
         level=FULL if trivial else STANDARD,
         variant="identity" if trivial else "round" if len(run) > 2 else "straight",
         force=t.Sym(name),
-        ends=[_end(turn) for turn in (run[0], run[-1])],
+        ends=[(BodyRef(turn.body) if turn.body else turn.center.label) for turn in (run[0], run[-1])],
         obligations=as_taken(draft, element),
         data={"tension": name},
     )
-
-
-def _end(turn: Turn) -> BodyRef | str:
-    return BodyRef(turn.body) if turn.body else turn.center.label
 
 
 def _balanced(terms: list[t.Node]) -> t.Node:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import UNITY, Scalar, atom_node, cosine, depends_on, generator, is_zero, sine, substitute, symbol
+from rbpsym.algebra import UNITY, Scalar, atom_node, cosine, depends_on, generator, is_zero, short, sine, substitute, symbol
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, PhraseRef, StepRef
 from rbpsym.equality.signs import sign
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Loss
 from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.pushing import asked, start_valid

@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from rbpsym.algebra import Scalar, depends_on, is_zero, root, symbol
+from rbpsym.algebra import Scalar, depends_on, is_zero, root, short, symbol
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import essential
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium, Powers, conditions, decaying
 from rbpsym.notation import tree as t
 

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, substitute, symbol, time_derivative
+from rbpsym.algebra import NOTHING, Scalar, is_zero, short, substitute, symbol, time_derivative
 from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.arrivals import State, at_start
 from rbpsym.mechanics.contacts import meeting, slip_speed
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.jumps import Kept, until_no_slip
 from rbpsym.mechanics.system import Force, by_letters, in_state

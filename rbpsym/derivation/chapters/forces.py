@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra import Scalar, Space, is_zero
+from rbpsym.algebra import Scalar, Space, is_zero, short
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.conditions import as_taken
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.pushing import kept_sense
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t

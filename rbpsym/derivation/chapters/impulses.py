@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, Scope, depends_on, is_zero, names_in, substitute, time_derivative
+from rbpsym.algebra import NOTHING, Scalar, Scope, depends_on, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters import endings, jumps
 from rbpsym.derivation.chapters.endings import Ending, kinetic
@@ -20,7 +20,6 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.energy import kinetic_energy
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.impulse import approach, is_holding, restitutions

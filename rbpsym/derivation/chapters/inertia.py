@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, Vector, atoms, depends_on, is_zero, lift, perfect_power, root
+from rbpsym.algebra import NOTHING, ONE, Scalar, Vector, atoms, depends_on, is_zero, lift, perfect_power, root, short, tidy
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.trig import cosine, sine
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.equality.rooted import root_of
 from rbpsym.mechanics import energy
-from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.inertia import Moments, mass_moments, tidy
+from rbpsym.mechanics.inertia import Moments, mass_moments
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
@@ -297,8 +297,6 @@ def _closed(draft: Draft, letter: t.Node, sum_: t.Node, spelled: t.Node, value: 
 
 def in_frame(state: BodyState, place: Vector) -> tuple[Scalar, Scalar]:
     """A place in space in the frame of the body."""
-    from rbpsym.algebra.trig import cosine, sine
-
     arm = place - state.pose.origin
     c, s = cosine(state.pose.angle), sine(state.pose.angle)
     return tidy(arm.x * c + arm.y * s), tidy(arm.y * c - arm.x * s)

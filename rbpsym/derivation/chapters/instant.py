@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra import Poly, Scalar, is_zero, lift, positive_first, substitute, symbol_name, total
+from rbpsym.algebra import Poly, Scalar, is_zero, lift, positive_first, short, substitute, symbol_name, total
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
-from rbpsym.mechanics.elimination import CONSTANT, linear_row, short
+from rbpsym.mechanics.elimination import CONSTANT, linear_row
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.system import Condition
 from rbpsym.notation import tree as t

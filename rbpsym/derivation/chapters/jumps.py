@@ -84,7 +84,7 @@ def write(draft: Draft, blow: Blow) -> list[Step]:
 
 def _step(draft: Draft, blow: Blow, jump: Jump) -> Step:
     kind = "torque" if jump.is_turning else "force"
-    letters, silent = draft.study.letters, _unknown(jump)
+    letters, silent = draft.study.letters, list(dict.fromkeys(force.name for force in jump.silent))
     names = [t.Vec(name) for name in silent]
     point = t.Sym(jump.label or letters.free("C", taken=letters.things))
     axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(jump.label, draft.show_vector(jump.where))
@@ -104,11 +104,6 @@ def _step(draft: Draft, blow: Blow, jump: Jump) -> Step:
         silent=PhraseRef(f"phases.silent.{kind if names else 'inner'}", reason),
         data={"jump": jump, "blow": blow},
     )
-
-
-def _unknown(jump: Jump) -> list[str]:
-    """The unknown impulses that drop out, once each."""
-    return list(dict.fromkeys(force.name for force in jump.silent))
 
 
 def _statement(draft: Draft, blow: Blow, jump: Jump) -> t.Node:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra import Scalar, depends_on, is_zero
+from rbpsym.algebra import Scalar, Space, depends_on, is_zero, symbol, tidy
 from rbpsym.derivation.chapters import conditions
 from rbpsym.derivation.chapters.inertia import as_power, is_centred, turns_about
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef
-from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
 
@@ -61,7 +60,7 @@ def _circle(draft: Draft, name: str, state: BodyState) -> None:
 def _turning(draft: Draft, name: str, state: BodyState) -> None:
     """ω of the body against the coordinates: dφ/dt, its sign included."""
     omega = draft.define(draft.of_body("omega", name), state.omega)
-    draft.context.vectors[omega.name] = _along_z(state.omega)
+    draft.context.vectors[omega.name] = Space(z=state.omega)
     if draft.has(f"turning.{name}") or (draft.study.problem.body(name).angle is None and not state.omega):
         return
     angle = state.pose.angle
@@ -89,18 +88,10 @@ def _angle_node(draft: Draft, name: str, angle: Scalar) -> t.Node:
 
 def _turning_phrase(draft: Draft, state: BodyState) -> str:
     """Whether the coordinate grows with or against the positive sense of rotation."""
-    from rbpsym.algebra.scalar import symbol
-
     for speed in draft.study.system.speeds:
         if is_zero(state.omega + symbol(speed)):
             return "kinematics.turning.opposite"
     return "kinematics.turning.plain" if state.omega else "kinematics.turning.none"
-
-
-def _along_z(value: Scalar):
-    from rbpsym.algebra.vector import Space
-
-    return Space(z=value)
 
 
 def _velocity(draft: Draft, name: str, state: BodyState) -> None:

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, root, symbol, total
+from rbpsym.algebra import NOTHING, Scalar, is_zero, root, short, symbol, total
 from rbpsym.algebra.present import present
 from rbpsym.derivation.chapters import decay
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
-from rbpsym.mechanics.elimination import determinant, short
+from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.oscillation import Equilibrium, amplitudes
 from rbpsym.notation import tree as t
 

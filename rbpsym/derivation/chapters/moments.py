@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra import NOTHING, Scalar, Vector, depends_on, is_zero
+from rbpsym.algebra import NOTHING, Scalar, Vector, depends_on, is_zero, short, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.inertia import as_power, center_of_mass, in_frame, moment_of_mass, together
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.frozen import dataclass
-from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.inertia import Inertia, inertia, tidy
+from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.system import BodyState, Pose, at_point
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Body, PlacedShape, Shape

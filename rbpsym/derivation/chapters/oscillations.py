@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, depends_on, is_rooted, is_zero, present_ratio, root
+from rbpsym.algebra import NOTHING, ONE, Scalar, depends_on, is_rooted, is_zero, present_ratio, root, short
 from rbpsym.derivation.chapters import decay, modes, open_balance
 from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.derivation.step import FULL
 from rbpsym.equality.signs import sign
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.oscillation import where_stable as stable_form
 from rbpsym.mechanics.rest import resting_forces
