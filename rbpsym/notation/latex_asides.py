@@ -9,22 +9,42 @@ from rbpsym.notation.latex_tokens import CONDITION, PUNCTUATION, Token
 
 _NUMBER = re.compile(r"\d{1,2}(?:[.-]\d{1,3}){0,2}[a-z]?'?|\*{1,3}")
 _WIDE = re.compile(r"\\q?quad|\\hspace|\\hfil")
+_ARROWS = frozenset((r"\to", r"\leftarrow", r"\uparrow", r"\downarrow"))  # (→): which way, said beside a number
 Span = tuple[int, int]
 
 
 def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
     """The tokens without hand-written numbers, and with (x > 0) behind a gap at the end of a row as a condition."""
+    tokens = _labelled(tokens, relations)
     found = list(tokens)
     for begin, end in reversed(_pairs(tokens)):
         inner = tokens[begin + 1 : end]
         before, behind = _gap_before(tokens, begin), _gap_behind(tokens, end + 1)
-        if _NUMBER.fullmatch("".join(token.text for token in inner)):
+        if len(inner) == 1 and inner[0].text in _ARROWS and _ends(tokens, end + 1):
+            found[before : end + 1] = [replace(inner[0], kind="row", text=""), replace(inner[0], kind="text")]
+        elif _NUMBER.fullmatch("".join(token.text for token in inner)):
             if before < begin and _wide(tokens[before:begin]) and _ends(tokens, end + 1):
                 del found[before : end + 1]
             elif behind > end + 1 and _wide(tokens[end + 1 : behind]) and _begins(tokens, begin):
                 del found[begin:behind]
         elif before < begin and _ends(tokens, end + 1) and not _begins(tokens, before) and _relates(inner, relations):
             found[begin : end + 1] = _conditions(tokens[begin], inner, relations)
+    return tuple(found)
+
+
+def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
+    """With what a row is about, in front of a colon (ΣF_x: or words, or anything with a gap behind it), as a row of words."""
+    found: list[Token] = []
+    for place, token in enumerate(tokens):
+        row = next((k for k in range(len(found), 0, -1) if found[k - 1].kind in ("row", "begin")), 0)
+        about = [one for one in found[row:] if one.kind != "gap" and one.text != "&"]
+        gap = tokens[min(place + 1, len(tokens) - 1)]
+        clear = gap.kind == "gap" or gap.text == "&" or (about[:1] and (about[0].text == r"\sum" or about[0].kind == "text"))
+        if token.text != ":" or not about or _relates(tuple(about), relations) or not clear:
+            found.append(token)
+            continue
+        words = " ".join(one.text for one in about)
+        found[row:] = [replace(about[0], kind="text", text=words, end=token.end), replace(token, kind="row", text="")]
     return tuple(found)
 
 

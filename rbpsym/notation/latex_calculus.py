@@ -195,18 +195,8 @@ def _path_label(reader: LatexReader) -> str | None:
         return None
     reader.position += 4 if texts[1] == "{" else 2
     if reader.pass_sign("_"):
-        argument_label(reader)
+        label_after(reader, begun=True)
     return "path"
-
-
-def argument_label(reader: LatexReader) -> None:
-    """Pass the index of a path. Raises ReadError if it is no letter or digit."""
-    braces = reader.pass_sign("{")
-    if reader.token.kind not in ("letter", "digit"):
-        raise reader.error("an index is expected here")
-    reader.take()
-    if braces:
-        reader.expect("}")
 
 
 def _region_label(reader: LatexReader) -> str | None:
@@ -354,27 +344,45 @@ def _limit(reader: LatexReader) -> t.Node:
 
 @begins("[")
 def _bracket(reader: LatexReader) -> t.Node:
-    """[f] with limits is taken between them; without, it is a parenthesis. [T] alone is a unit, X[0] an element, S[q] a value."""
-    start, before = reader.token.start, reader.tokens[reader.position - 1] if reader.position else None
+    """[f] with limits is taken between them; without, it is a parenthesis, or what `_of_name` says."""
+    tokens, place, start = reader.tokens, reader.position, reader.token.start
     node = between(reader, "]")
-    behind_name = before is not None and (before.kind in ("letter", "digit", "text") or before.text in ("}", ")"))
-    if behind_name and isinstance(node, t.Num):
-        return reader.spanned(t.Formal("element", (node,)), start)
-    if behind_name and before.kind != "digit" and isinstance(node, (t.Sym, t.Vec)) and not reader.sees_sign("_"):
-        return reader.spanned(t.Formal("value", (node,)), start)  # S[q] is no product
-    beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (before or reader.tokens[-1], reader.token)]
-    if isinstance(node, (t.Sym, t.Vec)) and all(beside):
-        return reader.spanned(t.Formal("unit", (node,)), start)
+    if kind := _of_name(reader, node, tokens[max(place - 2, 0) : place]):
+        return reader.spanned(t.Formal(kind, (node,)), start)
     if isinstance(node, t.Formal) or not reader.sees_sign("_"):
         return node
+    place = reader.position
     reader.take()
-    lower_var, lower = _end(reader)
-    reader.expect("^")
+    try:
+        lower_var, lower = _end(reader)
+    except RbpsymError:
+        lower_var, lower = None, t.ZERO
+    if not reader.pass_sign("^"):
+        reader.position = place
+        taken = lower_var is not None
+        return taken_at(reader, node, start) if taken else formal(reader, start, "marked", node, t.Word(label_after(reader)))
     upper_var, upper = _end(reader)
     var = upper_var or lower_var or (upper.name if isinstance(upper, t.Sym) else None)
     if var is None or (lower_var or var) != var:
         raise reader.error("which variable has these limits?", r"Write ]_{\theta = 0}^{...}.")
     return reader.spanned(t.Bracket(node, var, lower, upper), start)
+
+
+def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> str:
+    """[T] alone is a unit, X[0] an element, S[q] and E[x²] a value (no factors stand in brackets); "" for what is multiplied."""
+    last = before[-1] if before else None
+    behind = last is not None and (last.kind in ("letter", "digit", "text") or last.text in ("}", ")"))
+    named = last is not None and last.kind == "letter" and before[0].kind not in ("command", "differential")
+    if behind and isinstance(node, t.Num):
+        return "element"
+    if named and isinstance(node, (t.Pow, t.Mul)) and not (before[0] is not last and before[0].kind == "letter"):
+        return "value"
+    if not isinstance(node, (t.Sym, t.Vec)):
+        return ""
+    if behind and last.kind != "digit" and not reader.sees_sign("_"):
+        return "value"
+    beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (last or reader.tokens[-1], reader.token)]
+    return "unit" if all(beside) else ""
 
 
 def _end(reader: LatexReader) -> tuple[str | None, t.Node]:

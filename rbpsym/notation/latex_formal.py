@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_functions import LOOSE, relation
+from rbpsym.notation.latex_functions import LOOSE, SIGNS, relation
 from rbpsym.notation.latex_grammar import argument, atom, between, factor, is_vector, multiplied
 from rbpsym.notation.latex_names import label_after
 from rbpsym.notation.latex_tokens import COLUMN, END_COLUMN, NEXT
@@ -28,6 +28,8 @@ _GRADIENT = "a gradient can't be computed", "Write its components."
 _OPERATOR = "this operator can't be computed", "Write what it comes to."
 _ROWS = "the environment of a matrix can't be read", "Write the equation of each row."
 _EVALUATED = "what holds where this is taken?", r"Write \left. ... \right|_{x = 0}."
+_STATES = (r"\ket", r"\bra", r"\braket", r"\ketbra", r"\expval", r"\mel", r"\dyad")
+_BARS = ("|", r"\lvert", r"\rvert")
 _DOTTED = (r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb")
 _MEASURED = (r"\SI", r"\qty", r"\si", r"\unit", r"\SIrange", r"\qtyrange")
 _SUMMED = {r"\prod": "product over", r"\bigcup": "union over", r"\bigoplus": "sum over"}
@@ -54,6 +56,8 @@ SENTENCES: Mapping[str, Sentence] = {
     "marked": ("only a symbol can have a subscript or prime", "Give all of it a symbol."),
     "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),
     "element": ("a number in brackets is an index here", "Write it as a subscript."),
+    "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),
+    "binomial": ("a binomial coefficient can't be computed", "Write the number."),
     "factorial": ("a factorial can't be computed", "Write the number."),
 }  # fmt: skip
 
@@ -167,11 +171,46 @@ def _operator(reader: LatexReader) -> t.Node:
     return formal(reader, token.start, token.text[1:], of, *below)
 
 
+@begins(*_STATES)
+def _state(reader: LatexReader) -> t.Node:
+    """\\ket{ψ}, \\braket{φ|ψ}: the words in the braces."""
+    head, words = reader.take(), []
+    while reader.sees_sign("{"):
+        words.append(_word(reader, reader.position))
+    return formal(reader, head.start, "state", *words)
+
+
+@begins(r"\binom", r"\dbinom", r"\tbinom")
+def _binomial(reader: LatexReader) -> t.Node:
+    start = reader.take().start
+    return formal(reader, start, "binomial", argument(reader), argument(reader))
+
+
 @begins("⟨")
 def _mean(reader: LatexReader) -> t.Node:
-    start, found = reader.token.start, between(reader, "⟩")
+    start = reader.token.start
+    if (state := _written_state(reader)) is not None:
+        return state
+    found = between(reader, "⟩")
     several = isinstance(found, t.Formal) and found.kind == "list"
     return found if several else formal(reader, start, "mean", found)
+
+
+@begins("|⟩")
+def _written_state(reader: LatexReader) -> t.Node | None:
+    """|ψ⟩, ⟨ψ|, ⟨φ|A|ψ⟩ as it is written, if it stands here; else nothing is passed."""
+    start, rest = reader.token, []
+    for token in reader.tokens[reader.position + 1 :]:
+        if token.kind in ("row", "end") or token.text in SIGNS:
+            break
+        rest.append(token.text)
+    closing = "⟩" if start.text != "⟨" or "⟩" in rest else "|"
+    inner = rest.index(closing) if closing in rest else -1
+    barred = any(text in _BARS for text in rest[:inner])
+    if inner < 0 or barred != (start.text == "⟨" and closing == "⟩") or "⟨" in rest[:inner]:
+        return None
+    reader.position += inner + 2
+    return formal(reader, start.start, "state", t.Word(reader.source.text[start.start : reader.previous_end]))
 
 
 @begins(r"\cancel")
@@ -222,7 +261,9 @@ def _column(reader: LatexReader) -> t.Node:
             raise reader.error(*_ROWS, opening)
     reader.integrals, reader.bars = waiting
     reader.take()
-    kind = next((kind for word, kind in _SHAPES.items() if word in reader.source.text[opening.start : opening.end]), "matrix")
+    begun = reader.source.text[: opening.end]
+    kind = next((kind for word, kind in _SHAPES.items() if word in begun[opening.start :]), "matrix")
+    kind = "cases" if begun[: opening.start].rstrip().endswith(r"\{") else kind
     cells = [cell for row in rows for cell in row]
     if kind == "matrix" and 1 in (len(rows), len(rows[0])) and 1 < len(cells) <= 3 and not any(map(is_vector, cells)):
         return reader.spanned(_vector(cells), opening.start)

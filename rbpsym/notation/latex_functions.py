@@ -78,7 +78,8 @@ def called(reader: LatexReader) -> t.Node:
     if not isinstance(name, (t.Sym, t.Vec)) or not reader.sees_sign("("):
         return name
     varies, begin = _varies(reader, name), reader.position
-    if _has_commas(reader):
+    later = reader.ahead().text == "t" and reader.ahead(2).text in ("+", "-") and varies  # v(t + Δt)
+    if later or _has_commas(reader):
         return _value(reader, name)
     found = _arguments(reader)
     end, reader.position = reader.position, begin
@@ -100,7 +101,7 @@ def _has_commas(reader: LatexReader) -> bool:
     depth = count = 0
     for token in reader.tokens[begin:] if named is None else ():
         depth += (token.text in ("(", "[", "{", r"\{")) - (token.text in (")", "]", "}", r"\}"))
-        count += (token.text == "," or token.text in SIGNS) and depth == 1
+        count += (token.text == "," or token.text in SIGNS or token.text in LOOSE) and depth == 1
         if not depth:
             break
     return count > 0
@@ -183,6 +184,7 @@ _ENDING = (r"\vec", r"\hat", r"\boldsymbol")
 def _function(reader: LatexReader) -> t.Node:
     token = reader.take()
     name = FUNCTIONS[token.text]
+    base = argument(reader) if token.text == r"\log" and reader.pass_sign("_") else None
     exponent = None
     if reader.pass_sign("^"):
         exponent = argument(reader)
@@ -194,6 +196,7 @@ def _function(reader: LatexReader) -> t.Node:
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
     arg = _argument(reader, token)
     made = t.Group(HYPERBOLIC[name](arg)) if name in HYPERBOLIC else t.Fn(name, arg)
+    made = made if base is None else t.Div(made, t.Fn(name, base))
     call = reader.spanned(made, token.start)
     return reader.power(call, exponent, token.start) if exponent else call
 
@@ -203,6 +206,8 @@ def _argument(reader: LatexReader, head: Token) -> t.Node:
     start = reader.token.start
     if reader.sees_sign(*_CLOSED, r"\lvert", "|"):
         return COMMANDS[reader.token.text](reader)
+    if reader.token.text in FUNCTIONS:
+        return _function(reader)
     if reader.sees_differential() or not (_is_simple(reader) or begins_name(reader.token)):
         raise reader.error(f"{head.text} needs its argument here", "", head)
     factors = [_part(reader, head)]
@@ -272,6 +277,8 @@ def _divided(reader: LatexReader, whole: t.Node, start: int) -> t.Node:
 @begins(r"\lvert", "|", r"\Vert")
 def _absolute(reader: LatexReader) -> t.Node:
     start = reader.token
+    if start.text in (r"\lvert", "|") and (state := COMMANDS["|⟩"](reader)) is not None:
+        return state
     double = start.text == reader.ahead().text == "|"
     reader.position += double
     node = between(reader, r"\rvert" if start.text == r"\lvert" else start.text)

@@ -160,6 +160,10 @@ def goes_on(reader: LatexReader, sign: str = "") -> bool:
 def _one(reader: LatexReader, factors: list[t.Node], start: int) -> t.Node:
     if len(factors) == 1:
         return factors[0]
+    for place, part in enumerate(factors):
+        path = part.path if isinstance(part, t.PathIntegral) else t.Sym(part.var) if isinstance(part, t.Integral) else None
+        if path and any(t.names(path) & t.names(one) for one in factors[place + 1 :]):  # ∫ r dr e^{−r²}
+            raise reader.error("does this belong to the integral?", "Put the integrand in parentheses.")
     return reader.spanned(t.Mul(tuple(factors)), start)
 
 
@@ -271,11 +275,14 @@ def atom(reader: LatexReader) -> t.Node:
 
 def _differential(reader: LatexReader) -> t.Node:
     """dx, d²x or d(xy) that stands alone."""
-    start = reader.take().start
+    place, italic, start = reader.position, reader.token.kind == "letter", reader.take().start
     if reader.sees_sign("_"):
         return reader.spanned(t.Formal("∂", (t.Word(COMMANDS["label"](reader)),)), start)
     order = (argument(reader),) if reader.pass_sign("^") else (t.Word("inexact"),) if reader.pass_sign("'") else ()
     inner = atom(reader) if begins_factor(reader) else None
+    if inner is None and italic:  # a length d: nothing follows that could change
+        reader.position = place
+        return COMMANDS["f()"](reader)
     if inner is None:
         raise reader.error("a differential alone has no value", r"Write rates: \frac{dW}{dt} = ...")
     return reader.spanned(t.Formal("differential", (inner, *order)), start)

@@ -190,7 +190,7 @@ def _label_part(reader: LatexReader) -> str:
         return token.text
     if token.text in ("'", r"\prime"):
         return "'"
-    if token.text in (",", "_", "{,}", r"\rm", r"\it", *_PLAIN):
+    if token.text in (",", "_", "{,}", r"\it", *_PLAIN):
         return ""
     if token.text in _MARKED or token.text in _NAMED:
         return token.text.lstrip("\\")
@@ -209,7 +209,8 @@ def _label_above(reader: LatexReader) -> str:
     bracketed = inner[0].text == "(" and inner[1].kind in ("letter", "digit") and inner[2].text == ")"
     marked = inner[0].text in ("*", "+", "-", *_NAMED)
     named = marked or (inner[0].kind == "text" and Drawn(inner[0].text) not in reader.table.names)
-    length = 3 if bracketed and braces else int(named)
+    leads = braces and inner[1].text == r"\to" and {inner[0].kind, inner[2].kind} <= {"letter", "digit"}  # W^{1→2}
+    length = 3 if leads or (bracketed and braces) else int(named)
     if not length or (braces and inner[length].text != "}"):
         return ""
     reader.position += 1 + length + 2 * braces
@@ -223,9 +224,12 @@ def _primes_ahead(reader: LatexReader) -> int:
     count = 0
     while tokens[count + braces].text in ("'", r"\prime"):
         count += 1
-    if not count or (braces and tokens[count + braces].text != "}"):
+    if not count:
         return 0
-    reader.position += 1 + count + 2 * braces
+    powered = braces and tokens[count + 1].text != "}"  # t^{\prime 2}: the power stays
+    if powered:
+        reader.tokens = (*reader.tokens[: reader.position + 2], *tokens[count + 1 :])
+    reader.position += 0 if powered else 1 + count + 2 * braces
     return count
 
 

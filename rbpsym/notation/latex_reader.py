@@ -198,10 +198,10 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
 
 def _rows(reader: LatexReader) -> t.Node:
     """One formula, or several relations, perhaps with the conditions under which they hold."""
-    rows, conditions = [relation(reader)], []
+    rows, conditions = [_row(reader)], []
     while reader.token.kind == "row":
         parting = reader.take().text
-        row = relation(reader)
+        row = _row(reader)
         (conditions if _is_condition(row, parting, rows, conditions) else rows).append(row)
     if reader.token.kind != "end":
         hint = UNKNOWN_COMMAND if reader.token.kind == "command" else ""
@@ -215,6 +215,13 @@ def _rows(reader: LatexReader) -> t.Node:
         hint = "Begin it with the sign by which it goes on, or write a whole relation."
         raise reader.source.error("this is no relation, and nothing says how it goes on", *alone.span, hint)
     return t.System(tuple(rows), tuple(conditions), span=(0, reader.previous_end))
+
+
+def _row(reader: LatexReader) -> t.Node:
+    """A relation; a word that stands alone is a remark, and no name."""
+    token, behind = reader.token, reader.ahead().kind
+    row = relation(reader)
+    return t.Word(token.text, span=row.span) if token.kind == "text" and behind in ("row", "end") else row
 
 
 def _words(row: t.Node) -> list[t.Word]:

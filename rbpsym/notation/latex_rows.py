@@ -132,9 +132,7 @@ class _Layout:
                 return None
             raise self._error(token, "does this go on with a product?", "Begin the row with the sign.")
         if _is_relation(behind):
-            if several:
-                raise self._error(token, "which relation of the row above goes on here?", "Write its left side again.")
-            return None
+            return replace(token, text="") if several else None  # which relation of the row above goes on here?
         return self._minus(k, token) if behind.text == "-" else replace(token, text="")
 
     def _minus(self, k: int, token: Token) -> Token | None:
@@ -174,17 +172,27 @@ class _Layout:
         """A & that aligns rows, or that parts two relations of a row; any other is left to be refused."""
         if self._at_edge(k, -1) or self._at_edge(k, 1):
             return None
-        near = [found.text for found in (self._near(k, -1), self._near(k, 1)) if found]
+        before, behind = self._near(k, -1), self._near(k, 1)
+        near = [found.text for found in (before, behind) if found]
         if self.depth or RELATIONS.intersection(near):
             return token if self.depth else None
         if near[0] in PUNCTUATION and self._relates(k):
             return None
-        if self.related and self.all[k + 1].kind == "text" and not self._relates(k):
-            return self._part(token, "")  # a remark
+        if self._cell_before(k):
+            return None  # an empty cell
+        remark = behind is not None and behind.kind == "text" and self.related and not self._relates(k)
+        if remark or (before is not None and before.kind == "text" and not self.related and self._relates(k)):
+            return self._part(token, "")
         used = any(self.all[place].text == "&" for place in self._row_before(k))
         if self.related and self._relates(k) and (used or not _SIGNS.intersection(near)):
             return self._part(token, "")
         return None if {"+", "-"}.intersection(near) and (self.related or self._relates(k)) else token
+
+    def _cell_before(self, k: int) -> bool:
+        """Is the cell empty that ends here?"""
+        while k and self.all[k - 1].kind == "gap":
+            k -= 1
+        return k > 0 and self.all[k - 1].text == "&"
 
     def _row_before(self, k: int) -> Iterator[int]:
         """Where the tokens of this row before stand."""

@@ -24,13 +24,15 @@ FUNCTION_WORDS = {
     "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot", "cosec": "csc",
     "arcsen": "asin", "arctg": "atan", **{name: name for name in HYPERBOLIC},
 }  # fmt: skip
+_SYSTEMS = "array|aligned|alignedat|gathered|split|cases"  # what one brace may open for all rows
 _SILENT = (
     r"\\(?:,|:|!|>)|\^\s*\{\s*\}"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
     r"|tiny|small|normalsize|large|Large|LARGE|huge|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
+    r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)"
-    r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{[^{}]*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
+    r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
 )
 _SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
 _INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
@@ -50,10 +52,12 @@ _GAP = (
     r"|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
     r"|\\hspace\*?\s*\{[^{}]*\}"
 )
+_UPRIGHT = r"\\rm(?![A-Za-z])(?:\s*\\bf(?![A-Za-z]))?"  # all that follows in its group: {\rm kg}, 3\rm\ m
 PUNCTUATION = (",", ".", ";")
 CONDITION = "if"  # the text of a row token behind which a condition stands
 _PATTERNS = (
-    r"(?P<blank>\s+)"
+    rf"(?P<blank>\\left\s*\\\{{(?=\s*\\begin\s*\{{(?:{_SYSTEMS})\}})"
+    rf"|(?:{'|'.join(rf'(?<={name}}})' for name in _SYSTEMS.split('|'))})\s*\\right\s*\.|\s+)"
     r"|(?P<empty>\\(?:left|right)\s*\.)"
     r"|(?P<bar>\\(?:left|right|[bB]igg?[lrm]?)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
     rf"|(?P<silent>{_SILENT})"
@@ -61,8 +65,10 @@ _PATTERNS = (
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
     r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dif|partial)(?![A-Za-z]))"
-    r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
-    rf"|\{{\s*\\rm\s+(?:{'|'.join(FUNCTION_WORDS)})\s*\}})"
+    r"|(?P<text>\\(?:text|textrm|mbox)\s*\{[^{}$]*\$(?:[^{}]|\{[^{}]*\})*\}"
+    r"|\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
+    rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
+    rf"|{_UPRIGHT}(?:\s|~|\\ )*+[A-Za-z]++(?:(?:\s|~|\\ |/)+[A-Za-z]++)*+(?!\())"
     r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"
     r"(?:(?<!split\})(?<!ed\})\s*\{(?:[lcr|\s\d]|[@!p]\{[^{}]*\})*\})?|\\(?:begin|end)\s*\{[^{}]*\})"
     rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
@@ -70,15 +76,15 @@ _PATTERNS = (
     rf"|(?P<plain>(?<![A-Za-z\\])(?:{'|'.join(FUNCTION_WORDS)})(?=\s*(?:\(|\\left|\\[a-z])))"
     r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
     r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
-    r"|(?P<sign>:=|=:|[-+*/=<>()\[\]{}|_^',.;&!])"
+    r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!])"
 )
 _ALIASES = {
     r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
     r"\vert": "|", r"\|": r"\Vert", r"\lVert": r"\lvert", r"\rVert": r"\rvert",
-    r"\dfrac": r"\frac", r"\tfrac": r"\frac", r"\rightarrow": r"\to",
+    r"\dfrac": r"\frac", r"\tfrac": r"\frac", r"\cfrac": r"\frac", r"\rightarrow": r"\to",
     r"\hslash": r"\hbar", r"\leqslant": r"\le", r"\geqslant": r"\ge",
     r"\mathbf": r"\boldsymbol", r"\bm": r"\boldsymbol", r"\overline": r"\bar",
-    r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat",
+    r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat", r"\widetilde": r"\tilde", ">>": r"\gg", "<<": r"\ll",
     r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
     "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
     r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
@@ -184,9 +190,11 @@ def _plain(source: Source, kind: str, text: str, start: int, end: int) -> Token:
 
 def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     """Upright text; a word such as `and` between relations begins a new one."""
-    word = re.search(r"\{(?:\s*\\rm)?([^{}]*)\}", text)[1].strip()
+    word = re.sub(r"\s+", " ", re.sub(r"^(?:\\[a-z]+\*?)?\s*\{?|\}$|\\(?:rm|bf)(?![A-Za-z])|~|\\[ ,]", " ", text)).strip()
     if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
         return Token("command", rf"\{word}", start, end)
+    if word == "d" and text[0] == "{":
+        return Token("differential", word, start, end)
     plain = "" if text.startswith((r"\mathrm", r"\operatorname")) else word.strip(" ,;:.")
     if plain in CONDITIONAL:
         return Token("row", CONDITION, start, end)
@@ -244,7 +252,8 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
     if text.startswith(r"\end"):
         start = whole.rfind(rf"\begin{{{name}}}", 0, start)
     before = whole[: max(start, 0)].rstrip().removesuffix(r"\displaystyle").rstrip(" &")
-    return before[-1:] == "=" if name in ("cases", "dcases") else before[-1:] in ("[", "(", "|")
+    cut = before.removesuffix(r"\{").rstrip().removesuffix(r"\left").rstrip(" &")
+    return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
 
 
 def _environment(source: Source, kind: str, text: str, start: int, end: int) -> Token:

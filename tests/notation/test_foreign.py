@@ -57,6 +57,17 @@ SAME = [
     (r"a = b \quad (i = k+1, \cdots, 3N-k)", "a = b"),
     (r"a = b, \quad i = 1, ..., n", "a = b"),
     (r"a = x × b · k", r"a = x \times b \cdot k"),
+    (r"v = \cfrac{{\rm d} x}{{\rm d} t}", r"v = \frac{dx}{dt}"),
+    (r"a = b ~~ {\rm for} ~ k > g", r"a = b \quad \text{for } k > g"),
+    (r"a = b \rm\ and \rm\ k = \rm\sin\theta", r"a = b, k = \sin\theta"),
+    (r"\left\{ \begin{array}{l} a = b \\ k = g \end{array} \right.", "a=b, k=g"),
+    (r"\begin{aligned} x &: \quad a = b \\ \text{along the plane:} & k = g \end{aligned}", "a=b, k=g"),
+    (r"\sum F_x: a = b", "a = b"),
+    (r"a &= b & & \text{the force} \\ k &= g & & \text{a weight}", "a=b, k=g"),
+    (r"a = b \; (\rightarrow)", "a = b"),
+    (r"a = \ln \cos^2 x", r"a = \ln(\cos^2 x)"),
+    (r"\log_a x = b", r"\frac{\ln x}{\ln a} = b"),
+    (r"\left[x^2\right]_{x = 0} = a", r"\left. x^2 \right|_{x = 0} = a"),
 ]  # fmt: skip
 
 
@@ -119,6 +130,14 @@ FORMAL = {  # read whole, without a value
     r"c = \tr(U)^2 - \tr(U^2)": "c = (tr(U))² − tr(U²)",
     r"x \propto U(x)": "∝(x, U)",
     r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s²)",
+    r"E[X^2] = F(t + \Delta t)": "Evalue(X²) = value(F, t + Δt)",
+    r"a = \binom{n}{k}": "a = binomial(n, k)",
+    r"|\psi\rangle = \langle a|H|b\rangle \ket{b}": r"state(|\psi\rangle) = state(\langle a|H|b\rangle) state(b)",
+    r"\left[\frac{dr}{dt}\right]_{S_0} = v": "marked(dr/dt, S0) = v",
+    r"a &= b, & c &= k \\ &= g": "        a = b\n        c = k\ncontinued = g",
+    r"a = b \quad \text{if $\vec{r}$ is fixed}": "a = b\n    condition(if $\\vec{r}$ is fixed)",
+    r"a \gg b << c": "≫(a, ≪(b, c))",
+    r"F = \left\{\begin{array}{rl} -A,& t<0\\ A,& t>0\end{array}\right.": "F = cases(row(−A, t < 0), row(A, t > 0))",
     r"\left(\frac{d^2}{dt^2} + k\right) x = \det A": "(d²/dt²(operator) + k) x = det(A)",
 }
 
@@ -133,7 +152,12 @@ def test_what_has_no_value_is_read_whole_and_said_where_a_value_is_wanted(latex)
         assert caught.value.instead
 
 
-@pytest.mark.parametrize("latex", [r"S = \int_0^1 p dq - H dt", r"x = a + f|_0^1"])
+def test_what_is_upright_or_primed_is_no_product():
+    (tree,) = latex_ways(r"v = a^{\prime 2} + 3{\rm\ m/s}", ANY, whole=True).trees
+    assert to_text(tree) == "v = a′² + 3 m/s"
+
+
+@pytest.mark.parametrize("latex", [r"S = \int_0^1 p dq - H dt", r"x = a + f|_0^1", r"x = \int_0^1 r dr~e^{-r^2}"])
 def test_how_far_a_sign_reaches_is_not_guessed(latex):
     with pytest.raises(RbpsymError, match=r"belong to the integral|how much of this sum"):
         latex_ways(latex, ANY, whole=True)
