@@ -10,7 +10,7 @@
 # make lint    style, by ruff; types of the rooms that pyproject.toml names, by mypy
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
-# make docs    write the reference pages of docs/ anew and build the site, with the gallery, in build/docs
+# make docs    write the reference pages of docs/ anew and build the site, with the gallery (and the studio, if built), in build/docs
 # make studio  the page in which the engine runs: build/studio, and its wheel; “rbpsym studio” serves it
 # make clean   remove what was written, but for .venv
 #
@@ -106,7 +106,7 @@ library: $(VENV)/run.stamp
 
 docs: $(VENV)/docs.stamp
 	$(BIN)/python docs/build.py
-	$(BIN)/python docs/gallery.py $(OUT)/gallery
+	$(BIN)/python docs/gallery.py $(OUT)/gallery $(OUT)/studio
 	$(BIN)/python -m sphinx -q -W --keep-going -D html_extra_path=$(abspath $(OUT)/gallery) docs $(OUT)/docs
 	@echo $(OUT)/docs/index.html
 

@@ -4,6 +4,8 @@ notes and the page in which it moves. `make docs` runs it; nothing that it write
 
 from __future__ import annotations
 
+import html
+import shutil
 import sys
 from collections.abc import Iterator
 from itertools import groupby
@@ -17,9 +19,11 @@ from rbpsym.commands.solve import lines
 from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
 from rbpsym.document.explorer.page import explorer
+from rbpsym.document.model import Live
 from rbpsym.document.notes import notes
 from rbpsym.document.numbering import numbered
 from rbpsym.document.pictures import drawings, figures_of
+from rbpsym.document.twin import address
 from rbpsym.document.writers import writer
 from rbpsym.solve import answer_of
 from rbpsym.statement.loader import load_problem
@@ -27,8 +31,10 @@ from rbpsym.statement.loader import load_problem
 HERE = Path(__file__).parent
 
 
-def write(pages: Path, extra: Path) -> None:
-    """All pages into `pages`, what they lead to into `extra`."""
+def write(pages: Path, extra: Path, studio: Path) -> None:
+    """All pages into `pages`, what they lead to into `extra`, with the studio where it is built."""
+    if has_studio := (studio / "index.html").is_file():
+        shutil.copytree(studio, extra / "studio", dirs_exist_ok=True)
     problems = sorted((entry for entry in shelf() if entry.kind == "problem"), key=place)
     (extra / "problems").mkdir(parents=True, exist_ok=True)
     pages.mkdir(exist_ok=True)
@@ -42,7 +48,7 @@ def write(pages: Path, extra: Path) -> None:
         if moves(derivation):
             moving = explorer((derivation.study.problem,))
             (extra / "problems" / f"{entry.name}-explorer.html").write_text(moving, encoding="utf-8")
-        (pages / f"{entry.name}.md").write_text("\n".join(page(entry, derivation, figure.alt)), encoding="utf-8")
+        (pages / f"{entry.name}.md").write_text("\n".join(page(entry, derivation, figure.alt, has_studio)), encoding="utf-8")
     (pages / "index.md").write_text("\n".join(index(problems)), encoding="utf-8")
 
 
@@ -51,7 +57,7 @@ def moves(derivation: Derivation) -> bool:
     return not (derivation.study.at_start or derivation.study.problem.is_at_rest)
 
 
-def page(entry: Entry, derivation: Derivation, alt: str) -> Iterator[str]:
+def page(entry: Entry, derivation: Derivation, alt: str, has_studio: bool) -> Iterator[str]:
     """The page of a problem."""
     problem = derivation.study.problem
     title, *told = (click.unstyle(line) for line in lines(answer_of(derivation), problem))
@@ -59,7 +65,12 @@ def page(entry: Entry, derivation: Derivation, alt: str) -> Iterator[str]:
     yield f"```{{image}} {entry.name}.svg\n:alt: {' '.join(alt.split())}\n:width: 24em\n```\n"
     notes_, moving = (f"../problems/{entry.name}{end}.html" for end in ("", "-explorer"))
     see = f' · <a href="{moving}">See it move</a>' if moves(derivation) else ""
-    yield f'```{{raw}} html\n<p><a href="{notes_}">The derivation</a>{see}</p>\n```\n'
+    own = html.escape(address("../studio/index.html", Live("", problem.text)))
+    change = f' · <a href="{own}">Change this problem</a>' if has_studio else ""
+    yield f'```{{raw}} html\n<p><a href="{notes_}">The derivation</a>{see}{change}</p>\n```\n'
+    if has_studio:  # a frame in what is closed is loaded when it is opened
+        frame = f'<iframe src="{own}" title="{html.escape(title)}" width="100%" height="720" loading="lazy"></iframe>'
+        yield f"```{{raw}} html\n<details><summary>Change it here</summary>{frame}</details>\n```\n"
     yield f"Source: {problem.source}.\n" if problem.source else ""
     yield "## Results\n\n```text\n" + "\n".join(told) + "\n```\n"
     yield f"## Statement\n\n```toml\n{problem.text.rstrip()}\n```\n"
@@ -78,4 +89,4 @@ def index(problems: list[Entry]) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    write(HERE / "gallery", Path(sys.argv[1]))
+    write(HERE / "gallery", *map(Path, sys.argv[1:3]))

@@ -28,6 +28,7 @@ class NotesWish:
     detail: str
     simulation: bool
     plots: bool
+    studio: str
     output: Path
 
 
@@ -39,6 +40,7 @@ class NotesWish:
 @click.option("--lang", "language", metavar="LANGUAGE", default="en", show_default=True, help="Language of the notes.")
 @detail_option
 @click.option("--plots/--no-plots", default=True, show_default=True, help="Works, energies, speeds, forces, motion.")
+@click.option("--studio", metavar="ADDRESS", default="", help="Of a studio: a QR code leads to each problem there.")
 @click.option("--simulation/--no-simulation", default=None, help="Run the numerical oracle too (not by --watch).")
 @click.option("--watch", "is_watched", is_flag=True, help="Write again at each change, until Ctrl-C.")
 @output_option(".", "Folder of the files.")
@@ -56,7 +58,8 @@ def command(name: str | None, is_all: bool, simulation: bool | None, is_watched:
       rbpsym notes --all -o library
 
     The files are called as the problem or course, slides NAME-slides; the drawings of Markdown lie
-    beside it. All of them are written whole or not at all. Word needs pip install 'rbpsym[docx]'.
+    beside it. All of them are written whole or not at all. Word needs pip install 'rbpsym[docx]',
+    --studio (of a problem or a course) 'rbpsym[qr]'.
     With --all, each format but HTML is one book, and HTML a site that begins at index.html.
     """
     wish = NotesWish(simulation=not is_watched if simulation is None else simulation, **told)
@@ -147,7 +150,9 @@ def _library(name: str | None, is_watched: bool, wish: NotesWish) -> int:
 def _written(document: Document, stem: str, wish: NotesWish) -> list[Path]:
     """All formats are made before the first file is written."""
     from rbpsym.document.files import write_all
+    from rbpsym.document.twin import with_twins
     from rbpsym.document.writers import files
 
+    document = with_twins(document, wish.studio) if wish.studio else document
     made = {name: content for f in wish.formats for name, content in files(document, f, stem, wish.engine).items()}
     return write_all(wish.output, made)

@@ -59,6 +59,8 @@ STYLES: Mapping[str, DrawingStyle] = {
     "curve sum": DrawingStyle("ink", 2.0),
     **{f"along {k}": DrawingStyle(color, 1.4) for k, color in enumerate(FORCE_COLORS, 1)},
     **{f"about {k}": DrawingStyle(color, 1.4, dash=0.16) for k, color in enumerate(FORCE_COLORS, 1)},
+    "code": DrawingStyle("ink", 0.01, fill="ink"),
+    "quiet": DrawingStyle("paper", 0.01, fill="paper"),
     "curve thin": DrawingStyle("soft", 1.1, dash=0.09),
 }
 
