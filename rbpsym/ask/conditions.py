@@ -14,6 +14,7 @@ from rbpsym.algebra import NOTHING, Scalar, derivative, is_zero, lift, substitut
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.begun import needed
 from rbpsym.ask.made import value_of
+from rbpsym.ask.moments import NoClosedForm
 from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import (
     PLACE,
@@ -233,8 +234,10 @@ def _damped(world: Scene, name: str, kind: str) -> Wanted:
 
 
 def _rests_at(world: Scene, name: str, place: str) -> Wanted:
-    """It comes to rest at a place."""
-    return _equal(world, f"{name} where {name} comes to rest", place)
+    """It comes to rest at a place: where that is known, else its speed vanishes there."""
+    with suppress(NoClosedForm):
+        return _equal(world, f"{name} where {name} comes to rest", place)
+    return _equal(world, f"speed of {name} where {name} = {place}", "0")
 
 
 def _equilibrium(world: Scene, name: str, text: str) -> Wanted:

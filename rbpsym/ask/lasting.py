@@ -56,6 +56,25 @@ def clear(study: Study, state: State) -> State:
     return replace(state, valid=(*state.valid, *(settle(demands, study.assumptions) or demands)))
 
 
+def coming(study: Study, name: str, place: Scalar) -> tuple[State, bool]:
+    """A place to which the motion may come, with what its speed asks for where that is least on the way, and whether that is
+    known; else with what it asks for there alone."""
+    from rbpsym.ask.seen import Scene, way_to
+    from rbpsym.ask.wanted import Wanted
+    from rbpsym.ask.yesno import least_values
+
+    state, square, lows = state_at(study, name, place), study.squares[name], None
+    with suppress(Undecided, StatementError):
+        way, within = way_to(Scene(study), name, place, study.assumptions)
+        lows = [*way.asked, *least_values(Scene(study), Wanted((square,), within, name, end=place, asked=way.asked))]
+    valid = settle([Demand(substitute(square, {name: place}), ">=")] if lows is None else lows, study.assumptions)
+    if lows is None:
+        return replace(state, valid=valid or ()), False
+    if valid is None:
+        raise StatementError(f"“{name}” does not come to this value in this motion: its speed vanishes before")
+    return clear(study, replace(state, valid=valid)), True
+
+
 def held(study: Study) -> list[Demand]:
     """What contacts and friction ask for on the motion where they are not sure to hold, as functions of the state."""
     along = study.reactions_along_motion or {}

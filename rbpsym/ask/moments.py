@@ -10,17 +10,17 @@ import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, kept, names_in, substitute
+from rbpsym.algebra import NOTHING, Scalar, is_zero, kept, names_in
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.ask.lasting import clear
+from rbpsym.ask.lasting import clear, coming
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
 from rbpsym.frozen import dataclass, field, replace
-from rbpsym.mechanics.arrivals import mover, state_at
+from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.at_start import StartStudy, study_of
-from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.demands import assuming
 from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.instant import has_start
@@ -238,9 +238,8 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
         except (NotApplicable, StatementError) as error:
             refused = refused or error
             if isinstance(error, NotApplicable) and event == "reaches" and subject == mover(study):
-                there = Demand(substitute(study.squares[subject], {subject: scalar(value)}), ">=")
-                state = replace(state_at(study, subject, scalar(value)), valid=settle([there], study.assumptions) or ())
-                return Moment(number, state, "event", is_open=True)
+                state, is_sure = coming(study, subject, scalar(value))
+                return Moment(number, state, "event", phase if is_sure else None, is_open=not is_sure)
             continue
         except ZeroDivisionError:
             refused = refused or StatementError("a speed has no value there: something is divided by zero")

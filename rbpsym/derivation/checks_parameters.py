@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, is_zero, symbol
-from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
+from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import normal
 from rbpsym.derivation.checks import first_proved, relations
 from rbpsym.derivation.context import Context
@@ -78,6 +78,7 @@ def vanishes_there(context: Context, step: Step) -> Verdict:
 
 def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assumptions) -> Verdict:
     """Whether the value vanishes in its range at these places at most."""
+    value = _unwrapped(value, name)
     slope = shorter(derivative(value, name))
     if len(places) == 1 and sign(slope, given).is_nonzero:
         return proved("it is monotone, so that it vanishes once at most")
@@ -90,6 +91,23 @@ def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assu
     if places and all(_is_free(value, slope, given.with_range(name, *ends)) for ends in parts):
         return proved("between these it has one sign")
     return undecided("that there is no other place is not seen on a second road")
+
+
+def _unwrapped(value: Scalar, name: str) -> Scalar:
+    """p - q cos β for acos(p/q) - β, which vanishes wherever that does: so for what is linear in one inverse function."""
+    inverses = (index for index in value.num.atoms() if atoms.atom(index).kind in INVERSES)
+    inverse_ = [index for index in inverses if depends_on(atoms.atom(index).arg, name)]
+    parts = value.num.by_power(inverse_[0]) if len(inverse_) == 1 else {}
+    if parts.keys() - {0, 1} or 1 not in parts or any(depends_on(Scalar(part), name) for part in parts.values()):
+        return value
+    found = atoms.atom(inverse_[0])
+    angle = -Scalar(parts.get(0, NOTHING.num)) / Scalar(parts[1])
+    with suppress(ZeroDivisionError):
+        return Scalar((found.arg - function(INVERSES[found.kind], angle)).num)
+    return value
+
+
+INVERSES = {"acos": "cos", "asin": "sin", "atan": "tan"}
 
 
 def side_of(value: Scalar, name: str | None, given: Assumptions) -> int:
@@ -221,7 +239,8 @@ def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, give
     edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
     floor = NOTHING if symbol(name) in values else None  # below it, it is negative itself
     outside = given.with_range(name, *((floor, there[name]) if sense < 0 else (there[name], None)))
-    falls = (sign(shorter(derivative(value, name)), each).kind == KINDS[-sense] for value in edge for each in (given, outside))
+    cores = [part for value in edge for part in (value, _core(value, given)) if is_zero(rooted(substitute(part, there), given))]
+    falls = (sign(shorter(derivative(value, name)), each).kind == KINDS[-sense] for value in cores for each in (given, outside))
     if is_kept and any(falls):
         return proved("nothing is negative at the bound, and at one place something vanishes there and is negative beyond")
     return undecided("that this is the bound is not seen on a second road")

@@ -121,10 +121,12 @@ def frequencies(world: ProblemWorld, name: str | None) -> Bound:
 
 def mode_shape(world: ProblemWorld, first: str, second: str, ordinal: str) -> Bound:
     """The ratio of two amplitudes in a mode of coordinates. Raises StatementError where it is not told by the first of them."""
-    names, item = world.study.system.independent, _about(world, second, None)
+    names, known = world.study.system.independent, {name for item in world.study.equilibria for name in item.at}
+    kept = first if second in {*names} - known else second  # of what is free to go anywhere no place of rest is told
+    item = _about(world, kept, None)
     if first == second or not {first, second} <= {*names}:
         raise StatementError("the shape of a mode is told of two coordinates", instead=f"of two of {', '.join(names)}.")
-    found = amplitudes(item, _mode(world, item, ordinal, second))
+    found = amplitudes(item, _mode(world, item, ordinal, kept))
     sizes = dict(zip(names, found or (), strict=False))
     if not sizes or is_zero(sizes[second]):
         raise StatementError(f"“{second}” stays at rest in this mode, or nothing ties the two")

@@ -41,6 +41,16 @@ ANSWERS = (
     ("geared-winch", "tau for which y stays constant", "m*g*r*r_1/r_2"),
     # a sense that a start of either sign tells
     ("turning-parabola", "speed of x where x = 0", "-x_0*sqrt(g/p - Omega**2)"),
+    # what a place asks for where no formula tells where it would stop; roots in inverse functions; shapes of modes
+    ("spring-launch-up", "smallest d for which s reaches 0", "2*m*g*(sin(beta)+mu*cos(beta))/k"),
+    ("stiff-hinge", "speed of theta where theta = -pi/2", "-sqrt(3*(m*g*L-pi*tau)/(m*L**2))"),
+    ("stiff-hinge", "energy lost until theta = -pi/2", "tau*pi/2"),
+    ("stiff-hinge", "tau for which theta comes to rest at -pi/2", "m*g*L/pi"),
+    ("unbalanced-machine", "Omega for which the phase of y = pi/2", "sqrt(k/(M+m))"),
+    ("two-on-cart", "ratio of theta_2 to theta_1 in the highest mode", "1"),
+    ("two-on-cart", "ratio of theta_1 to x in the highest mode", "-(M+2*m)/(2*m*L)"),
+    ("rods-that-fold", "speed of left.end just before theta = 0", "sqrt(3*g*L*sin(beta_0))"),
+    ("bowl-that-slides", "x where theta = pi/2", "-2*m*R/(M+m)"),
     ("held-by-string", "smallest mu for which it does not slip", "tan(beta/2)"),
     ("rod-with-beads", "speed of phi as a function of r", "omega_0*(M*L**2/3+2*m*r_0**2)/(M*L**2/3+2*m*r**2)"),
     ("ball-off-wall", "ratio of energy lost until rolling to kinetic energy at the start", "40/49"),
