@@ -127,7 +127,7 @@ def document_of(derivation: Derivation, detail: str, method: str, language: str)
     problem = derivation.study.problem
     said = words_of(derivation, road(derivation, shown_steps(derivation, detail), method), language)
     said = replace(said, level=DETAILS[detail])
-    later = phase_sections(derivation, said, 1, phase_words(detail, language)) if method == "all" else ()
+    later = phase_sections(derivation, said, 1, phase_words(derivation, detail, language)) if method == "all" else ()
     sections = (*chapter_sections(derivation, said, 1), *later)
     return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation, language))
 

@@ -160,12 +160,15 @@ def reason_fits(block: Display, notation: Notation, column: float) -> bool:
     return used + 5.0 <= 0.92 * column
 
 
-def is_wrapped(block: Table, place: int, notation: Notation, column: float) -> bool:
-    """Must a narrow column of words be wrapped, for the table to have room in a column of the page?"""
-    return column_width(block, place, notation) > NARROW and table_width(block, notation, math.inf) > column
-
-
 NARROW = 9.0
+
+
+def wrapped_width(block: Table, place: int, notation: Notation, column: float) -> float:
+    """The width of a column of words that must be wrapped for the table to have room in a column of the page: what the others
+    leave, and no less than a narrow one; 0 if there is room."""
+    if column_width(block, place, notation) <= NARROW or table_width(block, notation, math.inf) <= column:
+        return 0
+    return max(NARROW, math.floor(NARROW + column - table_width(block, notation)))
 
 
 def column_width(block: Table, place: int, notation: Notation) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 from itertools import chain, groupby
 
 from rbpsym.derivation.assertions import Said
@@ -136,7 +137,14 @@ def _inertia(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     """The integrals over the mass; of a moment that is given there is nothing to say before."""
     if any(step.rule == "mass_integral" for step in derivation.chapter("inertia")):
         yield from _intro("inertia", derivation, said)
-    yield from telling.Teller(said).steps(steps)
+    teller, before = telling.Teller(said), set()
+    for step in steps:
+        road = step.statement.items[2:] if step.phrase.startswith("inertia.integral") and not said.is_full else ()
+        yield from teller.step(replace(step, statement=ends(step.statement), phrase=ALIKE) if road in before else step)
+        before |= {road} if road else set()
+
+
+ALIKE = "inertia.alike"  # the integral of a body is that of one before
 
 
 def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
@@ -171,7 +179,9 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     yield from teller.steps((*others, *found))
     for kind, group in zip(kinds, groups, strict=True):
         tied = [step.slots["coordinate"] for step in group if "coordinate" in step.slots]
-        yield from teller.together(group, f"kinematics.{kind}_many", coordinates=tied)
+        ways = {step.slots.get("variant") for step in group}
+        manner = {"variant": "rate" if "rate" in ways else "place"} if kind == "dependent" else {}
+        yield from teller.together(group, f"kinematics.{kind}_many", coordinates=tied, **manner)
 
 
 def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -6,16 +6,17 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from importlib.util import find_spec
 
-from rbpsym.ask.asking import own_answers
+from rbpsym.ask.answer import Answer
+from rbpsym.ask.asking import Refused, own_answers
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, in_page_order, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
-from rbpsym.document.needless import is_still, is_struck, needless, owed_by
+from rbpsym.document.needless import is_still, needless, owed_by
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section, with_remarks
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
-from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
+from rbpsym.document.notes_phases import CHAPTERS, GOES_ON, is_asked_about, new_steps, phase_results, phase_sections
 from rbpsym.document.notes_question import answer_section, asked, boxes_of_answers, in_known_forms, question_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
@@ -120,9 +121,9 @@ def problem_sections(
     is_brief = detail == "brief"
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
     said = replace(said, is_brief=is_brief, is_posed=True, level=DETAILS[detail])
-    speaker = phase_words(detail, language)
     drawn = _curves(derivation, said, level) if plots and not is_still(derivation) else None
     answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))
+    speaker = phase_words(derivation, detail, language, answers)
     later = list(phase_results(derivation, said, speaker))
     answered, stated = answer_section(answers, ((said, derivation.steps), *later), said, level)
     derived = (
@@ -151,12 +152,16 @@ def _curves(derivation: Derivation, said: Words, level: int) -> Section:
     return plots_section(derivation, said, level)
 
 
-def phase_words(detail: str, language: str) -> Callable[[Derivation, str], Words]:
-    """How notes speak of a later phase: of what is new in it."""
+def phase_words(
+    derivation: Derivation, detail: str, language: str, answers: Iterable[Answer | Refused] = ()
+) -> Callable[[Derivation, str], Words]:
+    """How notes speak of the later phases of a derivation: of what is new in each."""
+    chapters = CHAPTERS if detail == "full" or is_asked_about(derivation, answers) else GOES_ON
+    told = shown_steps(derivation, detail)
 
-    def speaker(derivation: Derivation, prefix: str) -> Words:
-        found = words_of(derivation, new_steps(derivation, shown_steps(derivation, detail)), language, prefix)
-        return replace(found, is_later=True, is_brief=detail == "brief", level=DETAILS[detail])
+    def speaker(phase: Derivation, prefix: str) -> Words:
+        new = new_steps(phase, shown_steps(phase, detail), told, chapters)
+        return replace(words_of(phase, new, language, prefix), is_later=True, is_brief=detail == "brief", level=DETAILS[detail])
 
     return speaker
 
@@ -167,9 +172,7 @@ def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     kept = frozenset(step.id for step in derivation.steps if step.level <= level or step.is_result)
     if detail == "full":
         return kept - needless(derivation)
-    left_out = needless(derivation) | retold(derivation)
-    shown = used(derivation, left_out if is_struck(derivation) else ())  # what never happens leads nowhere
-    return shown & (brief_steps(derivation) if detail == "brief" else kept) - left_out
+    return used(derivation) & (brief_steps(derivation) if detail == "brief" else kept) - needless(derivation) - retold(derivation)
 
 
 CHECKS = "table.checks"

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import chain, groupby
 
+from rbpsym.ask.answer import Answer
+from rbpsym.ask.asking import Refused
 from rbpsym.derivation.chapters.endings import begun
 from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
 from rbpsym.document.chapters import chapter_sections, manner_of_solution
@@ -18,10 +20,11 @@ from rbpsym.statement.model import Phase
 
 # of a later phase: what is new in it
 CHAPTERS = ("kinematics", "instant", "motion", "energy", "contact", "oscillations", "course")
-NEW: dict[str, Callable[[Step], bool]] = {
-    "kinematics": lambda step: step.rule in ("constraint", "no_slip", "taut", "tied"),
-    "energy": lambda step: step.rule in ("conservation", "first_integral"),
+NEW: Mapping[str, Collection[str]] = {
+    "kinematics": ("constraint", "no_slip", "taut", "tied"),
+    "energy": ("conservation", "first_integral"),
 }
+GOES_ON = CHAPTERS[:3]  # where no question reaches beyond its beginning: how it goes on is told, and no more
 LASTING = ("conservation", "substitution", "linearization")  # left out one by one where they say the same as before
 Speaker = Callable[[Derivation, str], Words]
 
@@ -115,7 +118,25 @@ def _begins(phase: DerivedPhase, own: Words) -> Iterator[Block]:
         yield from teller.steps(steps)
 
 
-def new_steps(derivation: Derivation, shown: frozenset[str]) -> frozenset[str]:
-    """The steps of a later phase that are not a repetition of the first one's."""
-    kept = (s for s in derivation.steps if s.id in shown and s.chapter in CHAPTERS)
-    return frozenset(step.id for step in kept if NEW.get(step.chapter, lambda step: True)(step))
+def is_asked_about(derivation: Derivation, answers: Iterable[Answer | Refused]) -> bool:
+    """May a question reach beyond the beginnings of the later phases of a derivation?"""
+    own = {step.id for phase in derivation.phases for step in phase.derivation.steps}
+    asked = {step.id for found in answers if isinstance(found, Answer) for step in found.steps}
+    return not asked or not own.isdisjoint(asked)
+
+
+def new_steps(phase: Derivation, shown: frozenset[str], told: frozenset[str], chapters: Collection[str]) -> frozenset[str]:
+    """The steps of a later phase that are not a repetition of the first one's, of which these were `told`."""
+    kept = (step for step in phase.steps if step.id in shown and (step.chapter in chapters or _is_nothing(step)))
+    return frozenset(step.id for step in kept if _is_new(step) or (step.id not in told and chapters == CHAPTERS))
+
+
+def _is_new(step: Step) -> bool:
+    return step.chapter not in NEW or step.rule in NEW[step.chapter]
+
+
+def _is_nothing(step: Step) -> bool:
+    """Does a step say that a force is zero from now on?"""
+    statement = step.statement
+    is_equal = isinstance(statement, t.Chain) and {*statement.ops} == {"="}
+    return step.chapter == "contact" and is_equal and statement.items[-1] == t.ZERO

@@ -24,12 +24,22 @@ IN_HALVES = ("work_energy", "work_together", "work_integral", "conservation", "w
 REPEATED = ("work.alone",)  # works body by body lead to the energy of the whole, which has a chapter of its own
 
 
-def used(derivation: Derivation, without: Collection[str] = ()) -> frozenset[str]:
-    """Ids of the steps that are conclusions, and of all that they rest on or refer to; `without` what the page leaves out,
-    which leads nowhere then."""
-    both = _in_both_parts(derivation)
-    ends = [step.id for step in derivation.steps if step.is_result or _concludes(step, both)]
-    return led_to(derivation.steps, [id for id in ends if id not in without]) - frozenset(without)
+def used(derivation: Derivation) -> frozenset[str]:
+    """Ids of the steps that are conclusions, or from which the next phase begins, and of all that they rest on or refer to."""
+    ends = [step.id for step in _ends(derivation)]
+    ends += [id for phase in derivation.phases[:1] for step in phase.begins for id in step.reasons]
+    return led_to(derivation.steps, ends)
+
+
+def _ends(derivation: Derivation) -> list[Step]:
+    """The conclusions: where a blow at the start ends the motion there are none, where the whole motion is given its energy,
+    from which no speed follows, is none."""
+    if is_struck(derivation):
+        return derivation.chapter("inertia")
+    system, both = derivation.study.system, _in_both_parts(derivation)
+    without = "energy" if system.has_clock and not system.independent else ""
+    found = (step for step in derivation.steps if step.chapter != without)
+    return [step for step in found if step.is_result or _concludes(step, both)]
 
 
 # of the works, what the chapter on the energy says once more of the whole
@@ -38,15 +48,14 @@ OF_THE_WHOLE = ("work.together.", "work.alone", "work.theorem.whole", "work.axis
 
 def retold(derivation: Derivation) -> frozenset[str]:
     """Ids of steps that say what others on the page do: the energy of the whole in terms of works, the rate at which it is
-    lost, the balances of a body from which the motion was found; and of what would happen but for a blow at the start."""
+    lost, the balances of a body from which the motion was found."""
     ends = {row.items[-1] for step in derivation.chapter("energy") if step.is_result for row in t.rows(step.statement)}
     is_kept = any(step.id == "energy" for step in derivation.steps)
     phrases = (*OF_THE_WHOLE, "work.theorem.") if is_kept else OF_THE_WHOLE
     works = derivation.chapter("work") if derivation.chapter("energy") else ()
     again = [s.id for s in works if s.phrase.startswith(phrases) or (s.rule == "power" and s.statement.items[-1] in ends)]
-    never = [s.id for name in ("motion", "reactions") for s in derivation.chapter(name) if is_struck(derivation)]
     balanced = (s.id for s in derivation.chapter("reactions") if _is_balanced(s, derivation))
-    return frozenset((*again, *never, *balanced))
+    return frozenset((*again, *balanced))
 
 
 ABOUT_CENTRE = ("torque.balance.center", "torque.balance.center.some", "torque.balance.level")

@@ -179,13 +179,13 @@ def test_more_detail_shows_more():
 
 
 def test_a_motion_that_a_blow_ends_at_its_start_has_no_speed_along_it():
-    """The square of the speed in a phase of no duration is below zero; that of the phase after the blow stays."""
+    """The square of the speed in a phase of no duration is below zero; full notes tell that of the phase after the blow."""
     derivation = derived("center-of-percussion")
     shown = shown_steps(derivation, "full")
     left_out = {step.rule for step in derivation.steps if step.id not in shown}
     assert {"first_integral", "substitution"} <= left_out
     squares = [step for step in derivation.steps if step.rule == "first_integral"]
-    printed = [part.node for part in parts(document("center-of-percussion").sections) if isinstance(part, Display)]
+    printed = [part.node for part in parts(document("center-of-percussion", "full").sections) if isinstance(part, Display)]
     assert squares and all(step.statement not in printed for step in squares)
     assert any(isinstance(node, t.Chain) and node.items[0] == squares[0].statement.items[0] for node in printed)
 

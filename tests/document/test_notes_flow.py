@@ -14,7 +14,7 @@ from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.numbering import numbered, once_each, parts
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.telling import TOO_WIDE
-from rbpsym.document.words import Words
+from rbpsym.document.words import Words, upright
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import problem_files
@@ -122,7 +122,10 @@ def test_brief_notes_are_short_and_keep_all_results(name: str) -> None:
     counted = [len([shown for shown in displays(one) if shown.numbered]) for one in (brief, standard)]  # answers once on top
     assert counted[0] < 0.9 * counted[1]
     assert len(brief.sections) <= len(standard.sections)
-    results = {shown.node for shown in displays(page(name, "full")) if shown.boxed and not shown.label.startswith("ask")}
+    later = enumerate(derived(name).phases, 2)  # beyond the question, which asks how the second phase begins
+    beyond = {f"phase{number}.{step.id}" for number, phase in later for step in phase.derivation.steps}
+    boxed = [shown for shown in displays(page(name, "full")) if shown.boxed and not shown.label.startswith("ask")]
+    results = {shown.node for shown in boxed if shown.label not in beyond}
     shown = [found.node for found in displays(brief)]
     assert results <= set(shown)
     below = [part for part in parts(brief.sections[1:]) if isinstance(part, Display)]  # the first section holds the answers
@@ -187,3 +190,27 @@ def test_ends_are_called_as_they_lie_in_the_figure_where_they_may_turn_over():
 def captions(document: Document) -> list[str]:
     found = [part for part in parts(document.sections) if isinstance(part, FigureBlock)]
     return ["".join(inline.text for inline in block.caption if isinstance(inline, Text)) for block in found]
+
+
+def test_what_no_question_reaches_is_told_in_full_notes_only() -> None:
+    """A rod that is caught: what would happen without the blow does not, and how it then turns is all that is told of it."""
+    short, full = ({found.label for found in displays(page("rod-caught-at-end", detail))} for detail in ("standard", "full"))
+    assert {"moment.rod", "phase2.after.speeds", "phase2.energy.lost", "phase2.motion.theta"} <= short
+    assert not {"kinetic", "energy", "position.rod", "phase2.square.theta", "phase2.along.P_x"} & short
+    assert {"phase2.square.theta", "phase2.along.P_x"} <= full
+    assert "phase2.along.f" in {found.label for found in displays(page("ball-slipping-to-rolling"))}, "it rolls without friction"
+
+
+def test_where_the_motion_is_given_its_energy_leads_nowhere() -> None:
+    labels = {found.label for found in displays(page("crate-on-truck"))}
+    assert "free_body.crate" in labels and not {"kinetic", "energy"} & labels
+
+
+def test_an_integral_is_carried_out_once() -> None:
+    first, second = (found.node for found in displays(page("movable-pulley")) if found.label.startswith("moment."))
+    assert len(first.items) == 4 and second.items[1:] == first.items[-1:]
+
+
+@pytest.mark.parametrize(("op", "turned"), [(">", "<"), (">=", "<="), ("!=", "!=")])
+def test_a_condition_does_not_begin_with_a_minus(op: str, turned: str) -> None:
+    assert upright(t.relation(t.Neg(t.Sym("z")), op, t.ZERO)) == t.relation(t.Sym("z"), turned, t.ZERO)

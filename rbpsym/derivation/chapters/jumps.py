@@ -14,6 +14,7 @@ from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.impulse import Moment, impulsive, restitutions
 from rbpsym.mechanics.jumps import Jump, road
 from rbpsym.mechanics.phases import HandOver
+from rbpsym.mechanics.placing import origins
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Phase
@@ -89,7 +90,8 @@ def _step(draft: Draft, blow: Blow, jump: Jump) -> Step:
     point = t.Sym(jump.label or letters.free("C", taken=letters.things))
     axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(jump.label, draft.show_vector(jump.where))
     bodies = [BodyRef(name) for name in jump.bodies]
-    where = ("named" if jump.label else "there") if jump.is_turning else "along"
+    is_known = jump.label in origins(blow.moment.before)
+    where = ("named" if is_known else "there") if jump.is_turning else "along"
     reason = {"forces": names, "count": len(names), "point": point, "axis": axis}
     return draft.add(
         f"jump.{kind}.{jump.label or 'there'}.{'.'.join(jump.bodies)}",

@@ -153,8 +153,8 @@ def column(block: d.Table, place: int, page: Page) -> str:
     """The letter of one column."""
     letter = block.columns[place]
     if letter == "p":
-        wide = breaking.is_wrapped(block, place, page.notation, page.column)
-        return rf">{{\raggedright\arraybackslash}}m{{{breaking.NARROW}em}}" if wide else "l"
+        room = breaking.wrapped_width(block, place, page.notation, page.column)
+        return rf">{{\raggedright\arraybackslash}}m{{{room}em}}" if room else "l"
     return "X" if letter == "l" and breaking.is_wordy(block, place) else letter
 
 

@@ -116,8 +116,8 @@ def table(block: d.Table, page: Page) -> str:
 
 def column(block: d.Table, place: int, page: Page) -> str:
     """The width of a column: words share the room that is left, or wrap in a narrow one."""
-    if block.columns[place] == "p" and breaking.is_wrapped(block, place, page.notation, page.column):
-        return f"{breaking.NARROW}em"
+    if block.columns[place] == "p" and (room := breaking.wrapped_width(block, place, page.notation, page.column)):
+        return f"{room}em"
     wordy = block.columns[place] == "l" and breaking.is_wordy(block, place)
     return "1fr" if wordy else "auto"
 
