@@ -284,9 +284,9 @@ def _terminal(context: Context, step: Step, value: Scalar) -> list[Verdict]:
     found = [same(context, substitute(gained, {speed: value}), NOTHING)]
     found += _positive(context, -substitute(derivative(gained, speed), {speed: value}))
     begin = context.start(symbol(speed))
-    found.append(positive(context, step, (value - begin) * context.start(gained)))
-    other = begin + value
-    return [*found, *(_positive(context, other * value) if form.drag else ())]
+    if form.drag:  # a (u - v)(u + v) goes towards u from where u + v has its sign
+        return [*found, *_positive(context, (begin + value) * value)]
+    return [*found, positive(context, step, (value - begin) * context.start(gained))]
 
 
 def _total(context: Context, step: Step, value: Scalar) -> list[Verdict]:
