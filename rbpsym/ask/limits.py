@@ -5,10 +5,26 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, ONE, PI, UNITY, Poly, Scalar, apart, at_most, atoms, generator, is_zero, symbol
+from rbpsym.algebra import (
+    NOTHING,
+    ONE,
+    PI,
+    UNITY,
+    Poly,
+    Scalar,
+    apart,
+    at_most,
+    atoms,
+    depends_on,
+    generator,
+    is_zero,
+    names_in,
+    symbol,
+)  # fmt: skip
 from rbpsym.algebra.calculus import atom_depends, derivative, split_factor, substitute
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import root_of
 from rbpsym.errors import LimitError, Undecided
 from rbpsym.frozen import dataclass
@@ -57,6 +73,16 @@ def leading(value: Scalar, name: str, to: Scalar | None, given: Assumptions, sid
     if first is None:
         return None
     return Leading(short(found.terms[first]), Fraction(found.start + first, power), image, there, power)
+
+
+def squeezed(value: Scalar, name: str, to: Scalar | None, given: Assumptions, side: int = 1) -> str | None:
+    """A symbol in a value to which the declared ranges leave no value in the limit, as none is left to μ < b/h for b → 0."""
+    for other in sorted(names_in(value) - {name}):
+        limits = of_symbol(other, given)
+        width = NOTHING if None in (limits.lower, limits.upper) else limits.upper - limits.lower
+        if depends_on(width, name) and ((found := leading(width, name, to, given, side)) is None or found.order > 0):
+            return other
+    return None
 
 
 @dataclass(frozen=True, slots=True)

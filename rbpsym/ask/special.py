@@ -12,7 +12,7 @@ from rbpsym.algebra.present import present
 from rbpsym.ask.answer import found_of
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import asks
-from rbpsym.ask.limits import SMALL, Leading, leading
+from rbpsym.ask.limits import SMALL, Leading, leading, squeezed
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import Scene, parameter, parts_seen, place_in, require_same, told
 from rbpsym.equality.assumptions import Assumptions
@@ -113,6 +113,9 @@ def in_limit(world: Scene, phrase: str, name: str, text: str, *, as_term: bool =
     limits = of_symbol(name, given)
     at_top = to is not None and limits.upper is not None and is_zero(to - limits.upper)
     side = -1 if at_top else sign_
+    if other := next(filter(None, (squeezed(part, name, to, given, side) for part in parts)), None):
+        raise StatementError(f"in this limit no value in its declared range is left to “{other}”",
+                             instead=f"declare another range for {other}, or say “with {other} = …”.")  # fmt: skip
     found = [_limit(part, name, to, side, given, phrase, as_term=as_term) for part in parts]
     return _near(world, _together(found, phrase), name, to, side)
 

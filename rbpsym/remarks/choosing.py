@@ -12,7 +12,7 @@ from typing import Any
 from rbpsym.algebra import NOTHING, at_most, depends_on, is_zero, names_in, substitute
 from rbpsym.algebra.present import present
 from rbpsym.ask.finding import checked
-from rbpsym.ask.limits import SMALL, leading
+from rbpsym.ask.limits import SMALL, leading, squeezed
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.equality.domain import divisors
 from rbpsym.equality.rooted import neat
@@ -68,7 +68,7 @@ def small(result: Result) -> Iterator[Made]:
 
 def _limit(result: Result, name: str, key: str, slots: Mapping[str, object]) -> Iterator[Made]:
     """The limit where it is finite and not zero, and still a function of the same coordinates."""
-    if not depends_on(result.value, name):
+    if not depends_on(result.value, name) or squeezed(result.value, name, NOTHING, result.given):
         return
     found = leading(result.value, name, NOTHING, result.given)
     moving = {*result.study.system.scope.rates, *(c.name for c in result.study.problem.coordinates)}

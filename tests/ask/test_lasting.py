@@ -159,7 +159,7 @@ CARRIED = [
     (ROLLING, "s for which speed of s = sqrt(g*R)", GRIPS),
     (ROLLING, "largest speed of s over s between 0 and R", GRIPS),
     (ROLLING, "does speed of s where s = 2*R depend on m", GRIPS),
-    (ROLLING, "beta for which acceleration of s = g/4", "mu*(3 - c)*(5 + c) - c*sqrt((3 - c)*(5 + c)) >= 0"),
+    (ROLLING, "beta for which acceleration of s = g/4", "mu**2*(3 - c)*(5 + c) - c**2 >= 0"),
     (ROLLING, "smallest beta for which speed of s where s = 2*R >= sqrt(g*R)", "mu**2*(3 - c)*(5 + c) - c**2 > 0"),
     (TALL_BOX, "smallest mu for which it does not slip", "b*cos(beta) - h*sin(beta) >= 0"),
     (ROD, "largest N over theta between theta_0 and pi/2", "mu*(4 - 3*sin(theta_0)**2) - 3*sin(theta_0)*cos(theta_0) >= 0"),
