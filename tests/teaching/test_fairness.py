@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 
 import pytest
 
+from rbpsym.errors import RbpsymError
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.units import read_unit
+from rbpsym.teaching.grading.choices import judge_choice
 from rbpsym.teaching.grading.desk import Desk, grade_worksheet
+from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.marking import grade
-from rbpsym.teaching.model import ExplanationKey, FormulaKey, NumberKey, Student
+from rbpsym.teaching.grading.quantity import read_quantity
+from rbpsym.teaching.grading.reading import read_formula
+from rbpsym.teaching.model import ChoiceKey, ExplanationKey, FormulaKey, NumberKey, Option, Student
 from rbpsym.teaching.plan import plan_of
 from rbpsym.teaching.spreadsheets import parse_answers
 
@@ -84,3 +90,49 @@ def test_the_teacher_decides_what_is_left_open():
     assert "Marked by the teacher." in graded.pages["bob.html"]
     assert cleo[teacher] == "all" and any("earns 0 to" in sentence for sentence in graded.told)
     assert not any("passed over" in sentence for sentence in graded.told)
+
+
+@pytest.fixture(scope="module")
+def ladder():
+    return plan_of("sliding-ladder").worksheet(Student("ana"), "s")
+
+
+def asked(sheet, kind: type, quantity: str = ""):
+    return next(item for item in sheet.items if isinstance(item.key, kind) and item.asked.quantity.startswith(quantity))
+
+
+def test_a_value_rounded_too_far_is_told_so_and_is_no_slip(ladder):
+    """One figure of 1.13 lies near what a forgotten half would give."""
+    item = asked(ladder, NumberKey, "speed")
+    measure = item.key.measure
+    found = marked(ladder, **{f"q{item.id}": f"{float(measure.value):.1g} {measure.unit}"})[item.id]
+    assert found.judgement.slip is None and {r.key for r in found.judgement.remarks} == {"too few figures"}
+
+
+@pytest.mark.parametrize("typed", ["arcsin(2/3 sin {0}°)", "arcsin(2/3 sin({0}°))", "{1:.1f}°", "{2:.3f} rad", "{2:.3f}"])
+def test_an_angle_at_the_numbers_of_the_paper_is_left_to_the_teacher(ladder, typed):
+    item = asked(ladder, FormulaKey, "question")
+    start = float(ladder.parts[0].given["theta_0"].value)
+    value = math.asin(2 / 3 * math.sin(math.radians(start)))
+    found = marked(ladder, **{f"q{item.id}": typed.format(start, math.degrees(value), value)})[item.id]
+    assert found.judgement.is_for_teacher and found.judgement.status.value == "undecided"
+
+
+def test_degrees_of_a_function_are_read_in_a_number_worked_out_on_paper():
+    assert read_quantity("2*(sin 54° - cos 60 deg) m").si == pytest.approx(2 * (math.sin(math.radians(54)) - 0.5))
+    with pytest.raises(RbpsymError, match="direction in words"):
+        read_quantity("23.3 N to the right")
+
+
+def test_a_power_divided_is_read_by_its_dimension(ladder):
+    """ℓ^(2/3) has no value here, which is not the same as the value zero."""
+    ground = Desk().ground(ladder.problems["sliding-ladder"])
+    key = read_formula("-(M*ell^2/3)*theta_ddot", ground.book)
+    assert judge_formula("-M l^2/3 α", Sought(key, ground)).credit == 1
+
+
+@pytest.mark.parametrize(("typed", "place"), [("I think b", 1), ("the answer is (c)", 2), ("it's a", 0), ("creo que b", 1)])
+def test_words_before_a_letter_are_no_hindrance(typed, place):
+    options = tuple(Option(()) for _ in range(4))
+    assert judge_choice(typed, ChoiceKey(options, place)).credit == 1
+    assert judge_choice("in between", ChoiceKey(options, place)).is_for_teacher

@@ -136,6 +136,7 @@ COVER = (
     "atwood-with-massive-pulley", "cart-and-rod", "rod-and-disk-fixed", "rod-and-disk-free", "ball-in-a-loop", "braking-wheel",
     "half-disk-rocking", "bicycle-wheelie", "disk-with-spring", "ball-slipping-to-rolling", "breaking-chimney",
     "disk-on-incline", "child-onto-roundabout", "ball-and-hinged-rod", "double-atwood", "two-gears", "ball-with-backspin",
+    "rod-with-damper",
 )  # fmt: skip
 
 

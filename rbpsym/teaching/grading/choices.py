@@ -28,7 +28,10 @@ def place_of(label: str, count: int) -> int | None:
     return None
 
 
-_FIRST = re.compile(r"\s*[(\[]?([A-Za-z]|\d{1,3})(?:[)\].:,;\s]|$)")
+_SAYING = r"(?:i\s+think|maybe|it['’]?s|it\s+is|creo\s+que|es)"
+_NAMING = r"(?:the\s+|la\s+)?(?:answer|option|opción|respuesta|letter|letra)\s*(?:is|es)?"
+_LEAD = rf"(?:(?:{_SAYING}\s+)?{_NAMING}|{_SAYING})[\s:]\s*"
+_FIRST = re.compile(rf"\s*(?:{_LEAD})?[(\[]?([A-Za-z]|\d{{1,3}})(?:[)\].:,;\s]|$)", re.IGNORECASE)
 
 
 # further labels: “d or c”, “b/a”, “a, b”; the words of an explanation are none

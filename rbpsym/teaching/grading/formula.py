@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import TypeVar
 
@@ -22,7 +21,6 @@ from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero, is_smal
 from rbpsym.teaching.model import Anticipated
 
 EARNING = (Status.RIGHT, Status.CARRIED, Status.UNFINISHED)
-_RADIANS = re.compile(r"(?<=[)\]}\s])\s*\b(?:rad|radians?|radianes)\s*$")  # a unit behind a formula of an angle
 T = TypeVar("T")
 OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
 
@@ -55,7 +53,7 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
     """The judgement on a typed formula. Errors of the student are judgements, never exceptions."""
     if not text.strip():
         return j.EMPTY
-    text, number = without_number(_RADIANS.sub("", text), sought.ground.book)
+    text, number = without_number(text, sought.ground.book)
     try:
         found = judge_tree(read_formula(text, sought.ground.book), sought)
     except RbpsymError as error:
@@ -237,7 +235,8 @@ def _dimension_remark(answer: t.Node, sought: Sought) -> Remark | None:
         found = dimension_of(answer, known)
     except DimensionError as error:
         return Remark("dimensions", {"why": error.what})
-    is_zero = not _value(answer, sought.ground)
+    value = _value(answer, sought.ground)
+    is_zero = not value if value is not None else divides_by_zero(answer, sought.ground)
     return None if found == wanted or is_zero else Remark("dimension", {"found": a(found), "wanted": a(wanted)})
 
 

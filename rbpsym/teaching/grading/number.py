@@ -87,16 +87,15 @@ def is_near(typed: Typed, exact: float, tolerance: Tolerance) -> bool:
 
 def _is_rounded(typed: Typed, exact: float, tolerance: Tolerance) -> bool:
     """Is it the exact value, rounded to as many figures as are accepted and typed?"""
-    if not exact or not typed.most:
-        return False
-    factor = typed.unit.factor if typed.unit else 1.0
-    value = exact / factor
-    for figures in range(max(tolerance.digits - tolerance.fewer, 1), typed.most + 1):
-        place = 10.0 ** (floor(log10(abs(value))) - figures + 1)
-        steps = typed.value / place
-        if abs(steps - round(steps)) < 1e-6 and abs(typed.value - value) <= 0.5000001 * place:
-            return True
-    return False
+    fewest = max(tolerance.digits - tolerance.fewer, 1)
+    return bool(exact and typed.most) and any(_is_rounded_to(typed, exact, k) for k in range(fewest, typed.most + 1))
+
+
+def _is_rounded_to(typed: Typed, exact: float, figures: int) -> bool:
+    value = exact / (typed.unit.factor if typed.unit else 1.0)
+    place = 10.0 ** (floor(log10(abs(value))) - figures + 1)
+    steps = typed.value / place
+    return abs(steps - round(steps)) < 1e-6 and abs(typed.value - value) <= 0.5000001 * place
 
 
 def _is_worth_carrying(own: float, sought: Wanted) -> bool:
@@ -156,8 +155,7 @@ def _coarse(typed: Typed, sought: Wanted) -> Remark | None:
     digits = sought.tolerance.digits
     if not typed.most or not typed.value or typed.most >= digits or not sought.exact:
         return None
-    value = sought.exact / (typed.unit or sought.unit).factor
-    if abs(typed.value - value) <= 0.5000001 * 10.0 ** (floor(log10(abs(value))) - digits + 1):
+    if _is_rounded_to(replace(_meant(typed, sought), most=digits), sought.exact, digits):
         return None
     return Remark("one figure fewer", {"digits": str(digits)})
 
@@ -167,7 +165,7 @@ def _missed(meant: Typed, unit: Remark | None, sought: Wanted) -> Judgement:
     known = next((found for look in LOOKS if (found := look(meant, sought))), None)
     told = j.slip_remarks(known.slots["slip"]) if known and known.key == "slip" else (known or Remark("wrong value"),)
     remarks = (*told, *((unit,) if unit else ()))
-    seen = Fraction(known is not None)
+    seen = Fraction(known is not None and known.key != "too few figures")
     figures = Fraction(_figures_remark(meant, sought.tolerance) is None)
     found = _marked(Status.WRONG, Fraction(0), seen * (unit is None), seen * figures, sought, *remarks)
     slip = known.slots.get("slip") if known else None
@@ -175,6 +173,13 @@ def _missed(meant: Typed, unit: Remark | None, sought: Wanted) -> Judgement:
 
 
 Look = Callable[[Typed, Wanted], Remark | None]
+
+
+def _too_coarse(meant: Typed, sought: Wanted) -> Remark | None:
+    """The exact value, rounded to fewer figures than can be accepted: no slip that comes near it is meant."""
+    digits, fewest = sought.tolerance.digits, sought.tolerance.digits - sought.tolerance.fewer
+    is_meant = 0 < meant.fewest < fewest and sought.exact and _is_rounded_to(meant, sought.exact, meant.fewest)
+    return Remark("too few figures", {"digits": str(digits)}) if is_meant else None
 
 
 def _slip(meant: Typed, sought: Wanted) -> Remark | None:
@@ -212,4 +217,4 @@ def _degrees(meant: Typed, sought: Wanted) -> Remark | None:
     return Remark("degrees") if any(mixed) else None
 
 
-LOOKS: tuple[Look, ...] = (_slip, _sign, _power_of_ten, _degrees)
+LOOKS: tuple[Look, ...] = (_too_coarse, _slip, _sign, _power_of_ten, _degrees)

@@ -69,7 +69,7 @@ def with_numbers_put_in(text: str, item: Item, case: Case) -> bool:
             pairs = [(number(own, state), number(key, state)) for state in states]
         except (RbpsymError, ZeroDivisionError):
             continue
-        if t.names(tree) < t.names(item.key.value) and all(abs(a - b) <= ROUNDED * abs(b) for a, b in pairs):
+        if t.names(tree) - {"pi"} < t.names(item.key.value) and all(abs(a - b) <= ROUNDED * abs(b) for a, b in pairs):
             return True
     return False
 

@@ -50,7 +50,13 @@ _NUMBER = re.compile(rf"([+\-−]?)\s*({_DECIMAL})(?:[eE]([+\-−]?\d{{1,4}})(?!
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺−", "0123456789-+-")
 
 
-_SENSE = re.compile(r"\b(?:(?:counter|anti)-?\s?)?clockwise\b|\b(?:c?cw|(?:anti)?horari[oa])\b", re.IGNORECASE)
+_FACTOR = re.compile(r"\s*(?:[*·]\s*)?(?:\(\s*)*(?:pi|sin|cos|tan|sen|sqrt|\d)")  # behind a number what is no unit
+
+
+_SENSE = re.compile(
+    r"\b(?:(?:counter|anti)-?\s?)?clockwise\b|\b(?:c?cw|(?:anti)?horari[oa])\b"
+    r"|\b(?:to\s+the|a\s+la|hacia\s+\w+)\s+\w+|\b(?:(?:up|down|left|right)(?:wards?)?|hacia\s+\w+)\s*$", re.IGNORECASE
+)  # fmt: skip
 
 
 def read_quantity(text: str, language: str = "en") -> Typed:
@@ -76,7 +82,7 @@ def read_quantity(text: str, language: str = "en") -> Typed:
         return _decimal(found, _unit(rest))
     if found and not re.match(r"\s*(?:[*/^(+\-−√π!]|sqrt|pi|\d)", rest):
         return _decimal(found, _unit(rest))
-    if found and re.match(r"\s*[/*·]\s*[A-Za-zΩµμ°(]", rest) and not re.match(r"\s*[*·]?\s*pi", rest):
+    if found and re.match(r"\s*[/*·]\s*[A-Za-zΩµμ°(]", rest) and not _FACTOR.match(rest):
         return _decimal(found, read_unit("1" + rest if rest.strip().startswith("/") else rest.strip()[1:]))
     return _bracketed(found, rest) or _exact(told)
 
@@ -162,12 +168,16 @@ def significant_figures(digits: str) -> tuple[int, int]:
     return len(significant.rstrip("0")), len(significant)
 
 
+_DEG = r"(\d+(?:\.\d+)?)\s*(?:°|deg(?:rees?)?\b)"
+_DEGREES = re.compile(rf"(?<=sin|cos|tan|sen)(\s*){_DEG}|(\b){_DEG}(?=\s*\))")  # of a function, or in parentheses
+
+
 def _exact(told: str) -> Typed:
     """A number written as a formula: π/6 rad, sqrt(3)/2 m, 3/4."""
     first: RbpsymError | None = None
     for end in _cuts(told):
         try:
-            number = re.sub(r"(\d)\s*(?:°|deg(?:rees?)?\b)(?=\s*\))", r"\1*pi/180", told[:end].rstrip(" *·"))
+            number = _DEGREES.sub(lambda f: f"({f[2] or f[4]}*pi/180)", told[:end].rstrip(" *·"))
             node = read_infix(number, (), functions=MADE)
             unit = _unit(told[end:])
             low, high = enclosure.ends(enclosed(node))

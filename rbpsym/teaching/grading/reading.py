@@ -209,8 +209,11 @@ def read_all(text: str, book: Book) -> Ways:
     return replace(ways, trees=tuple(_made(tree, told, book) for tree in ways.trees))
 
 
+_RADIANS = re.compile(r"(?<=[)\]}\s])\s*\b(?:rad|radians?|radianes)\s*$")  # a unit behind a formula of an angle
+
+
 def _told(text: str, book: Book, labels: bool) -> str:
-    told = unframed(checked_length(text))
+    told = _RADIANS.sub("", unframed(checked_length(text)))
     if not told:
         raise ReadError("there is no answer", instead=_HINT)
     told = told if is_latex(told) else without_unit(told, book)

@@ -20,6 +20,7 @@ from rbpsym.teaching.targets import axes
 
 KINETIC = ENERGY | {"kinetic"}
 SUMS = frozenset({"momentum", "kinetic"})
+DAMPERS = ("damper", "rotary-damper")
 
 
 # --- energies
@@ -70,7 +71,7 @@ def _no_half_in_spring(study: Study) -> Iterator[Site]:
 
 
 def _losses(element: Element) -> bool:
-    return element.kind in ("damper", "rotary-damper") or element.values.get("coefficient") is not None
+    return element.kind in DAMPERS or element.values.get("coefficient") is not None
 
 
 def _energy_kept(study: Study) -> Iterator[Site]:
@@ -79,15 +80,22 @@ def _energy_kept(study: Study) -> Iterator[Site]:
         yield Site({}, partial(change.with_elements, study, _lossless))
 
 
+def _damping_left_out(study: Study) -> Iterator[Site]:
+    """It moves as if a damper were not there."""
+    for element in study.problem.of_kind(*DAMPERS):
+        yield Site({"force": t.Vec(element.name)}, partial(change.with_element, study, element, None))
+
+
 def _lossless(element: Element) -> Element | None:
-    if element.kind in ("damper", "rotary-damper"):
+    if element.kind in DAMPERS:
         return None
     return element.with_values(coefficient=None) if element.values.get("coefficient") is not None else element
 
 
 def _start_forgotten(study: Study) -> Iterator[Site]:
-    """The kinetic energy that it has at the start is left out."""
-    if any(change.is_nonzero(c.speed) for c in study.problem.coordinates):
+    """The kinetic energy that it has at the start is left out, where it would move without it too."""
+    driven = not all(map(is_zero, (study.dynamics.accelerations or {}).values()))
+    if driven and any(change.is_nonzero(c.speed) for c in study.problem.coordinates):
         yield Site({}, partial(_started_at_rest, study))
 
 
@@ -254,7 +262,8 @@ def _torque_about_axis(study: Study) -> Iterator[Site]:
 
 MISCONCEPTIONS = (
     Misconception("rotational-energy-left-out", _times(1, 0), KINETIC, WELL),
-    Misconception("energy-kept", _energy_kept, ENERGY | {"acceleration"}),
+    Misconception("energy-kept", _energy_kept, ENERGY),
+    Misconception("damping-left-out", _damping_left_out, frozenset({"acceleration", "reaction", "frequency"})),
     Misconception("start-speed-forgotten", _start_forgotten, ENERGY, WELL),
     Misconception("speed-of-end-for-center", _speed_of_end, SUMS | {"speed"}),
     Misconception("orbital-part-dropped", of_bodies(_orbital_dropped), SUMS, WELL),

@@ -167,8 +167,8 @@ def with_elements(study: Study, change: Callable[[Element], Element | None]) -> 
     return Study(replace(problem, **kept))
 
 
-def with_element(study: Study, element: Element, changed: Element) -> Study:
-    """One element of the statement changed, all else derived anew."""
+def with_element(study: Study, element: Element, changed: Element | None) -> Study:
+    """One element of the statement changed (None: left out), all else derived anew."""
     return with_elements(study, lambda e: changed if e is element else e)
 
 

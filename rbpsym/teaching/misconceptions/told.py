@@ -68,7 +68,7 @@ TRUE_OF: Mapping[str, Condition] = {
 }
 
 WHAT_WAS_DONE = """
-action-along-reaction all-mass-at-centers all-work-is-rotational angular-velocity-kept diameter-for-radius
+action-along-reaction all-mass-at-centers all-work-is-rotational angular-velocity-kept damping-left-out diameter-for-radius
 end-of-rod-taken-for-axis energy-kept f-is-ma-at-contact-point force-acts-at-center force-sign forces-as-at-rest
 free-taken-as-welded friction-along-slip friction-is-mu-n friction-wrong-way half-forgotten-in-kinetic-energy
 half-forgotten-in-rotational-energy half-forgotten-in-spring-energy half-length-for-length inertia-of-one-body-left-out

@@ -22,6 +22,7 @@ from rbpsym.teaching.tasks.wish import Wish
 from rbpsym.teaching.wording import spoken
 
 HALVES = ("translational", "rotational")
+MOST_POINTS = 6  # of a table with many rows, which is no more work than to derive a formula
 SMALL = 1e-6  # of the largest work: too small for a sign that one can see
 
 
@@ -109,7 +110,7 @@ def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, rows: tuple[For
     asked = AskedQuantity(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole")
     solution = bench.once(("signs", setting.language), lambda: _solution(bench, setting.said))
     figure = diagrams(bench, setting.said, with_forces=False)
-    return wish.item(setting, asked, (Paragraph(prompt), figure), key, len(rows), solution=solution)
+    return wish.item(setting, asked, (Paragraph(prompt), figure), key, min(len(rows), MOST_POINTS), solution=solution)
 
 
 def _solution(bench: ProblemBench, said: Words) -> tuple[Block, ...]:
