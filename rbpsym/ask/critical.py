@@ -96,7 +96,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     zeros = [replace(zero, asked=left) for zero in zeros if (left := _met(world, name, zero, given)) is not None]
     if table.zeros.open_:
         return Finding(
-            undecided("no closed form was found for where it vanishes, and it is not monotone"),
+            undecided("no closed form was found for where it vanishes, nor was it seen to be monotone"),
             name,
             equation=table.zeros.open_[0],
         )

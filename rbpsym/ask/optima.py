@@ -14,7 +14,7 @@ from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.limits import leading
 from rbpsym.ask.regions import region
-from rbpsym.ask.seen import Scene, comes_back, moving, one_period, parameter, parts_seen, place_in, seen, told, whole_ways
+from rbpsym.ask.seen import Scene, comes_back, fits, moving, one_period, parameter, parts_seen, place_in, seen, told, whole_ways
 from rbpsym.ask.special import limit_said
 from rbpsym.ask.zeros import precedes, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
@@ -45,10 +45,13 @@ def extremum(
     given, sense = world.motion.assumptions, SUPERLATIVES[superlative]
     free = moving(world, (value,))
     is_open = over == "t" or len(free) > 1 or {*free} - {*world.motion.squares, "t"}
-    if over in (None, "t") and low is None and is_open and "t" not in free and world.place + 1 == len(world.asked.names):
-        with suppress(RbpsymError):
-            phrase, value = sized(world, f"{phrase} as a function of t")
-            free = moving(world, (value,))
+    last = world.place + 1 == len(world.asked.names)
+    for other in (*(world.motion.squares if over is None else ()), *(("t",) if last else ())):  # by what else it can be told
+        if over in (None, "t") and low is None and is_open and other not in free:
+            with suppress(RbpsymError):
+                phrase, value = sized(world, f"{phrase} as a function of {other}")
+                free = moving(world, (value,))
+                break
     name = over or (free[0] if len(free) == 1 else None)
     if name is None:
         what = f"depends on {', '.join(free)}" if free else "is constant on the motion"
@@ -104,6 +107,8 @@ def extremum(
         return replace(found[0], **together(*found), values=values, asked=asked, place=None)
     common = [demand for demand in ways[0][0] if all(demand in asked for asked, _ in ways)]
     valid = settle((*found[0].valid, *common), world.motion.assumptions) if common else None
+    if name in world.coordinates and not fits(world, valid or found[0].valid):
+        return Finding(undecided("where it lies depends on the parameters: it is known for others than those of the example"))
     return replace(found[0], **together(*found), valid=found[0].valid if valid is None else valid)
 
 

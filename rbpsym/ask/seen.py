@@ -183,26 +183,30 @@ def _lost(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar | None, tu
     return (happen[0][0].at[way.name] if happens else None), left
 
 
+def fits(world: Scene, asked: Iterable[Demand]) -> bool:
+    """Whether all that is asked is met by the example, or the sample numbers."""
+    numbers = sample(world.study.problem, world.study.problem.example)
+    return all(floating(demand.value, numbers) >= 0 for demand in asked)
+
+
 def _case(world: Scene, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, ...]] | None:
-    """Whether all that is asked is met by the example, or the sample numbers, and that, or its opposite, as a condition; None
-    where the opposite is more than one condition."""
-    problem = world.study.problem
-    numbers = sample(problem, problem.example)
-    if all(floating(demand.value, numbers) >= 0 for demand in asked):
+    """Whether all that is asked is met as `fits` says, and that, or its opposite, as a condition; None where the opposite is
+    more than one condition."""
+    if fits(world, asked):
         return True, asked
     return (False, (Demand(-asked[0].value, ">=" if asked[0].op == ">" else ">"),)) if len(asked) == 1 else None
 
 
 def _kept_on(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
-    """Under what condition nothing lets go on the whole way, as it is at the sample numbers. Raises StatementError where that
+    """Under what condition nothing lets go on the whole way, where it `fits`. Raises StatementError where that
     is not decided, or something does."""
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
-    alone, numbers = replace(world, used=[], lasting=[], doubts=[], standing=[]), sample(world.study.problem)
+    alone = replace(world, used=[], lasting=[], doubts=[], standing=[])
     with suppress(Undecided):
         asked = tuple(least_values(alone, Wanted(going_on(alone, way, given)[:-1], given, way.name, asked=way.asked)))
-        if all(floating(demand.value, numbers) >= 0 for demand in asked):
+        if fits(world, asked):
             return asked
     ended = world.study.ended.found
     raise StatementError(

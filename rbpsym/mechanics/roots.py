@@ -131,7 +131,7 @@ def _waves(poly: Poly, cos: int, sin: int, name: str) -> list[Scalar]:
         if powers and not any(depends_on(part, name) for part in powers):
             if slope := _tangent(*powers, kind):
                 return [slope, -slope, PI - slope, slope - PI]
-            solutions = [function(kind, value) for value in _solve_quadratic(*powers)]
+            solutions = [_angle(kind, value) for value in _solve_quadratic(*powers)]
             return [way for first in solutions for way in (first, -first if kind == "acos" else PI - first)]
     return []
 
@@ -188,10 +188,10 @@ def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
         base = function("atan", -(a / b))
         return [base, base + PI]
     if not b:
-        base = function("acos", -(d / a))
+        base = _angle("acos", -(d / a))
         return [base, -base]
     if not a:
-        base = function("asin", -(d / b))
+        base = _angle("asin", -(d / b))
         return [base, PI - base]
     if is_zero(a + d):
         return [NOTHING, function("atan", b / a) * 2]
@@ -200,6 +200,17 @@ def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
     if sum(len(part.num) + len(part.den) for part in (a, b, d)) > LONG:
         return []
     return [function("atan", half) * 2 for half in _solve_quadratic(d - a, b * 2, a + d)]
+
+
+def _angle(kind: str, value: Scalar) -> Scalar:
+    """An angle with a cosine (acos) or sine (asin): the one whose cosine or sine the value is, or its opposite."""
+    for way in (1, -1):
+        index = next(iter((value * way).num.atoms()), None)
+        found = None if index is None else atoms.atom(index)
+        if found and found.kind == kind[1:] and is_zero(value * way - Scalar(generator(index))):
+            base = Scalar(found.arg)
+            return base if way > 0 else PI - base if kind == "acos" else -base
+    return function(kind, value)
 
 
 LONG = 6  # three terms with nothing but one below their bars: what is longer tells nobody where it vanishes

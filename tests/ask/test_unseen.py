@@ -21,6 +21,9 @@ from tests.ask.law import one_value_a_letter
 
 HERE = Path(__file__).parent / "unseen"
 ANSWERS = (
+    ("rod-under-cart", "largest x", "m*ell*sin(theta_0)/(M + m)"),
+    ("rod-under-cart", "largest displacement of cart.cm", "m*ell*sin(theta_0)/(M + m)"),
+    ("rod-under-cart", "least theta", "-theta_0"),
     ("block-on-pulled-block", "smallest mu_1 for which the upper does not slip", "F/((m + M)*g) - mu"),
     ("block-on-pulled-block", "largest F for which it does not slip", "(mu + mu_1)*(m + M)*g"),
     ("cut", "F_y right after cut", "M*g/4"),  # the phase is called as the file is
