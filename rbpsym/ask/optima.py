@@ -107,7 +107,7 @@ def extremum(
         return replace(found[0], **together(*found), values=values, asked=asked, place=None)
     common = [demand for demand in ways[0][0] if all(demand in asked for asked, _ in ways)]
     valid = settle((*found[0].valid, *common), world.motion.assumptions) if common else None
-    if name in world.coordinates and not fits(world, valid or found[0].valid):
+    if phrase.endswith(f" as a function of {name}") and not fits(world, valid or found[0].valid):
         return Finding(undecided("where it lies depends on the parameters: it is known for others than those of the example"))
     return replace(found[0], **together(*found), valid=found[0].valid if valid is None else valid)
 
