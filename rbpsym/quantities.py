@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 from rbpsym.errors import DimensionError
 from rbpsym.frozen import dataclass
@@ -112,5 +113,5 @@ class Quantity:
     meaning: str = ""
     sign: str = "positive"
     glyph: str | None = None
-    lower: object = None
-    upper: object = None
+    lower: Any = None
+    upper: Any = None

@@ -1,9 +1,11 @@
-"""Complete elliptic integrals as numbers, functions of the parameter m = k² < 1 (Abramowitz and Stegun, 17.6)."""
+"""The functions of the field as functions of floats; complete elliptic integrals, of the parameter m = k² < 1 (Abramowitz and
+Stegun, 17.6)."""
 
 from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
 N = TypeVar("N", float, complex)
@@ -41,3 +43,17 @@ def _means(m: N) -> tuple[N, N]:
         if abs(c) < CLOSE * abs(a):
             break
     return math.pi / (2 * a), gone
+
+
+FUNCTIONS: Mapping[str, Callable[[float], float]] = {
+    "cos": math.cos,
+    "sin": math.sin,
+    "root": math.sqrt,
+    "exp": math.exp,
+    "ln": math.log,
+    "atan": math.atan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "elliptic_k": first,
+    "elliptic_e": second,
+}

@@ -11,7 +11,8 @@ from functools import lru_cache
 from typing import Any, TypeVar
 from zlib import crc32
 
-from rbpsym.algebra import ONE, Coefficient, Monomial, Poly, Scalar, atoms, elliptic
+from rbpsym.algebra import ONE, Coefficient, Monomial, Poly, Scalar, atoms
+from rbpsym.algebra.elliptic import FUNCTIONS
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import MINUS, NONZERO, PLUS, times
 from rbpsym.frozen import dataclass, field
@@ -144,12 +145,5 @@ VALUES: dict[str, Callable[[Samples, Any, int], float]] = {
     "cos": lambda samples, angle, k: math.cos(samples.poly(angle, k)),
     "sin": lambda samples, angle, k: math.sin(samples.poly(angle, k)),
     "half": lambda samples, angle, k: math.tan(samples.poly(angle, k) / 2),
-    "root": _of(math.sqrt),
-    "exp": _of(math.exp),
-    "ln": _of(math.log),
-    "asin": _of(math.asin),
-    "acos": _of(math.acos),
-    "atan": _of(math.atan),
-    "elliptic_k": _of(elliptic.first),
-    "elliptic_e": _of(elliptic.second),
+    **{kind: _of(function) for kind, function in FUNCTIONS.items() if kind not in ("cos", "sin")},
 }

@@ -88,7 +88,7 @@ def _pair_of_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     first, second = element["points"]
     vector, names = unknown(element)
     ends = ((ref.body, geometry.where(ref), ref.label) for ref in ((first, second) if second.body is None else (second, first)))
-    return opposed(element.name, *ends, vector, unknowns=names)
+    return opposed(element.name, ends, vector, unknowns=names)
 
 
 def _weld_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
@@ -147,7 +147,7 @@ def _driving_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """On the point; the opposite one on the body along which it is driven, if there is one."""
     ref, push = element["point"], _driven_along(element, geometry) * symbol(element.name)
     ends = ((body, geometry.where(ref), ref.label) for body in (ref.body, element["of"]))
-    return opposed(element.name, *ends, push, outside="agent", unknowns=(element.name,))
+    return opposed(element.name, ends, push, outside="agent", unknowns=(element.name,))
 
 
 def _driven_angles(element: Element) -> tuple[AngleJoin, ...]:

@@ -213,7 +213,7 @@ def _there(value: Scalar, curve: Curve, here: Vector) -> Scalar:
 def _pair(element: Element, name: str, met: Meeting, vector: Vector, unknowns: tuple[str, ...]) -> tuple[Force, ...]:
     """The force on what touches, and the opposite one on the body of the curve."""
     label = touching_point(element).label if "point" in element.values else element["body"]
-    return opposed(name, (met.on, met.place, label), (met.by, met.place, label), vector, unknowns=unknowns)
+    return opposed(name, ((body, met.place, label) for body in (met.on, met.by)), vector, unknowns=unknowns)
 
 
 def couples(name: str, on: str | None, by: str | None, outer: str, geometry: Geometry) -> tuple[Force, ...]:
@@ -222,7 +222,7 @@ def couples(name: str, on: str | None, by: str | None, outer: str, geometry: Geo
     It is an entry of its own: the force that acts beside it has its torque, and its work, for itself.
     """
     ends = ((body, ORIGIN if body is None else geometry.center(body), f"{body}.cm") for body in (on, by))
-    return opposed(name, *ends, couple=symbol(name), outside=outer, unknowns=(name,))
+    return opposed(name, ends, couple=symbol(name), outside=outer, unknowns=(name,))
 
 
 def normal_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:

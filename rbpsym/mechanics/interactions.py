@@ -85,7 +85,7 @@ def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
 def _ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]:
     """The pull on the first end (towards the second) and its opposite on the second."""
     ends = ((ref.body, setting.where(ref), ref.label) for ref in element["between"])
-    return opposed(element.name, *ends, pull, law=element.kind)
+    return opposed(element.name, ends, pull, law=element.kind)
 
 
 def _spring(element: Element, setting: Setting) -> tuple[Force, ...]:

@@ -10,7 +10,8 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra import ONE, Poly, Scalar, atoms, elliptic
+from rbpsym.algebra import ONE, Poly, Scalar, atoms
+from rbpsym.algebra.elliptic import FUNCTIONS
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.notation.tree import Node
@@ -19,20 +20,6 @@ from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.units import unit_named
 
 Numbers = Mapping[str, float]
-
-
-FUNCTIONS: Mapping[str, Callable[[float], float]] = {
-    "cos": math.cos,
-    "sin": math.sin,
-    "root": math.sqrt,
-    "exp": math.exp,
-    "ln": math.log,
-    "atan": math.atan,
-    "asin": math.asin,
-    "acos": math.acos,
-    "elliptic_k": elliptic.first,
-    "elliptic_e": elliptic.second,
-}
 
 
 class Values:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from rbpsym.algebra import NOTHING, ORIGIN, QUARTER, Scalar, Scope, Vector, kept, substitute, time_derivative
@@ -73,13 +73,14 @@ End = tuple[str | None, Vector, str]  # a body (None: what is outside), a place,
 
 
 def opposed(
-    name: str, first: End, second: End, vector: Vector = ORIGIN, couple: Scalar = NOTHING, outside: str = "ground", **told: Any
+    name: str, ends: Iterable[End], vector: Vector = ORIGIN, couple: Scalar = NOTHING, outside: str = "ground", **told: Any
 ) -> tuple[Force, ...]:
     """A force and a couple on the body of the first end, and their opposites on that of the second."""
-    ends = ((first, second, vector, couple), (second, first, -vector, -couple))
+    first, second = ends
+    both = ((first, second, vector, couple), (second, first, -vector, -couple))
     return tuple(
         Force(name, on, by or outside, place, push, turn, where=where, **told)
-        for (on, place, where), (by, _, _), push, turn in ends
+        for (on, place, where), (by, _, _), push, turn in both
         if on is not None
     )
 

@@ -217,13 +217,9 @@ def _energy(world: ProblemWorld, loose: str | None) -> Bound:
     return Bound(world.study.first_integral, kind="up to a constant" if loose else "value")
 
 
-def _lagrangian(world: ProblemWorld) -> Bound:
-    return number(_kinetic(world, None, None).number - _stored(world))
-
-
-def _mechanical(world: ProblemWorld) -> Bound:
-    """Kinetic energy and the potential energies that there are."""
-    return number(_kinetic(world, None, None).number + _stored(world))
+def _with_stored(sense: int) -> Callable[[ProblemWorld], Bound]:
+    """Kinetic energy and the potential energies that there are; -1: less these."""
+    return lambda world: number(_kinetic(world, None, None).number + _stored(world) * sense)
 
 
 OWN = ("gravity", "spring", "torsion-spring")
@@ -312,8 +308,8 @@ PHRASES: tuple[Phrase, ...] = (
     (r"(?:elongation|stretch|extension) of (\w+)", lambda world, name: _elongation(world, 1, name), "elongation of FORCE"),
     (r"compression of (\w+)", lambda world, name: _elongation(world, -1, name), "compression of FORCE"),
     (r"energy(, up to a constant)?", _energy, "energy"),
-    (r"Lagrangian", _lagrangian, "Lagrangian"),
-    (r"mechanical energy", _mechanical, "mechanical energy"),
+    (r"Lagrangian", _with_stored(-1), "Lagrangian"),
+    (r"mechanical energy", _with_stored(1), "mechanical energy"),
     (r"energy of motion, weights and springs", _own_energy, "energy of motion, weights and springs"),
     (r"dE/dt", lambda world: _rate(world, "mechanical energy"), "dE/dt"),
     (rf"d([LP])/dt(?: of {_B})?{_ABOUT}", lambda world, letter, name, about: _rate_of(world, letter, name, about), "dL/dt"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 from rbpsym.errors import StatementError
 from rbpsym.quantities import Quantity
@@ -84,7 +85,7 @@ def assemble(table: Table, name: str) -> Problem:
     return problem
 
 
-def _about(table: Table, name: str) -> dict[str, object]:
+def _about(table: Table, name: str) -> dict[str, Any]:
     """What a file says about the problem, beside the physics."""
     return {
         "title": worded(table, "title", name),

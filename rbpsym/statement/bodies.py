@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rbpsym.frozen import dataclass, replace
 from rbpsym.notation.tree import ONE, ZERO, Fn, Node, Num, add, mul, neg
@@ -102,7 +102,7 @@ def _place_of(item: SourceItem, before: Mapping[str, Body], what: str) -> Pair:
     if told and point == told:
         return x, y
     body = before.get(name)
-    if not told or body.angle is None or not {point, told} <= body.points.keys():
+    if not told or body is None or body.angle is None or not {point, told} <= body.points.keys():
         raise item.error(
             f"{what}: “{item.value}” is no point of a body that is placed before it",
             "place the other body first, by a point and an angle; or write a pair of expressions.",
@@ -145,7 +145,7 @@ def _sizes(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str,
     for field in kind.fields:
         if field.default is None:
             table.require(field.name, where, f"a {kind.name} needs {field.name}: its {field.meaning}.")
-    found = {}
+    found: dict[str, Node] = {}
     for field in kind.fields:
         item, what = table.item(field.name, field.default), f"“{field.name}” of {where}"
         if field.kind == "vertices":
@@ -177,7 +177,7 @@ def _mass(table: Table, scope: Scope, where: str) -> Node:
 
 def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
     inner = scope.with_variables({name: VARIABLE_DIMENSIONS[name] for name, _ in kind.density})
-    dimension: Dimension | None = None if "mass" in table else DENSITY_DIMENSIONS[kind.element.kind]
+    dimension: Dimension | None = None if "mass" in table else DENSITY_DIMENSIONS[kind.element.kind if kind.element else ""]
     return read_expression(table.item("density"), inner, f"“density” of {where}", dimension, sign="nonnegative")
 
 
@@ -233,7 +233,7 @@ def _count(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | No
     return count
 
 
-def _masses(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[Node | None]:
+def _masses(table: Table, parts: list[_Part], scope: Scope, where: str) -> Sequence[Node | None]:
     """The mass of each part: its own, or its share of the mass of the whole."""
     own = [part for part in parts if part.has_mass]
     if not own:
@@ -253,9 +253,10 @@ def _part_mass(part: _Part, scope: Scope) -> Node | None:
     return None if part.kind.name == "composite" else _own_mass(part.table, part.kind, scope, part.where)
 
 
-def _shared(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[Node]:
+def _shared(table: Table, parts: list[_Part], scope: Scope, where: str) -> Sequence[Node | None]:
+    first = parts[0].kind.element
     for part in parts:
-        if part.kind.element is None or part.kind.element.kind != parts[0].kind.element.kind:
+        if part.kind.element is None or first is None or part.kind.element.kind != first.kind:
             raise part.table.error(
                 f"{where}: a {parts[0].kind.name} and a {part.kind.name} have no common density",
                 "give each part a mass of its own.",

@@ -80,7 +80,7 @@ def _maker(kind: ElementKind, key: str, word: str) -> Callable[..., Stated]:
             *(f"{field.name}: {field.meaning}" for field in kind.fields),
         ]
     )
-    make.__signature__ = _signature(kind)
+    vars(make)["__signature__"] = _signature(kind)
     return make
 
 

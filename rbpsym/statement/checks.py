@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 from rbpsym.errors import StatementError
 from rbpsym.notation.glyphs import MARKS
@@ -89,9 +90,9 @@ def _unknowns_differ(problem: Problem, table: Table) -> None:
                 raise twice(name, seen[name], what, table.table("constraints", "constraints"), element.name)
             seen[name] = what
         for field in CONSTRAINTS[element.kind].fields:
-            name = element.values.get(field.name) if field.kind == "name" else None
-            if name in _elements(problem):
-                raise twice(name, "an interaction or constraint", f"the {field.name} of “{element.name}”",
+            own: str = element.values.get(field.name, "") if field.kind == "name" else ""
+            if own in _elements(problem):
+                raise twice(own, "an interaction or constraint", f"the {field.name} of “{element.name}”",
                             table.table("constraints", "constraints"), element.name)  # fmt: skip
 
 
@@ -110,7 +111,7 @@ def _beside(problem: Problem) -> None:
     surface = ("line", "of", "circle", "radius", "curve")
     for element in problem.constraints:
         name = element.values.get("beside")
-        other = known.get(name)
+        other = known.get(name or "")
         if name is None:
             continue
         if other is None:
@@ -242,10 +243,11 @@ def _contact(element: Element) -> tuple[str, ...]:
     """What touches, and what it touches; () if the element is no contact."""
     values = element.values
     touching = values["body"] if "body" in values else getattr(values.get("point"), "label", "")
-    line, circle = values.get("line"), values.get("circle")
+    line: Any = values.get("line")
+    circle: Any = values.get("circle")
     if line is None and circle is None:
         return ()
-    curve = f"line {line.label}" if line is not None else f"circle {circle.label} {values.get('radius')}"
+    curve = f"circle {circle.label} {values.get('radius')}" if line is None else f"line {line.label}"
     return touching, curve, str(values.get("of"))
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import Any
 
 from rbpsym.notation.tree import ZERO
 from rbpsym.statement.model import Body, Element
@@ -19,13 +20,15 @@ _SOLID = ("disk", "cylinder", "ball", "sphere")
 
 def toucher(element: Element) -> str | None:
     """The body that touches (None: a fixed point touches)."""
-    return element["body"] if "body" in element.values else element["point"].body
+    found: str | None = element["body"] if "body" in element.values else element["point"].body
+    return found
 
 
 def curve_body(element: Element) -> str | None:
     """The body to which the curve belongs; None if it is fixed."""
     circle = element.values.get("circle")
-    return circle.body if circle is not None else element["of"]
+    found: str | None = circle.body if circle is not None else element["of"]
+    return found
 
 
 def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -194,8 +197,9 @@ def bounces(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Eleme
     return found
 
 
-_ON_CURVE = (one_curve, circle_size, two_bodies)
-CURVE_RULES = {
+_ON_CURVE: tuple[Any, ...] = (one_curve, circle_size, two_bodies)
+Rule = Callable[[Element, Scope, Mapping[str, Body]], Element | None]
+CURVE_RULES: Mapping[str, tuple[Rule, ...]] = {
     "contact": (*_ON_CURVE, slides),
     "guide": _ON_CURVE,
     "slider": (has_angle, one_curve, two_bodies, slides),

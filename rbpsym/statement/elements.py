@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from rbpsym.frozen import dataclass
-from rbpsym.statement.kinds import ElementKind, Field, known_names
+from rbpsym.statement.kinds import ElementKind, Field, K, known_names
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
 from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_curve, read_line, read_point
@@ -36,7 +36,7 @@ def read_element(table: Table, name: str, kinds: Mapping[str, ElementKind], arou
     return Element(name, kind.name, values, table.source.key(table.path))
 
 
-def kind_of_element(table: Table, kinds: Mapping[str, ElementKind], key: str) -> ElementKind:
+def kind_of_element(table: Table, kinds: Mapping[str, K], key: str) -> K:
     """The kind that the table names under `key`."""
     known = known_names(kinds)
     where = ".".join(str(part) for part in table.path)

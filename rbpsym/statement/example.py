@@ -6,13 +6,14 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from decimal import Decimal, InvalidOperation
 
+from rbpsym.errors import StatementError
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
-from rbpsym.quantities import Dimension
+from rbpsym.quantities import Dimension, Quantity
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.hints import unit_example
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.model import Problem, Shape
+from rbpsym.statement.model import Coordinate, Problem, Shape
 from rbpsym.statement.premises import OPS
 from rbpsym.statement.shapes import SHAPES
 from rbpsym.statement.source import Table
@@ -55,7 +56,7 @@ def _number(name: str, dimension: Dimension, section: Table) -> float:
     return float(value) * found[1]
 
 
-SIGNS = {">": lambda value: value > 0, ">=": lambda value: value >= 0, "!=": bool}
+SIGNS: Mapping[str, Callable[[float], bool]] = {">": lambda value: value > 0, ">=": lambda value: value >= 0, "!=": bool}
 
 
 def _has_sign(value: float, sign: str) -> bool:
@@ -64,7 +65,8 @@ def _has_sign(value: float, sign: str) -> bool:
 
 def _check_ranges(problem: Problem, numbers: Mapping[str, float], section: Table) -> None:
     """Parameters within their bounds, coordinates and their starts within the range."""
-    bounds = [(q.name, q.lower, q.upper) for q in (*problem.parameters, *problem.coordinates)]
+    ranged: tuple[Quantity | Coordinate, ...] = (*problem.parameters, *problem.coordinates)
+    bounds = [(q.name, q.lower, q.upper) for q in ranged]
     bounds += [(c.start.name, c.lower, c.upper) for c in problem.coordinates if isinstance(c.start, t.Sym)]
     for name, lower, upper in bounds:
         if name in numbers:
@@ -74,7 +76,7 @@ def _check_ranges(problem: Problem, numbers: Mapping[str, float], section: Table
                 raise _contradiction(section, name, "declared to lie in another range")
 
 
-def _contradiction(section: Table, name: str, why: str):
+def _contradiction(section: Table, name: str, why: str) -> StatementError:
     text = str(section.data[name])
     return section.value_error(name, f"“{name}” can't be {text}: it is {why}", "change the number or the declaration.")
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from rbpsym.notation.tree import ONE, TWO, ZERO, Neg, Pow, add, names, neg
-from rbpsym.statement.curves import CURVE_RULES
+from rbpsym.statement.curves import CURVE_RULES, Rule
 from rbpsym.statement.model import Body, Element, Pair, PointRef
 from rbpsym.statement.premises import sign_of
 from rbpsym.statement.scope import Scope
@@ -24,7 +24,7 @@ def bodies_joined(element: Element, key: str) -> tuple[str | None, str | None]:
     return first.body, second.body
 
 
-def _on_a_body(key: str) -> Callable:
+def _on_a_body(key: str) -> Rule:
     """The point under `key` must belong to a body."""
 
     def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
@@ -51,7 +51,7 @@ def _between_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) 
             raise element.error(f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
 
 
-def _turns(key: str) -> Callable:
+def _turns(key: str) -> Rule:
     """The body under `key` (if any) must be able to turn."""
 
     def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
@@ -80,7 +80,7 @@ def _pivot_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> 
     if element["at"] is not None:
         return element
     point: PointRef = element["point"]
-    body = bodies[point.body]
+    body = bodies[point.body or ""]
     if body.placed is None:
         raise element.error(f"does not say where “{point.label}” is held", 'add at = ["0", "0"]')
     if body.placed[0] != point.point:
@@ -149,7 +149,7 @@ def _body_frame(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> N
         raise element.error(f"is fixed in “{name}”, a particle, which has no angle", 'use frame = "space".')
 
 
-_RULES: Mapping[str, tuple[Callable, ...]] = {
+_RULES: Mapping[str, tuple[Rule, ...]] = {
     "gravity": (_unit_direction,),
     "spring": (_between_points,),
     "damper": (_between_points,),

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import starmap
 from types import MappingProxyType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rbpsym.frozen import dataclass, replace
 from rbpsym.quantities import DIMENSIONS, Dimension
@@ -119,7 +119,7 @@ def field(name: str, text: str) -> Field:
 SIGNS = ("positive", "nonnegative")
 
 
-def element(meaning: str, *aliases: str, unknowns: Mapping[str, str] = MappingProxyType({}), **fields: str) -> ElementKind:
+def element(meaning: str, *aliases: str, unknowns: Any = MappingProxyType({}), **fields: str) -> ElementKind:
     """A kind of interaction or constraint; `fields` and the dimensions of `unknowns` as texts."""
     own = tuple((name, DIMENSIONS[dimension]) for name, dimension in unknowns.items())
     return ElementKind("", meaning, tuple(starmap(field, fields.items())), aliases, own)
@@ -131,8 +131,8 @@ def shape(
     points: str,
     spread: ElementText | None = None,
     size: str = "",
-    density: tuple[tuple[str, str], ...] = (),
-    has_angle: bool = True,
+    density: Any = (),
+    has_angle: Any = True,
     **fields: str,
 ) -> ShapeKind:
     """A kind of shape; `points` as a text: “center 0 0, end length/2 0”, `spread` its mass element."""
@@ -147,7 +147,7 @@ def registry(**kinds: K) -> dict[str, K]:
     return {names[name]: replace(kind, name=names[name]) for name, kind in kinds.items()}
 
 
-def known_names(kinds: Mapping[str, ElementKind]) -> dict[str, str]:
+def known_names(kinds: Mapping[str, K]) -> dict[str, str]:
     """Every name by which a kind may be called, with the kind's own name."""
     own = {name: name for name in kinds}
     return own | {alias: kind.name for kind in kinds.values() for alias in kind.aliases}

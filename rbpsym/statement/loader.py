@@ -47,7 +47,7 @@ def _ships(path: Path) -> bool:
 def load_text(text: str, file: str = "", name: str = "") -> Problem:
     """The problem in a TOML text; `file` is what errors call it."""
     table = table_of(text, file)
-    return replace(assemble(table, name or Path(file).stem or "problem"), text=table.source.index.text)
+    return replace(assemble(table, name or Path(file).stem or "problem"), text=table.source.text)
 
 
 def table_of(text: str, file: str = "", most: int = MAX_BYTES) -> Table:

@@ -61,20 +61,23 @@ def own_paragraphs(text: str, place: Place | None = None) -> tuple[OwnParagraph,
 
 
 def _sentences(text: str, place: Place | None) -> Iterator[Sentence]:
-    marks, formulas = [], []
+    marks, formulas = list[str](), list[OwnFormula]()
 
     def kept(found: re.Match[str]) -> str:
         inner, latex, loose = found.groups()
         if loose or (latex is not None and not latex.strip()):
             raise StatementError(f"“{loose or '$$'}” opens nothing that is closed in its paragraph", instead=HOW, place=place)
-        (marks if latex is None else formulas).append(inner if latex is None else OwnFormula(latex))
-        return MARK if latex is None else FORMULA
+        if latex is None:
+            marks.append(inner)
+            return MARK
+        formulas.append(OwnFormula(latex))
+        return FORMULA
 
     plain = TOKEN.sub(kept, text)
     if "\\" in plain:
         raise StatementError("a backslash stands outside a formula", instead="put formulas between $ and $.", place=place)
     is_display = plain == MARK and marks[0].startswith("display:")
-    named, shown = (iter(found) for found in (marks, formulas))
+    named, shown = iter(marks), iter(formulas)
     for part in (found[0] for found in SENTENCE.finditer(plain)):
         kind = "display" if is_display else "claim"
         claims = tuple(_id(next(named), kind, place) for _ in range(part.count(MARK)))

@@ -9,6 +9,7 @@ path = ["a.center", { around = "O" }, "b.center"]               # a smooth peg: 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from rbpsym.notation.tree import ZERO, Node
 from rbpsym.quantities import LENGTH
@@ -66,7 +67,7 @@ def _stated(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], what: st
     return Turn(turn.center, turn.radius, turn.sense, turn.grips and not data.get("smooth", False))
 
 
-def _is_body(name: object, bodies: Mapping[str, Body]) -> bool:
+def _is_body(name: Any, bodies: Mapping[str, Body]) -> bool:
     return isinstance(name, str) and name in bodies
 
 
@@ -75,16 +76,16 @@ def _inner(item: SourceItem, key: str) -> SourceItem:
 
 
 def _round(
-    item: SourceItem, name: object, sense: int, radius: Node | None, scope: Scope, bodies: Mapping[str, Body], what: str
+    item: SourceItem, name: Any, sense: int, radius: Node | None, scope: Scope, bodies: Mapping[str, Body], what: str
 ) -> Turn:
     """A round body by name, or a circle about a point with its radius (which does not grip)."""
     if _is_body(name, bodies):
-        own = round_size(bodies[name])
-        if radius is None and own is None:
+        size = radius or round_size(bodies[name])
+        if size is None:
             raise item.error(
                 f"{what}: “{name}” is no round body", f'give the radius: {{ around = "{name}", radius = "r", ... }}'
             )
-        return Turn(PointRef(f"{name}.center", name, "center"), own if radius is None else radius, sense)
+        return Turn(PointRef(f"{name}.center", name, "center"), size, sense)
     if radius is None:
         raise item.error(f"{what}: there is no round body “{name}”", did_you_mean(str(name), bodies, "bodies"))
     return Turn(read_point(SourceItem(item.source, item.path, name), scope, bodies, what), radius, sense, grips=False)

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from rbpsym.notation.tree import ONE, Node
 from rbpsym.quantities import TIME
@@ -141,9 +142,9 @@ def _value(row: Table, name: str, event: str, subject: str | None, around: Surro
         _needless(row, name, event, ("at",))
         return None
     row.require("at", f"the phase “{name}”", f'add at = "0": the value that {subject} reaches.')
-    dimension, given = around.scope.coordinates[subject], around.scope.given
+    dimension, given = around.scope.coordinates[subject or ""], around.scope.given
     value = read_expression(row.item("at"), around.scope, f"“at” of the phase “{name}”", dimension)
-    lower, upper = given.bounds.get(subject, (None, None))
+    lower, upper = given.bounds.get(subject or "", (None, None))
     if surely_above(lower, value, given) or surely_above(value, upper, given):
         raise row.value_error("at", f"the phase “{name}”: “{subject}” can't reach this value: it is outside its range")
     return value
@@ -169,7 +170,7 @@ def read_both(table: Table, around: Surroundings) -> tuple[tuple[Element, ...], 
     return found["interactions"], found["constraints"]
 
 
-def _changed(row: Table, name: str, current: Mapping[str, Mapping[str, object]]) -> dict[str, dict[str, object]]:
+def _changed(row: Table, name: str, current: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """The interactions and constraints of the phase as tables."""
     found = {section: dict(parts) for section, parts in current.items()}
     without = row.item("without", [])

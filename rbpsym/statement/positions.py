@@ -87,7 +87,8 @@ class _Walker:
         self.counts: dict[Path, int] = {}
 
     def walk(self) -> None:
-        table, at = (), self._past(_BLANK, 0)
+        table: Path = ()
+        at = self._past(_BLANK, 0)
         while at < len(self.text):
             if self.text[at] == "[":
                 table, at = self._header(at)
@@ -96,7 +97,7 @@ class _Walker:
             at = self._past(_BLANK, at)
 
     def _past(self, pattern: re.Pattern[str], at: int) -> int:
-        return pattern.match(self.text, at).end()
+        return _met(pattern, self.text, at).end()
 
     def _header(self, at: int) -> tuple[Path, int]:
         """A line `[a.b]` or `[[a.b]]`: the table that begins there."""
@@ -109,13 +110,13 @@ class _Walker:
             self.index.keys.setdefault(path, (start, width))
         if is_list:
             base = path[:-1] if isinstance(path[-1], int) else path
-            path = (*base, self.counts.get(base, 0))
-            self.counts[base] = path[-1] + 1
+            count = self.counts.get(base, 0)
+            path, self.counts[base] = (*base, count), count + 1
             self.index.keys[path] = parts[-1][1:]
         return path, self._past(_LINE, at)
 
     def _key(self, at: int) -> tuple[Key, int]:
-        found = _KEY.match(self.text, at)
+        found = _met(_KEY, self.text, at)
         is_quoted = found[1][0] in "\"'"
         name = next(iter(tomllib.loads(f"{found[1]} = 0"))) if is_quoted else found[1]
         part = (name, found.start(1), len(found[1]))
@@ -137,10 +138,10 @@ class _Walker:
         if self.text[start] in "[{":
             end = self._group(path, start)
         elif found := _STRING.match(self.text, start):
-            self.index.strings[path] = [*_characters(found), found.end(found.lastgroup)]
+            self.index.strings[path] = [*_characters(found), found.end(found.lastgroup or 0)]
             end = found.end()
         else:
-            end = start + len(_BARE.match(self.text, start)[0].rstrip())
+            end = start + len(_met(_BARE, self.text, start)[0].rstrip())
         self.index.values[path] = (start, end)
         return end
 
@@ -154,9 +155,17 @@ class _Walker:
         return at + 1
 
 
+def _met(pattern: re.Pattern[str], text: str, at: int) -> re.Match[str]:
+    """What is there: the text is TOML, as it was read before."""
+    found = pattern.match(text, at)
+    assert found
+    return found
+
+
 def _characters(found: re.Match[str]) -> Iterable[int]:
     """The offset of each character of a string; the end of a line behind a backslash is not part of the text."""
-    start, end = found.span(found.lastgroup)
-    if found.lastgroup.endswith("literal"):
+    kind = found.lastgroup or ""
+    start, end = found.span(kind)
+    if kind.endswith("literal"):
         return range(start, end)
     return (one.start() for one in _CHARACTER.finditer(found.string, start, end) if not one["nothing"])

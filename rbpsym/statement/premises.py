@@ -7,7 +7,7 @@ is left to the obligations of the steps that need it. The algebra is imported on
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from math import prod
 from typing import TYPE_CHECKING
 
@@ -40,8 +40,8 @@ class Declared:
     def without(self, names: Iterable[str]) -> Declared:
         """The same with nothing known of these names."""
         names = set(names)
-        signs, bounds = ({k: v for k, v in of.items() if k not in names} for of in (self.signs, self.bounds))
-        return Declared(signs, bounds)
+        signs = {name: sign for name, sign in self.signs.items() if name not in names}
+        return Declared(signs, {name: both for name, both in self.bounds.items() if name not in names})
 
     def positive(self, *names: str) -> Declared:
         """The same where these are positive."""
@@ -52,7 +52,7 @@ class Declared:
         """The same for the algebra; a bound without a value is none."""
         from rbpsym.equality.assumptions import Assumptions
 
-        ranges = {name: tuple(None if b is None else _value(b) for b in both) for name, both in self.bounds.items()}
+        ranges = {name: (_bound(low), _bound(high)) for name, (low, high) in self.bounds.items()}
         return Assumptions(self.signs, ranges)
 
 
@@ -62,8 +62,13 @@ NOTHING_DECLARED = Declared()
 def declared(parameters: Iterable[Quantity], coordinates: Iterable[Coordinate] = ()) -> Declared:
     """What is declared of parameters and coordinates."""
     parameters = tuple(parameters)
-    bounds = {q.name: (q.lower, q.upper) for q in (*parameters, *coordinates) if (q.lower, q.upper) != (None, None)}
+    ranged: tuple[Quantity | Coordinate, ...] = (*parameters, *coordinates)
+    bounds = {q.name: (q.lower, q.upper) for q in ranged if (q.lower, q.upper) != (None, None)}
     return Declared({q.name: q.sign for q in parameters}, bounds)
+
+
+def _bound(node: Node | None) -> Scalar | None:
+    return None if node is None else _value(node)
 
 
 def _value(node: Node) -> Scalar | None:
@@ -96,10 +101,11 @@ def _by_form(node: Node, signs: Mapping[str, str]) -> int | None:
         return 1 if node.name == "pi" or signs.get(node.name) == "positive" else None
     rule = FORMS.get(type(node))
     found = [] if rule is None else [_by_form(part, signs) for part in t.children(node)]
-    return None if rule is None or None in found else rule(found)
+    known = [sign for sign in found if sign is not None]
+    return None if rule is None or len(known) < len(found) else rule(known)
 
 
-FORMS = {
+FORMS: Mapping[type[Node], Callable[[list[int]], int | None]] = {
     t.Neg: lambda signs: -signs[0],
     t.Group: lambda signs: signs[0],
     t.Mul: prod,

@@ -119,8 +119,8 @@ def _bounded(quantity: Quantity, section: Table, scope: Scope) -> Quantity:
     found = _BOUND.search(head)
     if found is None:
         return quantity
-    side = "lower" if found[1] in (">", ">=", "≥") else "upper"
-    return replace(quantity, **{side: read_text(item, found[2], scope, what, quantity.dimension, shift=found.start(2))})
+    bound = read_text(item, found[2], scope, what, quantity.dimension, shift=found.start(2))
+    return replace(quantity, lower=bound) if found[1] in (">", ">=", "≥") else replace(quantity, upper=bound)
 
 
 def _dimension(item: SourceItem, text: str) -> Dimension:

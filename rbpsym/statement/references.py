@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from math import prod
 
 from rbpsym.errors import StatementError
 from rbpsym.notation import tree
@@ -156,12 +157,8 @@ def _scaled(form: _Form, factor: Node) -> _Form:
 
 
 def _product(*factors: Node) -> Node:
-    if all(isinstance(factor, tree.Num) for factor in factors):
-        value = 1
-        for factor in factors:
-            value *= factor.value
-        return tree.Num(value)
-    return mul(*factors)
+    numbers = [factor.value for factor in factors if isinstance(factor, tree.Num)]
+    return tree.Num(prod(numbers)) if len(numbers) == len(factors) else mul(*factors)
 
 
 def _mul(node: tree.Mul) -> _Form:
@@ -244,4 +241,4 @@ def read_body(item: SourceItem, bodies: Mapping[str, Body], what: str, others: t
     if item.value not in known:
         found = f"“{item.value}”" if isinstance(item.value, str) else kind_of(item.value)
         raise item.error(f"{what}: {found} is not a body", did_you_mean(str(item.value), known, "bodies"))
-    return item.value
+    return str(item.value)

@@ -164,8 +164,8 @@ def _check_values(node: Node, scope: Scope, what: str, sign: str, may_use: str) 
     rests_on_forces = may_use == "forces" and not tree_names(node) & {*scope.coordinates, CLOCK}
     given = scope.given.without(scope.variables)
     given = given.positive(*scope.variables, *scope.forces) if rests_on_forces else given
-    if found := without_value(node, given):
-        raise _at(found[0], f"{what} {found[1]}", "write what has a value for the numbers that are declared.")
+    if nowhere := without_value(node, given):
+        raise _at(nowhere[0], f"{what} {nowhere[1]}", "write what has a value for the numbers that are declared.")
     found = contradicts(node, sign, given)
     varies = not rests_on_forces and (scope.variables or CLOCK in tree_names(node))  # where, or when, is not known
     if found and not (found == LEFT_OPEN and varies):

@@ -14,7 +14,7 @@ from rbpsym.frozen import dataclass, field, replace
 from rbpsym.notation import tree
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.tree import ZERO, Fn, Node, Num, Sym, add, div, mul, neg
-from rbpsym.statement.kinds import ShapeKind
+from rbpsym.statement.kinds import ElementText, ShapeKind
 from rbpsym.statement.model import MassElement, Pair, PlacedShape, Range, Shape
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def put_into(part: Any, values: Mapping[str, Node]) -> Any:
         return tuple(put_into(item, values) for item in part)
     if isinstance(part, Mapping):
         return {key: put_into(item, values) for key, item in part.items()}
-    if is_dataclass(part):
+    if is_dataclass(part) and not isinstance(part, type):
         return replace(part, **{one.name: put_into(getattr(part, one.name), values) for one in fields(part) if one.init})
     return part
 
@@ -64,8 +64,8 @@ def _split(node: Node) -> tuple[Fraction, Node]:
 
 
 def _power(node: tree.Pow) -> Node:
-    plain = isinstance(node.exponent, Num) and node.exponent.value in (0, 1)
-    return tree.power(node.base, node.exponent.value) if plain else node
+    number = node.exponent.value if isinstance(node.exponent, Num) else None
+    return tree.power(node.base, number) if number is not None and number in (0, 1) else node
 
 
 _TIDY = {
@@ -123,12 +123,12 @@ def _free_name(name: str, taken: Collection[str]) -> str:
 def shape_of(kind: ShapeKind, sizes: Mapping[str, Node], material: Material) -> Shape:
     """The shape of a kind with its sizes and its material."""
     variables = variables_of(kind, material.taken)
-    is_even = kind.element is not None and material.density is None
-    share = quotient(material.mass, size_of(kind, sizes)) if is_even else None
-    found = (_element(kind, {**piece, **variables}, material, share) for piece in _pieces(sizes) if kind.element)
+    own, mass, density = kind.element, material.mass, material.density
+    share = quotient(mass, size_of(kind, sizes)) if own and mass and not density else ZERO
+    found = (_element(own, {**piece, **variables}, density, share, kind.density) for piece in _pieces(sizes) if own)
     elements = tuple(element for element in found if element.measure != ZERO)
-    if None not in (material.mass, material.density):
-        elements = spread_of(elements, material.mass)
+    if mass and density:
+        elements = spread_of(elements, mass)
     points = {name: (put_in(_text(x), sizes), put_in(_text(y), sizes)) for name, x, y in kind.points}
     return Shape(kind.name, dict(sizes), elements, points, sizes.get("moment") if not kind.element else None)
 
@@ -142,28 +142,25 @@ def _pieces(sizes: Mapping[str, Node]) -> list[Mapping[str, Node]]:
     """The sizes of each piece of which a shape consists: of a polygon, of each edge from (x_p, y_p) to (x_q, y_q)."""
     count = sum(name.startswith("x_") for name in sizes)
     ends = [(k, k % count + 1) for k in range(1, count + 1)]
-    named = [{f"{axis}_{end}": sizes[f"{axis}_{k}"] for axis in "xy" for end, k in zip("pq", pair, strict=True)} for pair in ends]
-    return named or [sizes]
+    sides = [
+        {f"{axis}_{end}": sizes[f"{axis}_{k}"] for axis in "xy" for end, k in zip("pq", pair, strict=True)} for pair in ends
+    ]
+    return [*sides] or [sizes]
 
 
-def _element(kind: ShapeKind, values: Mapping[str, Node], material: Material, share: Node | None) -> MassElement:
-    element = kind.element
+def _element(
+    element: ElementText, values: Mapping[str, Node], own: Node | None, share: Node, letters: Iterable[tuple[str, str]]
+) -> MassElement:
+    """The mass per length, area or volume is the same everywhere, a `share`, or the author's `own`, in letters of the element."""
+    density = share if own is None else put_in(own, {name: put_in(_text(text), values) for name, text in letters})
     x, y, measure = (put_in(_text(text), values) for text in (element.x, element.y, element.measure))
     ranges = tuple(_range(row, values) for row in element.ranges)
-    return MassElement(ranges, x, y, measure, _density(kind, values, material, share), element.kind)
+    return MassElement(ranges, x, y, measure, density, element.kind)
 
 
 def _range(row: tuple[str, str, str], values: Mapping[str, Node]) -> Range:
-    name, lower, upper = row
-    return Range(values[name].name, put_in(_text(lower), values), put_in(_text(upper), values))
-
-
-def _density(kind: ShapeKind, values: Mapping[str, Node], material: Material, share: Node | None) -> Node:
-    """The mass per length, area or volume: the same everywhere, or the author's own."""
-    if material.density is None:
-        return share
-    meanings = {name: put_in(_text(text), values) for name, text in kind.density}
-    return put_in(material.density, meanings)
+    (name, lower, upper), letters = row, {name: node.name for name, node in values.items() if isinstance(node, Sym)}
+    return Range(letters[name], put_in(_text(lower), values), put_in(_text(upper), values))
 
 
 def integrate_ranges(integrand: Scalar, element: MassElement) -> Scalar:
@@ -209,7 +206,7 @@ def _opposite(part: PlacedShape) -> tuple[PlacedShape, ...]:
 
 def copies(part: PlacedShape, number: int) -> Iterator[PlacedShape]:
     """A part as often as it is there, each time turned about its hub."""
-    arm = tuple(add(a, neg(b)) for a, b in zip(part.at, part.hub, strict=True))
+    arm = add(part.at[0], neg(part.hub[0])), add(part.at[1], neg(part.hub[1]))
     for k in range(number):
         turn = quotient(mul(Num(2 * k), Sym("pi")), Num(number)) if k else ZERO
         yield replace(part, at=moved(arm, part.hub, turn), angle=add(part.angle, turn))
@@ -217,10 +214,9 @@ def copies(part: PlacedShape, number: int) -> Iterator[PlacedShape]:
 
 def total_mass(parts: Iterable[PlacedShape]) -> Node | None:
     """The sum of the masses of the parts, without those cut out; None if one has a density."""
-    masses = [(part.mass, weight(part.removed, part.count)) for part in parts]
-    if any(mass is None for mass, _ in masses):
-        return None
-    return add(*(mul(times, mass) for mass, times in masses))
+    parts = tuple(parts)
+    masses = [mul(weight(part.removed, part.count), part.mass) for part in parts if part.mass is not None]
+    return add(*masses) if len(masses) == len(parts) else None
 
 
 def weight(removed: bool, count: Node | None) -> Node:

@@ -11,6 +11,7 @@ from datetime import date, datetime, time
 from decimal import Decimal
 from difflib import get_close_matches
 from fractions import Fraction
+from typing import Any
 from unicodedata import category
 
 from rbpsym.errors import Place, RbpsymError, StatementError
@@ -26,22 +27,24 @@ class Source:
     file: str = ""
     index: PositionIndex | None = None
 
+    @property
+    def text(self) -> str:
+        """The text of the file; "" of what Python functions made."""
+        return self.index.text if self.index else ""
+
     def key(self, path: Path) -> Place:
         """The place of a key."""
-        return self._place(path, self.index.key(path)) if self.index else self._named(path)
+        return place_at(self.file, self.index.text, *self.index.key(path)) if self.index else self._named(path)
 
     def value(self, path: Path) -> Place:
         """The place of a value."""
-        return self._place(path, self.index.value(path)) if self.index else self._named(path)
+        return place_at(self.file, self.index.text, *self.index.value(path)) if self.index else self._named(path)
 
     def inside(self, path: Path, text: str, column: int, width: int = 1) -> Place:
         """The place of a character of the string at `path`."""
         if self.index:
-            return self._place(path, self.index.inside(path, column, width))
+            return place_at(self.file, self.index.text, *self.index.inside(path, column, width))
         return replace(self._named(path), column=column, text=text, width=width)
-
-    def _place(self, path: Path, span: tuple[int, int]) -> Place:
-        return place_at(self.file, self.index.text, *span)
 
     def _named(self, path: Path) -> Place:
         dotted = ".".join(str(part) for part in path)
@@ -54,7 +57,7 @@ class SourceItem:
 
     source: Source
     path: Path
-    value: object
+    value: Any  # what TOML or Python gives
 
     def error(self, what: str, instead: str = "") -> StatementError:
         """An error about the value."""
@@ -76,7 +79,7 @@ class Table:
 
     source: Source
     path: Path
-    data: Mapping[str, object]
+    data: Mapping[str, Any]
 
     def __contains__(self, key: str) -> bool:
         return key in self.data

@@ -55,7 +55,7 @@ def check_translated_names(problem: Problem, table: Table) -> None:
 
 def _check_known(name: str, known: tuple[str, ...], own: Table) -> None:
     if name not in known:
-        what = f"[{'.'.join(own.path)}] speaks of “{name}”, which is no body, force, point or phase"
+        what = f"[{'.'.join(map(str, own.path))}] speaks of “{name}”, which is no body, force, point or phase"
         raise own.error(what, did_you_mean(name, known, "names"), name)
 
 

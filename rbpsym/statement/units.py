@@ -155,7 +155,7 @@ def _single(name: str) -> UnitOf | None:
     if word and name not in _METRIC:
         return read_unit(word)
     spelled = unprefixed(name)
-    if not _signed(name) and spelled and (stem := _WORDS.get(spelled[1].lower())) in _METRIC:
+    if not _signed(name) and spelled and (stem := _WORDS.get(spelled[1].lower(), "")) in _METRIC:
         return _single(spelled[0] + stem)
     return _signed(name)
 
@@ -247,10 +247,10 @@ def _factor(tokens: Tokens, text: str) -> tuple[UnitOf, Tokens]:
         return _raised(found, rest[1:], text)
     if kind == "power" and what == "1":
         return PURE, rest
-    found = _units_of(what) if kind == "name" else None
-    if found is None:
+    units = _units_of(what) if kind == "name" else None
+    if units is None:
         raise _refused(text, what)
-    *before, last = found
+    *before, last = units
     raised, rest = _raised(last, rest, text)
     for unit in before:
         raised = unit * raised
