@@ -68,7 +68,8 @@ def checked(rule: str, study: Study | None = None, **data: Any) -> dict[str, Any
 
 def ground(of: tuple[str, Mapping[str, Any]], statement: Node = ZERO) -> Step:
     """A rule and its data as a step."""
-    return Step("answer", of[0], statement, "ask", f"ask.found.{of[0]}", data=of[1])
+    said = "divides" if of[0] == "holds_for" and of[1].get("opposite") else of[0]
+    return Step("answer", of[0], statement, "ask", f"ask.found.{said}", data=of[1])
 
 
 def together(*parts: Finding) -> dict[str, Any]:

@@ -71,7 +71,7 @@ def net_power(draft: Draft, name: str) -> Scalar:
 
 def _cancelling(draft: Draft, name: str, items: list[ForceWork], terms: list[t.Sym]) -> None:
     """The sum of all works vanishes although the single ones don't."""
-    bodies = list(dict.fromkeys(item.on for item in items))
+    bodies = list(dict.fromkeys(item.on for item in items if any(getattr(item, word).parts for _, word in HALVES)))
     force = draft.study.system.named(name)[0]
     manner = _manner(draft.study.system.element(name), name) if force.vector else "couple"
     opposite = manner == "grip" and len(terms) == 2 and len(bodies) == 1
