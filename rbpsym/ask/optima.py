@@ -37,59 +37,18 @@ def extremum(
     by_place: bool = False,
 ) -> Finding:
     """The greatest or least value of a quantity over a coordinate (on its way), a parameter, or the time; of a speed, its
-    magnitude is meant."""
-    phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
+    magnitude is meant; over a parameter, of what changes on the way, its greatest or least value there."""
     if over is not None and over not in (*world.coordinates, "t"):
         parameter(world, over)
-    phrase, value = sized(world, phrase)
-    given, sense = world.motion.assumptions, SUPERLATIVES[superlative]
-    free = moving(world, (value,))
-    is_open = over == "t" or len(free) > 1 or {*free} - {*world.motion.squares, "t"}
-    last = world.place + 1 == len(world.asked.names)
-    for other in (*(world.motion.squares if over is None else ()), *(("t",) if last else ())):  # by what else it can be told
-        if over in (None, "t") and low is None and is_open and other not in free:
-            with suppress(RbpsymError):
-                phrase, value = sized(world, f"{phrase} as a function of {other}")
-                free = moving(world, (value,))
-                break
-    name = over or (free[0] if len(free) == 1 else None)
-    if name is None:
-        what = f"depends on {', '.join(free)}" if free else "is constant on the motion"
-        instead = "say over what: “… over NAME”, or “… over NAME between VALUE and VALUE”."
-        raise StatementError(f"“{phrase}” {what}", instead=instead)
-    if name in world.motion.speeds or name in world.motion.unsettled:
-        what = f"“{phrase}” is not known as a function of the position alone"
-        raise StatementError(what, instead=f"ask for its magnitude, or give {name.removesuffix('_dot')} a start.")
-    if any(other != name for other in free) and not by_place:
-        raise StatementError(f"“{phrase}” depends on {next(o for o in free if o != name)} too")
-    if not depends_on(value, name):
-        raise StatementError(f"“{phrase}” does not depend on {name}", instead=on_what(world, value))
-    given = where_met(given, [demand for demand in world.demands if not depends_on(demand.value, name)])
-    turns = name == "t" and period(value, "t") is not None
-    for demand in (*world.demands, *world.standing) if name not in world.coordinates and not turns else ():
-        where = region(demand.value, name, given) if depends_on(demand.value, name) else None
-        if where and not (where.asked or where.crossing or where.is_empty):
-            ends = zip((where.lower, where.upper), given.range_of(name), strict=True)
-            given = given.with_range(name, *(old if end is None else end for end, old in ends))
+    phrase, value, inner = _subject(world, superlative, phrase, over, is_whole=low is None, by_place=by_place)
+    name, sense = over or next(iter(moving(world, (value,))), ""), SUPERLATIVES[superlative]
+    given = _ranges(world, name, value)
     back = _on_way_back(world, name, value, given)
-    if is_turned := sense > 0 and not back and not HIGH.match(phrase) and sign(value, given).kind in ("negative", "nonpositive"):
-        value = -value
-    ways = [((), given)]
-    if low is not None:
-        ends = place_in(world, name, low), place_in(world, name, high)
-        if not precedes(*ends, given):
-            raise StatementError(f"“{low}” is not surely less than “{high}”", instead="write the lower end first.")
-        ways = [((), given.with_range(name, *ends))]
-    elif name in world.motion.squares and name in world.motion.scope.start:
-        whole = whole_ways(world, name, given)
-        ways = [(way.asked, one_period(value, range_, name, way.start, way.sense)) for way, range_ in whole]
-    elif name == "t":
-        ways = [(_all_along(world, one_period(value, given)) if turns else (), one_period(value, given))]
-        if None in ways[0][0]:
-            return Finding(undecided("whether the motion goes on as it is stated through a whole period is not decided"))
-    elif over is None and name in world.coordinates:
-        what = f"how far {name} goes in this motion is not known as a function of the position"
-        raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
+    is_turned = sense > 0 and not back and not HIGH.match(phrase) and sign(value, given).kind in ("negative", "nonpositive")
+    value = -value if is_turned else value
+    ways = _ways(world, name, value, given, (low, high), is_over=over is not None)
+    if ways is None:
+        return Finding(undecided("whether the motion goes on as it is stated through a whole period is not decided"))
     closed = name in (*world.coordinates, "t") or low is not None
     found = []
     for _, range_ in ways:
@@ -106,10 +65,101 @@ def extremum(
         values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, _ in ways)
         return replace(found[0], **together(*found), values=values, asked=asked, place=None)
     common = [demand for demand in ways[0][0] if all(demand in asked for asked, _ in ways)]
-    valid = settle((*found[0].valid, *common), world.motion.assumptions) if common else None
+    asked = (*common, *inner.valid)
+    valid = settle((*found[0].valid, *asked), world.motion.assumptions) if asked else None
     if phrase.endswith(f" as a function of {name}") and not fits(world, valid or found[0].valid):
         return Finding(undecided("where it lies depends on the parameters: it is known for others than those of the example"))
-    return replace(found[0], **together(*found), valid=found[0].valid if valid is None else valid)
+    parts = (*found, inner) if inner.grounds else found
+    return replace(found[0], **together(*parts), valid=found[0].valid if valid is None else valid)
+
+
+def _subject(
+    world: Scene, superlative: str, phrase: str, over: str | None, *, is_whole: bool, by_place: bool
+) -> tuple[str, Scalar, Finding]:
+    """The quantity with its value, which depends on one name at most, or on that over which it is asked; and what found the
+    greatest or least value of another one, which it is. Raises StatementError for what has no extremum of one name."""
+    if nested := NESTED.fullmatch(phrase):
+        inner = extremum(world, nested[1], nested[2], None, None, None)
+    phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
+    phrase, value = (phrase, _only(inner, phrase)) if nested else sized(world, phrase)
+    free = moving(world, (value,))
+    is_nested = over not in (None, "t", *world.coordinates) and depends_on(value, over)
+    if is_nested and free and is_whole and not by_place:
+        inner = extremum(world, superlative, phrase, None, None, None)
+        return phrase, _only(inner, phrase), inner
+    is_open = over == "t" or len(free) > 1 or {*free} - {*world.motion.squares, "t"}
+    last = world.place + 1 == len(world.asked.names)
+    for other in (*(world.motion.squares if over is None else ()), *(("t",) if last else ())):  # by what else it can be told
+        if over in (None, "t") and is_whole and is_open and other not in free:
+            with suppress(RbpsymError):
+                phrase, value = sized(world, f"{phrase} as a function of {other}")
+                free = moving(world, (value,))
+                break
+    name = over or (free[0] if len(free) == 1 else None)
+    if name is None:
+        what = f"depends on {', '.join(free)}" if free else "is constant on the motion"
+        instead = "say over what: “… over NAME”, or “… over NAME between VALUE and VALUE”."
+        raise StatementError(f"“{phrase}” {what}", instead=instead)
+    if name in world.motion.speeds or name in world.motion.unsettled:
+        what = f"“{phrase}” is not known as a function of the position alone"
+        raise StatementError(what, instead=f"ask for its magnitude, or give {name.removesuffix('_dot')} a start.")
+    if any(other != name for other in free) and not by_place:
+        raise StatementError(f"“{phrase}” depends on {next(o for o in free if o != name)} too")
+    if not depends_on(value, name):
+        raise StatementError(f"“{phrase}” does not depend on {name}", instead=on_what(world, value))
+    return phrase, value, inner if nested else Finding()
+
+
+NESTED = re.compile(rf"(?:the )?({'|'.join(SUPERLATIVES)}) ((?!frequency |period ).+)")
+
+
+def _only(found: Finding, phrase: str) -> Scalar:
+    if len(found.values) != 1 or found.relation != "=":
+        raise StatementError(f"the greatest or least value of “{phrase}” is not known as one formula")
+    return found.values[0]
+
+
+def _ranges(world: Scene, name: str, value: Scalar) -> Assumptions:
+    """What is known where the quantity has that value: of a parameter, also in which range its conditions are met."""
+    given = where_met(world.motion.assumptions, [demand for demand in world.demands if not depends_on(demand.value, name)])
+    if name in world.coordinates or _turns(name, value):
+        return given
+    for demand in (*world.demands, *world.standing):
+        where = region(demand.value, name, given) if depends_on(demand.value, name) else None
+        if where and not (where.asked or where.crossing or where.is_empty):
+            ends = zip((where.lower, where.upper), given.range_of(name), strict=True)
+            given = given.with_range(name, *(old if end is None else end for end, old in ends))
+    return given
+
+
+def _turns(name: str, value: Scalar) -> bool:
+    return name == "t" and period(value, "t") is not None
+
+
+Ways = list[tuple[tuple[Demand, ...], Assumptions]]
+
+
+def _ways(
+    world: Scene, name: str, value: Scalar, given: Assumptions, between: tuple[str | None, str | None], *, is_over: bool
+) -> Ways | None:
+    """The ranges in which it is looked for, each with what it asks for; None where what that is is not decided."""
+    low, high = between
+    if low is not None:
+        ends = place_in(world, name, low), place_in(world, name, high)
+        if not precedes(*ends, given):
+            raise StatementError(f"“{low}” is not surely less than “{high}”", instead="write the lower end first.")
+        return [((), given.with_range(name, *ends))]
+    if name in world.motion.squares and name in world.motion.scope.start:
+        whole = whole_ways(world, name, given)
+        return [(way.asked, one_period(value, range_, name, way.start, way.sense)) for way, range_ in whole]
+    if name == "t":
+        within = one_period(value, given)
+        asked = _all_along(world, within) if _turns(name, value) else ()
+        return None if None in asked else [(asked, within)]
+    if not is_over and name in world.coordinates:
+        what = f"how far {name} goes in this motion is not known as a function of the position"
+        raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
+    return [((), given)]
 
 
 def _all_along(world: Scene, given: Assumptions) -> tuple[Demand | None, ...]:

@@ -26,6 +26,12 @@ _APART = r"distance (?:from|between) [\w.]+ (?:to|and) [\w.]+"
 _START = r"(?:start|beginning|release)"
 _WAY = rf"(?:(?:from (?:the )?{_START} )?(?:until|up to|to)|between (?:the )?{_START} and) (?:where )?(\w+) (?:=|reaches|is) (.+)"
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
+
+
+def _over_there(world: Scene, best: str, phrase: str, name: str, place: str) -> Finding:
+    return through.extremum(world, best, f"{phrase} {place}", name, None, None)
+
+
 Rows = tuple[tuple[str, Callable[..., Finding]], ...]
 ROWS: Rows = (
     (rf"does (.+) depend on {_N}", special.depends),
@@ -58,6 +64,7 @@ ROWS: Rows = (
     (rf"{_BEST} (.+) {_FOR} (.+)", ahead.bounded),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: ahead.which(world, None, name, text)),
     (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
+    (rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)", _over_there),
     (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )

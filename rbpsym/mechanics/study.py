@@ -282,6 +282,8 @@ class Study:
 
     def on_motion(self, value: Scalar) -> Scalar:
         """The value with accelerations and unknown forces replaced by what they are."""
+        if not names_in(value) & {*self.system.unknowns, *self.system.accelerations}:
+            return value
         value = substitute(value, self.dynamics.reactions)
         return substitute(value, self.dynamics.accelerations or {})
 
