@@ -22,15 +22,14 @@ import rbpsym
 from rbpsym.courses import derive_course
 from rbpsym.document import files as extras
 from rbpsym.document.model import Display, Document, FigureBlock, ItemList, Math, Paragraph, Ref, Section, Table, words
-from rbpsym.document.notes import course_notes
+from rbpsym.document.notes import course_notes, plain
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.pictures import pictures
 from rbpsym.document.writers import WRITERS, files, writer
-from rbpsym.document.writers.latex import LATEX
 from rbpsym.document.writers.markdown import in_cell, in_markdown
 from rbpsym.document.writers.page import page_for
 from rbpsym.document.writers.pdf import compiled, write_pdf
-from rbpsym.document.writers.slides import COLUMN, FULL, digest, frames, height, write_slides
+from rbpsym.document.writers.slides import COLUMN, SLIDES, digest, write_slides
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
@@ -122,16 +121,18 @@ def test_every_extra_is_declared() -> None:
 # --- slides
 
 
-def test_frames_keep_all_blocks_in_order_and_are_not_too_full() -> None:
+def test_frames_keep_all_blocks_in_order() -> None:
     document = numbered(rbpsym.notes(ladder()))
-    page = page_for(document, LATEX, COLUMN)
-    for section in document.sections:
-        groups = list(frames(section.blocks, page)) if section.blocks else []
-        shown = [
-            part for group in groups for block in group for part in parts(block) if isinstance(part, (Math, Display))
-        ]
-        assert shown == [part for part in parts(section.blocks) if isinstance(part, (Math, Display))]
-        assert all(len(group) == 1 or sum(height(b, page) for b in group) <= FULL for group in groups)
+    source, page = write_slides(document), page_for(document, SLIDES, COLUMN)
+    shown = [page.show(block) for section in document.sections for block in section.blocks]
+    places = [source.find(text) for text in shown]
+    assert -1 not in places and places == sorted(places)
+
+
+def test_no_slide_begins_with_words_whose_formula_is_left_out() -> None:
+    """Words that lead to a formula are kept with it, or not at all."""
+    for section in digest(rbpsym.notes(ladder())).sections:
+        assert not [block for block in section.blocks[-1:] if isinstance(block, Paragraph) and plain(block.inlines).endswith(":")]
 
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="TeX is not installed")

@@ -20,7 +20,7 @@ UNSEEN = re.compile("[\u0300-\u036f\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufe00
 SIGNS = {
     "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≈": r"\approx", "∞": r"\infty", "√": r"\surd", "∂": r"\partial",
     "∫": r"\int", "∑": r"\sum", "′": r"\prime", "⇒": r"\Rightarrow", "⊥": r"\perp", "∥": r"\parallel",
-    "∠": r"\angle", "ω": r"\omega", "ο": "o",
+    "∠": r"\angle", "ω": r"\omega", "ο": "o", "−": "-",
 }  # fmt: skip
 GREEK = {char: f"\\{command}" for command, char in LETTERS.items() if char not in "ℏ"}
 FRAME = r"\framebox[0.65em]{\rule{0pt}{1.1ex}}"
