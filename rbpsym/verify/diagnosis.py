@@ -62,6 +62,8 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
     looks = samples(Question(ground, claim.holds))
     decided = unseen = 0
     for repair in _repairs(relation, claim, ground):
+        if len(set(repair.relation.items)) == 1:
+            continue  # I = I says nothing
         seen = _is_likely(repair, ground, looks)
         unseen += seen is None
         if seen is False or (seen is None and unseen > MOST_UNSEEN) or decided >= MOST_DECIDED:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from functools import partial
 
-from rbpsym.algebra import Space
+from rbpsym.algebra import NOTHING, Scalar, Space, without_even_roots
 from rbpsym.algebra.present import present
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import dataclass, replace
@@ -18,7 +18,8 @@ from rbpsym.notation.places import Path, put, sites
 from rbpsym.notation.text import to_text
 from rbpsym.verify.claims_ground import Ground, Question
 from rbpsym.verify.claims_integrals import valued
-from rbpsym.verify.claims_model import Claim
+from rbpsym.verify.claims_model import Claim, Meaning
+from rbpsym.verify.claims_refute import carried_out
 
 _FAR = re.compile(r"\b(where|when|until|in|frequency|period|time|start|unknown|constant|defined|smallest|largest)\b")
 LARGEST = 12  # number that is tried in place of another
@@ -53,7 +54,12 @@ def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
     """The ground with symbols of a claim that its formula does not use, and their phrases by name."""
     bounds, phrases = dict(ground.bounds), {}
     own = set(ground.world.symbols.values())
-    for latex, meaning in sorted(claim.setting.symbols.items(), key=lambda item: item[1].phrase in own):  # the author's first
+
+    def place(item: tuple[str, Meaning]) -> tuple[bool, bool]:
+        """Those of the formula first, then the author's."""
+        return ground.glossary.names.get(item[0]) not in ground.bounds, item[1].phrase in own
+
+    for latex, meaning in sorted(claim.setting.symbols.items(), key=place):
         key = ground.glossary.names.get(latex)
         if key is None or _FAR.search(meaning.phrase) or len(phrases) >= MOST:
             continue
@@ -99,18 +105,39 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
     question = Question(ground)
     found: dict[t.Chain, tuple[int, t.Node]] = {}
     alone = {side.name for side in relation.items if isinstance(side, t.Sym)}
-    for depth in ("identity", "motion"):
+    values = {name: own for name in phrases if name not in t.names(relation) and (own := _value_of(name, ground))}
+    whole = any(isinstance(part, (t.Integral, t.PathIntegral)) for part in t.walk(relation))  # nothing else is to be carried out
+    for depth in ("identity", "motion") if whole else ("identity", "motion", "start"):
+        seen = {name: _seen(own, question, depth) for name, own in values.items()}
         for path, node in _summands(relation):
-            term = _that_is_missing(relation, path, node, question, depth)
-            size = 0 if term is None else len([part for part in t.walk(term) if not isinstance(part, t.Neg)])
-            sums = 0 if term is None else sum(isinstance(part, t.Add) for part in t.walk(term))
-            if term is None or size > LONGEST or sums > 1 or isinstance(term, t.Add) or alone & t.names(term):
-                continue
-            if t.names(term) - {"pi"} <= named.keys():
-                term = renamed(term, named)
-                found.setdefault(put(relation, path, t.add(node, term)), (size, term))
+            value = _that_is_missing(relation, path, node, question, depth)
+            for term in () if value is None else (*_symbols_of(value, seen), renamed(present(value), named)):
+                size = len([part for part in t.walk(term) if not isinstance(part, t.Neg)])
+                sums = sum(isinstance(part, t.Add) for part in t.walk(term))
+                known = t.names(term) - {"pi"} <= phrases.keys() and not alone & t.names(term)
+                known = known and _value_of(t.add(node, term), ground) != NOTHING  # α − α
+                if known and size <= LONGEST and sums <= 1 and not isinstance(term, t.Add):
+                    found.setdefault(put(relation, path, t.add(node, term)), (size, term))
     for repaired, (_, term) in sorted(found.items(), key=lambda item: item[1][0]):
         yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
+
+
+def _value_of(node: t.Node | str, ground: Ground) -> Scalar | None:
+    """Of a node or name; None if it has none, or is a vector."""
+    with suppress(RbpsymError, ZeroDivisionError):
+        found = valued(t.Sym(node) if isinstance(node, str) else node, ground)
+        return found if isinstance(found, Scalar) else None
+
+
+def _symbols_of(value: Scalar, values: Mapping[str, Scalar | None]) -> Iterator[t.Node]:
+    """Symbols that have this value, or its opposite."""
+    for name, own in values.items():
+        if own in (value, -value):
+            yield t.Sym(name) if own == value else t.Neg(t.Sym(name))
+
+
+def _seen(value: Scalar, question: Question, depth: str) -> Scalar | None:
+    return carried_out(value, question) if depth == "start" else question.seen(value, depth)
 
 
 def _summands(relation: t.Chain) -> list[tuple[Path, t.Node]]:
@@ -127,7 +154,7 @@ def _is_summand(path: Path, node: t.Node, parents: Mapping[Path, t.Node]) -> boo
     return kind in ("items", "num", "den") or (kind == "arg" and isinstance(parents[path[:-1]], t.Group))
 
 
-def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Question, depth: str) -> t.Node | None:
+def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Question, depth: str) -> Scalar | None:
     """The term x for which the gap (a + b x)/(1 + d x) of the sides is zero, found from its values at 0, 1 and 2."""
     gaps = []
     for number in range(3):
@@ -135,13 +162,13 @@ def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Ques
         left, right = (valued(side, question.ground) for side in sides)
         if isinstance(left, Space) or isinstance(right, Space):
             return None
-        gaps.append(question.seen(left, depth) - question.seen(right, depth))
+        gaps.append(_seen(left - right, question, depth))
     first, second, third = gaps
-    if first == second or second == third:
+    if None in gaps or first == second or second == third:
         return None
     d = (second * 2 - third - first) / ((third - second) * 2)
     b = second * (d + 1) - first
-    return None if b == first - first else present(-first / b)
+    return None if b == first - first else without_even_roots(-first / b)
 
 
 def renamed(node: t.Node, names: dict[str, str]) -> t.Node:
@@ -197,7 +224,7 @@ def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping
         old, new = pair
     if old.span is None:
         return ""
-    begin, end = old.span
+    begin, end = _begin(latex, old), old.span[1]
     kept = {id(node) for _, node in sites(relation) if node.span}
     text, before, behind = _written(new, latex, kept, symbols), latex[:begin].rstrip(), latex[end:]
     gap = latex[len(before) : begin]
@@ -210,6 +237,12 @@ def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping
     elif isinstance(new, t.Add) and before and not _stands_alone(before, behind):
         text = rf"\left({text}\right)"
     return f"{before}{gap}{text}{behind}".strip()
+
+
+def _begin(latex: str, node: t.Node) -> int:
+    r"""Where a part begins, with the \left of its first parenthesis."""
+    sized = re.search(r"\\(?:left|[bB]igg?l?)\s*$", latex[: node.span[0]])
+    return sized.start() if sized else node.span[0]
 
 
 def _only_change(old: t.Node, new: t.Node) -> tuple[t.Node, t.Node] | None:
@@ -241,12 +274,12 @@ def _is_printed_in_one(node: t.Node) -> bool:
 def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str]) -> str:
     """The LaTeX of a part: as printed if it was there, else its symbols as the author prints them."""
     if id(node) in kept:
-        return latex[slice(*node.span)].strip()
+        return latex[_begin(latex, node) : node.span[1]].strip()
     if isinstance(node, t.Neg):
         return f"-{_written(node.arg, latex, kept, symbols)}"
     if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[:-1]):
         sign, last = ("-", node.terms[-1].arg) if isinstance(node.terms[-1], t.Neg) else ("+", node.terms[-1])
-        begin = latex[node.terms[0].span[0] : node.terms[-2].span[1]].strip()
+        begin = latex[_begin(latex, node.terms[0]) : node.terms[-2].span[1]].strip()
         return f"{begin} {sign} {_written(last, latex, kept, symbols)}"
     names = sorted(t.names(node) - {"pi"})
     marks = {name: f"Q_{place}" for place, name in enumerate(names, 101)}

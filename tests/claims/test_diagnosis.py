@@ -47,3 +47,22 @@ def test_a_near_miss_is_named(name, latex, words):
 def test_what_is_far_off_is_told_what_it_is():
     found = CHECKER.check(CLAIMS["eq-34"], Printed(r"\alpha=\frac{g^3}{\ell^5}\cos^3\theta\sin\theta"))
     assert found.outcome is Outcome.REFUTED and found.diagnosis == "in fact α is −(3g/(4ℓ)) cos θ"
+
+
+@pytest.mark.parametrize(
+    ("file", "name", "latex", "told"),
+    [
+        ("cart-and-rod", "small-oscillations", r"\Omega^2 = \frac{6(M)g}{(4M+m)\ell}", "term m is missing"),  # under a root
+        ("bar-in-two-slots", "work-of-the-weight", r"U_W = -\frac{1}{2}mgb(1)", "term −cos θ is missing"),  # a work carried out
+        ("disk-off-center", "equation-of-motion", r"\left(\frac{1}{2}R^2+d^2\right)\ddot\theta = 0", "dg sin θ is missing"),
+        ("paper", "wall-works-cancel", r"\mathpzc{w}_1 = 0", "missing"),
+    ],
+)
+def test_the_missing_term_is_told_and_never_what_makes_it_empty(file, name, latex, told):
+    """No (θ̈ − α) = 0 and no I = I, which hold always."""
+    claims = load_claims(library_folder() / "claims" / f"{file}.toml").claims
+    claim = next(claim for claim in claims if claim.id == name)
+    found = CHECKER.check(claim, Printed(latex))
+    assert found.outcome is Outcome.REFUTED
+    assert told in found.links[-1].diagnosis, found.links
+    assert CHECKER.check(claim, Printed(found.fix)).outcome is Outcome.PROVED

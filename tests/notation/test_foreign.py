@@ -135,7 +135,7 @@ FORMAL = {  # read whole, without a value
     r"|\psi\rangle = \langle a|H|b\rangle \ket{b}": r"state(|\psi\rangle) = state(\langle a|H|b\rangle) state(b)",
     r"\left[\frac{dr}{dt}\right]_{S_0} = v": "marked(dr/dt, S0) = v",
     r"a &= b, & c &= k \\ &= g": "        a = b\n        c = k\ncontinued = g",
-    r"a = b \quad \text{if $\vec{r}$ is fixed}": "a = b\n    condition(if $\\vec{r}$ is fixed)",
+    r"a = b \quad \text{if $\vec{r}$ is fixed}": "a = b\n  condition(if $\\vec{r}$ is fixed)",
     r"a \gg b << c": "≫(a, ≪(b, c))",
     r"F = \left\{\begin{array}{rl} -A,& t<0\\ A,& t>0\end{array}\right.": "F = cases(row(−A, t < 0), row(A, t > 0))",
     r"\left(\frac{d^2}{dt^2} + k\right) x = \det A": "(d²/dt²(operator) + k) x = det(A)",
