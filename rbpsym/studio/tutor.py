@@ -169,7 +169,7 @@ class Tutor:
         """What could not be read; of many letters those of the statement."""
         is_long = len(error.instead) > MOST_TOLD
         instead = self._told(UNREAD, "letters", letters=", ".join(self.letters)) if is_long else error.instead
-        return f"{error.what[:1].upper()}{error.what[1:]}. {instead}".strip()
+        return f"{_sentence(error.what)} {instead}".strip()
 
     def _refused(self, read: t.Node, sheet: Sheet, found: Verdict) -> tuple[str, str, str]:
         """What a line that was not proved seems to mean: it is wrong if a state of the motion refutes it."""
@@ -180,7 +180,7 @@ class Tutor:
         told = told or self._checked(read).diagnosis
         if verdict == UNDECIDED:
             seems = (self._told(verdict, "seems"), f"{told.rstrip('.')}.") if told else ()
-            why = self._told(verdict, f"why.{found.reason}") if found.reason in REASONS else found.reason
+            why = self._told(verdict, f"why.{found.reason}") if found.reason in REASONS else _sentence(found.reason)
             return verdict, " ".join((*seems, self._told(verdict, "undecided"), why)), ""
         if slip.right and not slip.kind:
             told = " ".join(filter(None, (told, self._told(verdict, "right_terms", count=slip.right, of=slip.terms))))
@@ -236,3 +236,7 @@ class Tutor:
     def _in_turn(self, lines: tuple[str, ...]) -> Iterator[Judged]:
         for place, line in enumerate(lines):
             yield self.judge(line, lines[:place])
+
+
+def _sentence(words: str) -> str:
+    return f"{words[:1].upper()}{words[1:]}." if words else ""

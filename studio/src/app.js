@@ -9,7 +9,7 @@ import { dress, say, speak } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 const el = (tag, props = {}, ...inner) => { const one = Object.assign(document.createElement(tag), props); one.append(...inner); return one; };
-const PAUSE = 120, PATIENCE = 4000; // ms after the last key; until an outdated derivation is ended
+const PAUSE = 120, PATIENCE = 4000; // ms after the last key; until a derivation that is outdated, or in the way, is ended
 const TABS = ["notes", "answers", "explorer", "export", "check", "tutor"];
 const FIRST = "sliding-ladder";
 const NOTES = { html: "HTML", tex: "LaTeX", md: "Markdown", ipynb: "Notebook", typ: "Typst" };
@@ -30,10 +30,16 @@ const tutor = new Tutor(work, el, tells);
 
 function status(words) { $("status").textContent = words; }
 
+/** An answer of the engine. Proofs that take long wait for what else is asked: they are begun anew after it. */
 async function work(name, keys, passing = false) {
+  const waits = name !== "notes" && engine.lasts("notes") > PATIENCE;
+  if (waits) engine.stop();
   running++;
   $("stop").hidden = false;
-  try { return await engine.ask(name, keys, passing); } finally { if (!--running) $("stop").hidden = true; }
+  try { return await engine.ask(name, keys, passing); } finally {
+    if (!--running) $("stop").hidden = true;
+    if (waits) noted(turn, performance.now()).catch(wrong);
+  }
 }
 
 const asked = () => ({ text, language: $("language").value });
@@ -73,7 +79,8 @@ function glanced(found) {
 
 async function noted(mine, began) {
   $("notes").classList.add("old");
-  const found = await work("notes", { ...asked(), detail: $("detail").value }, true);
+  const long = setTimeout(() => mine === turn && status(say("long")), PATIENCE);
+  const found = await work("notes", { ...asked(), detail: $("detail").value }, true).finally(() => clearTimeout(long));
   if (mine !== turn) return;
   show($("notes"), found.html);
   tutor.task(glance.figure, new DOMParser().parseFromString(found.html, "text/html"));

@@ -31,15 +31,19 @@ export class Engine {
   next() {
     if (this.running || !this.queue.length) return;
     this.running = this.queue.shift();
+    this.since = performance.now();
     this.worker.postMessage(this.running.request);
   }
 
   ask(name, keys = {}, passing = false) {
     return new Promise((resolve, reject) => {
-      this.queue.push({ resolve, reject, passing, request: JSON.stringify({ do: name, ...keys }) });
+      this.queue.push({ resolve, reject, passing, name, request: JSON.stringify({ do: name, ...keys }) });
       this.next();
     });
   }
+
+  /** For how long what was asked under this name runs already, in ms. */
+  lasts(name) { return this.running?.name === name ? performance.now() - this.since : 0; }
 
   /** True if what runs is outdated, too. */
   drop() {

@@ -18,8 +18,9 @@ export class Tutor {
 
   /** What the student reads: the drawing and the first section of the notes, in which the problem is told. */
   task(figure, page) {
-    const told = page.querySelector("section");
-    $("task").replaceChildren(this.el("div", { className: "scenes", innerHTML: figure }), ...(told ? [...told.children].slice(1).filter((one) => one.localName !== "figure") : []));
+    const told = [];
+    for (let one = page.querySelector("h2")?.nextElementSibling; one && one.localName !== "h2"; one = one.nextElementSibling) if (one.localName !== "figure") told.push(one);
+    $("task").replaceChildren(this.el("div", { className: "scenes", innerHTML: figure }), ...told);
   }
 
   /** The sheet of another problem: what was written on it before comes back. */

@@ -2,6 +2,7 @@
 const TABLE = {
   starting: ["Starting the engine …", "Iniciando el motor …"],
   deriving: ["Deriving …", "Deduciendo …"],
+  long: ["Deriving: this takes long; what the other tabs show need not wait for it.", "Deduciendo: tarda; lo que muestran las otras pestañas no tiene que esperar."],
   broken: ["The engine can't be started: {why}", "El motor no puede iniciarse: {why}"],
   proved: ["{proved} of {steps} steps proved, {seconds} s", "{proved} de {steps} pasos demostrados, {seconds} s"],
   line: ["Line {line}: {what}", "Línea {line}: {what}"],
