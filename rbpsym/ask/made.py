@@ -17,7 +17,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 
-WHEN = re.compile(r" (?:where|when|at|until|up to|during|just|right|from|begins)\b")
+WHEN = re.compile(r" (?:where|when|at|until|up to|during|(?:just|right) (?:after|before|when|where)|from|begins)\b")
 
 
 def _times(world: Scene, factor: str, text: str) -> t.Node:

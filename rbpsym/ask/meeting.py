@@ -1,42 +1,55 @@
-"""Where two bodies meet: the moment at which a coordinate has the value that brings their centres of mass to one place."""
+"""Where two bodies meet, or a spring is as long as is said: the moment at which a coordinate has the value that makes it so."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import short
 from rbpsym.algebra.present import present
 from rbpsym.ask.moments import Asked
 from rbpsym.errors import StatementError
+from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
+from rbpsym.quantity.problem import ProblemWorld
 
 MEETS = re.compile(
     r"\b(until|when|where) (?:the )?(\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (?:the )?(\w+)$"
 )
 
 
+LENGTH = re.compile(
+    r"\b(until|when|where) (?:the )?(?:(elongation|compression) of (\w+) (?:=|is|reaches) (.+)"
+    r"|(\w+) (?:has|reaches|is at) its natural length)$"
+)
+
+
 def met(asked: Asked, text: str) -> str:
-    """The question with “where x = VALUE” for “where BODY meets BODY”; as it is if it says no such thing."""
-    said = MEETS.search(text)
-    if said is None or not {said[2], said[3]} <= {body.name for body in asked.problem.bodies}:
-        return text
-    return f"{text[: said.start()]}{said[1]} {_equation(asked, said[2], said[3])}"
-
-
-def _equation(asked: Asked, first: str, second: str) -> str:
+    """The question with “where x = VALUE” for “where BODY meets BODY”, or “where elongation of S = VALUE”; as it is if it says no
+    such thing."""
     world = asked.world(asked.lasting)
-    apart, tied = world.centre(first) - world.centre(second), world.study.system.dependent
-    gaps = [gap for part in (apart.x, apart.y) if not is_zero(gap := short(substitute(part, tied)))]
+    if (said := MEETS.search(text)) and {said[2], said[3]} <= {body.name for body in asked.problem.bodies}:
+        apart, what = world.centre(said[2]) - world.centre(said[3]), f"“{said[2]}” and “{said[3]}” are at one place"
+        return f"{text[: said.start()]}{said[1]} {_equation(world, (apart.x, apart.y), what)}"
+    spring = (said := LENGTH.search(text)) and (said[3] or said[5])
+    if said and spring in {element.name for element in asked.problem.of_kind("spring")}:
+        gap = world.bound(f"{said[2] or 'elongation'} of {spring}").number
+        gap = gap - scalar(read_infix(said[4] or "0", world.names))
+        return f"{text[: said.start()]}{said[1]} {_equation(world, (gap,), f'“{spring}” is as long')}"
+    return text
+
+
+def _equation(world: ProblemWorld, values: Iterable[Scalar], what: str) -> str:
+    tied = world.study.system.dependent
+    gaps = [gap for part in values if not is_zero(gap := short(substitute(part, tied)))]
     free = [name for name in world.study.system.independent if gaps and depends_on(gaps[0], name)]
     ways = [name for name in free if not names_in(derivative(gaps[0], name)) & {*world.motion.scope.rates, "t"}]
     if not ways or any(names_in(short(gap / gaps[0])) & {*world.motion.scope.rates, "t"} for gap in gaps[1:]):
         raise StatementError(
-            f"where “{first}” and “{second}” are at one place is no equation for one coordinate",
-            instead="ask where a coordinate has the value that brings them together.",
+            f"where {what} is no equation for one coordinate",
+            instead="ask where a coordinate has the value that makes it so.",
         )
-    return f"{ways[0]} = {_solved(gaps[0], ways[0])}"
-
-
-def _solved(gap: Scalar, name: str) -> str:
-    return to_machine(present(short(symbol(name) - gap / derivative(gap, name))))
+    value = short(symbol(ways[0]) - gaps[0] / derivative(gaps[0], ways[0]))
+    return f"{ways[0]} = {to_machine(present(value))}"

@@ -95,7 +95,8 @@ def parts_seen(world: Scene, phrase: str) -> tuple[Scalar, ...]:
     return tuple(neat(value, world.motion.assumptions) for value in found.values)
 
 
-PLACE = re.compile(r"(.+?)((?: (?:where|when|at|just|right|in|once) ).+)")  # a quantity, and where or when it is asked
+# a quantity, and where or when it is asked
+PLACE = re.compile(r"(.+?)((?: (?:where|when|at|(?:just|right) (?:after|before|when|where)|in|once) ).+)")
 
 
 def told(value: Scalar) -> str:

@@ -65,6 +65,8 @@ def orbits(study: Study, name: str) -> list[Orbit]:
     for place in zeros(gained, name) if gained is not None else ():
         lower, upper = given.range_of(name)
         within = [Demand((place - end) * side) for end, side in ((lower, 1), (upper, -1)) if end is not None]
+        if is_zero(substitute(Scalar(gained.den), {name: place})):  # it is no function there
+            continue
         square = neat(-substitute(derivative(gained, name), {name: place}), given)
         valid = settle([*existence(place), *within, Demand(square)], given)
         found += [] if valid is None else [Orbit(neat(place, given), square, valid)]

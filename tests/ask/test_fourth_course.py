@@ -54,6 +54,13 @@ ANSWERS = (
     ("chimney", "largest magnitude of tau over a", "m*g*L/27"),
     ("chimney", "largest magnitude of tau over a where theta = pi/2", "m*g*L/27"),
     ("chimney", "a for which the largest magnitude of tau is largest", "L/3"),
+    # by how much a spring is longer; a place where what pulls has no value is no steady motion
+    ("masses-let-go", "speed of x_2 where elongation of S = 0", "d*sqrt(k*m_1/(m_2*(m_1+m_2)))"),
+    ("masses-let-go", "time until S reaches its natural length", "pi/2*sqrt(m_1*m_2/(k*(m_1+m_2)))"),
+    ("masses-let-go", "ratio of kinetic energy of left to kinetic energy of right", "m_2/m_1"),
+    ("bob-on-slack-spring", "speed of bob where elongation of S = m*g/k", "g*sqrt(m/k)"),
+    ("bead-on-cycloid", "frequency of q", "sqrt(g/R)/2"),
+    ("wheel-before-step", "smallest P for which N vanishes", "M*g*sqrt(2*R*h-h**2)/(R-h)"),
     ("held-by-string", "smallest mu for which it does not slip", "tan(beta/2)"),
     ("rod-with-beads", "speed of phi as a function of r", "omega_0*(M*L**2/3+2*m*r_0**2)/(M*L**2/3+2*m*r**2)"),
     ("ball-off-wall", "ratio of energy lost until rolling to kinetic energy at the start", "40/49"),
