@@ -11,6 +11,7 @@ from click.shell_completion import CompletionItem
 
 Command = TypeVar("Command", bound=Callable[..., Any] | click.Command)
 DETAILS = ("brief", "standard", "full")
+FILE, FOLDER = click.Path(dir_okay=False, path_type=Path), click.Path(file_okay=False, path_type=Path)
 
 
 class ShelfName(click.ParamType):  # type: ignore[type-arg]  # generic in late versions of click
@@ -70,7 +71,4 @@ def formats_option(choices: tuple[str, ...], default: str) -> Callable[[Command]
 
 def output_option(default: str, meaning: str) -> Callable[[Command], Command]:
     """The option -o, a folder that is made if it is not there."""
-    folder = click.Path(file_okay=False, path_type=Path)
-    return click.option(
-        "-o", "--output", metavar="FOLDER", type=folder, default=default, show_default=True, help=meaning
-    )
+    return click.option("-o", "--output", metavar="FOLDER", type=FOLDER, default=default, show_default=True, help=meaning)

@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rbpsym.commands.arguments import ShelfName
+from rbpsym.commands.arguments import FOLDER, ShelfName
 
 if TYPE_CHECKING:
     from rbpsym.kernel.coqc import Report
 
-FOLDER = Path("build", "rocq")
+USUAL = Path("build", "rocq")
 
 
 @click.command("certify")
 @click.argument("names", metavar="[NAME|FILE]...", type=ShelfName("problem"), nargs=-1)
 @click.option("--all", "every", is_flag=True, help="Every problem that ships.")
-@click.option("--output", "-o", type=click.Path(file_okay=False, path_type=Path), help="Folder of the files (build/rocq).")
+@click.option("--output", "-o", type=FOLDER, help="Folder of the files (build/rocq).")
 @click.option("--no-cache", is_flag=True, help="Compile everything anew.")
 def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: bool) -> int:
     """Write each step of problems as a lemma for Rocq, from its listed premises alone; coqc, if it is there, checks them.
@@ -46,7 +46,7 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: 
     paths = list(problem_files().values()) if every else [found(name, ("problem",))[1] for name in names]
     folder, each, many = None if no_cache else default_folder(), [], every or len(names) > 1
     for path in paths:
-        each.append(certified(path, output if many else output or FOLDER, folder))
+        each.append(certified(path, output if many else output or USUAL, folder))
         click.echo("\n".join(lines(each[-1], f"{path.stem}: " if many else "")))
     is_whole = all(report.is_sound for report in each) and (many or not each[0].refused)
     return 0 if is_whole else 1

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from rbpsym.commands.arguments import ShelfName
+from rbpsym.commands.arguments import FILE, FOLDER, ShelfName
 from rbpsym.commands.progress import Progress
 from rbpsym.commands.solve import verdict_of
 from rbpsym.frozen import dataclass, field
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 FINE, DOUBTFUL, BAD_INPUT = 0, 1, 2
 Names = tuple[str, ...]
-file_path = click.Path(dir_okay=False, path_type=Path)
 
 
 @dataclass(frozen=True)
@@ -58,27 +57,24 @@ class CheckRun:
 )
 @click.option("--all", "every", is_flag=True, help="Judge a paper's formulas that nobody claimed too.")
 @click.option("--init", is_flag=True, help="Print a first draft of a paper's comments, as a diff.")
-@click.option("--fix", metavar="FILE", type=file_path, help="Write a diff that repairs the formulas whose one fault is known.")
+@click.option("--fix", metavar="FILE", type=FILE, help="Write a diff that repairs the formulas whose one fault is known.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
-@click.option("--junit", metavar="FILE", type=file_path, help="Write a JUnit report.")
-@click.option("--html", metavar="FILE", type=file_path, help="Write a page for people.")
-@click.option("--sarif", metavar="FILE", type=file_path, help="Write SARIF 2.1.0, for programs that show findings.")
-@click.option("--baseline", metavar="FILE", type=file_path, help="Findings that are known, and no fault of this run.")
+@click.option("--junit", metavar="FILE", type=FILE, help="Write a JUnit report.")
+@click.option("--html", metavar="FILE", type=FILE, help="Write a page for people.")
+@click.option("--sarif", metavar="FILE", type=FILE, help="Write SARIF 2.1.0, for programs that show findings.")
+@click.option("--baseline", metavar="FILE", type=FILE, help="Findings that are known, and no fault of this run.")
 @click.option("--write-baseline", "anew", is_flag=True, help="Write what is found now to the file of --baseline.")
-@click.option("--compare", metavar="OLD NEW", type=file_path, nargs=2, help="Tell what differs in two baselines or --json files.")
+@click.option("--compare", metavar="OLD NEW", type=FILE, nargs=2, help="Tell what differs in two baselines or --json files.")
 @click.option("--github", is_flag=True, help="Print annotations for GitHub's pages too.")
 @click.option("--only", metavar="WORD", default="", help="Only formulas whose id, number, label or erratum is this.")
 @click.option("--failures", is_flag=True, help="Show only what is not as expected.")
-@click.option(
-    "--cache", metavar="FOLDER", type=click.Path(file_okay=False, path_type=Path), help="Where certificates are kept."
-)
+@click.option("--cache", metavar="FOLDER", type=FOLDER, help="Where certificates are kept.")
 @click.option("--no-cache", is_flag=True, help="Decide everything anew.")
 @click.option("--certify", is_flag=True, help="Have Rocq prove what is proved once more, where coqc is installed.")
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
 def command(
-    names: Names, problems: Names, every: bool, init: bool, fix: Path | None, as_json: bool, junit: Path | None,
-    html: Path | None, sarif: Path | None, baseline: Path | None, anew: bool, compare: tuple[Path, Path] | None,
-    github: bool, only: str, failures: bool, cache: Path | None, no_cache: bool, certify: bool, simulation: bool,
+    names: Names, init: bool, baseline: Path | None, anew: bool, compare: tuple[Path, Path] | None, cache: Path | None,
+    no_cache: bool, **how: Any,
 ) -> int:  # fmt: skip
     """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
 
@@ -103,8 +99,8 @@ def command(
     Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided,
     2 something could not be read.
     """
-    from rbpsym.commands import findings, patches, reports
-    from rbpsym.verify.claims_run import Certificates, default_folder
+    from rbpsym.commands import findings, patches
+    from rbpsym.verify.claims_run import default_folder
 
     if anew and not baseline:
         raise click.UsageError("--write-baseline belongs to --baseline FILE.")
@@ -115,35 +111,51 @@ def command(
     if init:
         click.echo("".join(patches.draft_of(Path(name)) for name in names), nl=False)
         return FINE
-    folder = None if no_cache else cache or default_folder()
-    notary = certifying(folder) if certify else None
+    found = decided(names, None if no_cache else cache or default_folder(), **how)
+    if baseline:
+        found = findings.without_known(found, baseline, anew)
+    tell(found, **how)
+    return found.exit_code
+
+
+def decided(
+    names: Names, folder: Path | None, *, problems: Names, every: bool, only: str, certify: bool, simulation: bool,
+    html: Path | None, **how: Any,
+) -> CheckRun:  # fmt: skip
+    """What all arguments give, as far as it is asked for; with what Rocq says of it, if that is asked."""
+    from rbpsym.kernel.claimed import Notary
+    from rbpsym.verify.claims_run import Certificates
+
+    notary = Notary(folder) if certify else None
     certificates = Certificates.opened(folder, draws=html is not None, notary=notary)
     with Progress("check") as progress:
         found = everything(names, problems, certificates, simulation, progress, every)
     certificates.store()
     found = selected(found, only)
-    if notary is not None:
-        with Progress("coqc"):
-            found = certified(found, notary)
-    if baseline:
-        found = findings.without_known(found, baseline, anew)
-    tell = reports.as_json if as_json else reports.as_table
-    click.echo(tell(found, failures), nl=False)
-    if fix:
-        written(fix, patches.repairs(found.results))
-    for path, write in ((junit, reports.as_junit), (html, reports.as_html), (sarif, findings.as_sarif)):
+    if notary is None:
+        return found
+    with Progress("coqc"):
+        return certified(found, notary)
+
+
+def tell(
+    found: CheckRun, *, failures: bool, as_json: bool, fix: Path | None, junit: Path | None, html: Path | None,
+    sarif: Path | None, github: bool, **how: Any,
+) -> None:  # fmt: skip
+    """Print what was found, and write the reports that are asked for, each whole."""
+    from rbpsym.commands import findings, patches, reports
+    from rbpsym.document.files import write_whole
+
+    click.echo((reports.as_json if as_json else reports.as_table)(found, failures), nl=False)
+    writers = (
+        (fix, lambda run: patches.repairs(run.results)), (junit, reports.as_junit), (html, reports.as_html),
+        (sarif, findings.as_sarif),
+    )  # fmt: skip
+    for path, write in writers:
         if path:
-            written(path, write(found))
+            write_whole(path, write(found))
     if github:
         click.echo(reports.as_annotations(found), nl=False)
-    return found.exit_code
-
-
-def certifying(folder: Path | None) -> Notary:
-    """What takes formulas for Rocq."""
-    from rbpsym.kernel.claimed import Notary
-
-    return Notary(folder)
 
 
 def certified(found: CheckRun, notary: Notary) -> CheckRun:
@@ -160,13 +172,6 @@ def certified(found: CheckRun, notary: Notary) -> CheckRun:
     return CheckRun(notary.settled(each), found.remarks)
 
 
-def written(path: Path, text: str) -> None:
-    """Write a report whole."""
-    from rbpsym.document.files import write_whole
-
-    write_whole(path, text)
-
-
 def selected(found: CheckRun, word: str) -> CheckRun:
     """Only the results of one id, number or label."""
     if not word:
@@ -181,6 +186,7 @@ def everything(
     names: Names, problems: Names, certificates: Certificates, simulation: bool, progress: Progress, every: bool = False
 ) -> CheckRun:
     """What all arguments give; without arguments, all that ships."""
+    from rbpsym.statement.library import problem_files
     from rbpsym.verify.paper_formats import TEXTS
 
     texts = [name for name in names if Path(name).suffix.lower() in TEXTS]
@@ -193,18 +199,11 @@ def everything(
         found.results.extend(one.results)
         found.remarks.extend(one.remarks)
     given = [name for name in names if name not in texts]
-    paths = [path for name in given for path in files_of(name)] if given or texts else shipped()
-    for path in paths:
+    paths = [path for name in given for path in files_of(name)]
+    for path in paths if given or texts else (*problem_files().values(), *claims_files()):
         progress.step(path.stem)
         found.results.extend(of_file(path, certificates, simulation))
     return found
-
-
-def shipped() -> list[Path]:
-    """The problems and claims files that ship."""
-    from rbpsym.statement.library import problem_files
-
-    return [*problem_files().values(), *claims_files()]
 
 
 def claims_files() -> list[Path]:

@@ -109,12 +109,9 @@ def lines(derivation: Derivation, detail: str, method: str, language: str, repor
 def verdicts(derivation: Derivation) -> dict[str, Verdict]:
     """What became of the checks of each step, by the label of its formula."""
     from rbpsym.commands.solve import verdict_of
+    from rbpsym.commands.why import readings
 
-    found = {step.id: verdict_of(step) for step in derivation.steps}
-    for number, phase in enumerate(derivation.phases, 2):
-        steps = (*phase.begins, *phase.derivation.steps)
-        found |= {f"phase{number}.{step.id}": verdict_of(step) for step in steps}
-    return found
+    return {prefix + id: verdict_of(step) for _, prefix, steps in readings(derivation) for id, step in steps.items()}
 
 
 def document_of(derivation: Derivation, detail: str, method: str, language: str) -> Document:

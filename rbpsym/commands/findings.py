@@ -49,10 +49,11 @@ def without_known(found: CheckRun, path: Path, anew: bool) -> CheckRun:
     """The run with each finding of a baseline (which is written first if `anew`) marked as known, which is as expected.
 
     Raises ReadError for what is no baseline."""
-    from rbpsym.commands.check import CheckRun, written
+    from rbpsym.commands.check import CheckRun
+    from rbpsym.document.files import write_whole
 
     if anew:
-        written(path, as_baseline(found))
+        write_whole(path, as_baseline(found))
     if not path.is_file():
         instead = "write it once, by the same command with --write-baseline, and commit it."
         raise ReadError("there is no baseline yet", instead=instead, place=Place(str(path)))

@@ -8,10 +8,7 @@ from typing import Any
 
 import click
 
-from rbpsym.commands.arguments import ShelfName
-
-FILE = click.Path(dir_okay=False, path_type=Path)
-FOLDER = click.Path(file_okay=False, path_type=Path)
+from rbpsym.commands.arguments import FILE, FOLDER, ShelfName
 
 
 @click.command("grade")

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from rbpsym.commands.arguments import ShelfName, formats_option, output_option
+
+if TYPE_CHECKING:
+    from rbpsym.document.figures.scene import Scene
+    from rbpsym.notation.glyphs import Notation
 
 FORMATS = ("svg", "png", "pdf")
 
@@ -29,36 +34,34 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
     where there are more, also NAME-speeds, NAME-positions.
     """
     from rbpsym.commands.shelf import found
-    from rbpsym.derive import derive
     from rbpsym.document.files import write_all
+    from rbpsym.document.pictures import RESOLUTION, drawings
+
+    _, path = found(name, ("problem",))
+    drawn = figures_of(path, lang)
+    each = ((kind, zip(drawn, drawings(list(drawn.values()), kind, RESOLUTION), strict=True)) for kind in formats)
+    for file in write_all(output, {f"{path.stem}-{part}.{kind}": made for kind, parts in each for part, made in parts}):
+        click.echo(str(file))
+    return 0
+
+
+def figures_of(path: Path, language: str) -> dict[str, tuple[tuple[Scene, ...], Notation]]:
+    """The figures by what they show, as pictures are made of them. Raises StatementError for a motion that can't be drawn."""
+    from rbpsym.derive import derive
     from rbpsym.document.moving import REASONS
     from rbpsym.document.notes import notation_of
     from rbpsym.document.notes_plots import plot_figures
-    from rbpsym.document.pictures import RESOLUTION, drawings
     from rbpsym.document.plots.motion import motion
     from rbpsym.document.words import Words
     from rbpsym.errors import NotApplicable, StatementError
     from rbpsym.statement.loader import load_problem
 
-    _, path = found(name, ("problem",))
     derivation = derive(load_problem(path), simulation=False)
+    notation = notation_of(derivation, language)
     try:
-        figures = list(plot_figures(motion(derivation), Words(lang, derivation.study.problem)))
+        figures = list(plot_figures(motion(derivation), Words(language, derivation.study.problem)))
     except NotApplicable as error:
-        raise StatementError(
-            f"the motion of “{path.stem}” can't be drawn: {error}",
-            instead=""
-            if str(error) == REASONS["statics"]
-            else "say where each coordinate starts, and give all numbers under [example].",
-        ) from None
-    notation = notation_of(derivation, lang)
-    groups = [(figure.scenes, notation) for figure in figures]
-    names = [figure.label.rpartition(".")[2] for figure in figures]
-    made = {
-        f"{path.stem}-{part}.{kind}": content
-        for kind in formats
-        for part, content in zip(names, drawings(groups, kind, RESOLUTION), strict=True)
-    }
-    for file in write_all(output, made):
-        click.echo(str(file))
-    return 0
+        cure = "say where each coordinate starts, and give all numbers under [example]."
+        what = f"the motion of “{path.stem}” can't be drawn: {error}"
+        raise StatementError(what, instead="" if str(error) == REASONS["statics"] else cure) from None
+    return {figure.label.rpartition(".")[2]: (figure.scenes, notation) for figure in figures}

@@ -67,11 +67,6 @@ def worded(head: Mapping[str, object], key: str) -> Mapping[str, str]:
     return value if isinstance(value, Mapping) else {"en": str(value)}
 
 
-def names() -> list[str]:
-    """Names of all that ships, for completion."""
-    return [*course_files(), *problem_files()]
-
-
 def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> tuple[str, Path]:
     """The kind and the file of a name on the shelf, or of a path to a file of one's own."""
     shelves = {"course": course_files(), "problem": problem_files(), "worksheet": worksheet_files()}

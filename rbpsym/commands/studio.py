@@ -6,11 +6,13 @@ from pathlib import Path
 
 import click
 
+from rbpsym.commands.arguments import FOLDER
+
 
 @click.command("studio")
 @click.option("--port", type=click.IntRange(0, 65535), default=0, help="Where it is served (0: a free port).")
 @click.option("--browser/--no-browser", default=True, show_default=True, help="Open it in the browser.")
-@click.option("--site", metavar="DIR", type=click.Path(file_okay=False, path_type=Path), help="Where it was built, if elsewhere.")
+@click.option("--site", metavar="DIR", type=FOLDER, help="Where it was built, if elsewhere.")
 def command(port: int, browser: bool, site: Path | None) -> int:
     """Serve the studio on this machine and open it; Ctrl-C ends it.
 

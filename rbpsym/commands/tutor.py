@@ -6,16 +6,14 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import name_argument
+from rbpsym.commands.arguments import FILE, name_argument
 
 HINT, END = ("?", "hint"), ("", "quit", "exit")
 
 
 @click.command("tutor")
 @name_argument
-@click.option(
-    "--record", metavar="FILE", type=click.Path(dir_okay=False, path_type=Path), help="Write the lines and their verdicts."
-)
+@click.option("--record", metavar="FILE", type=FILE, help="Write the lines and their verdicts.")
 def command(name: str, record: Path | None) -> int:
     """Work on a problem line by line: each line is judged at once, in any order.
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from rbpsym.commands.arguments import ShelfName, formats_option
+from rbpsym.commands.arguments import FILE, FOLDER, ShelfName, formats_option
 
 if TYPE_CHECKING:
     from rbpsym.teaching.batch import Order
@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 PAPERS = ("pdf", "tex", "html")  # a file for each student
 PLATFORMS = ("moodle", "qti", "canvas", "prairielearn", "gift")  # all students together
 ENGINES = ("typst", "pdflatex")
-FILE = click.Path(dir_okay=False, path_type=Path)
-FOLDER = click.Path(file_okay=False, path_type=Path)
 MOST = 100_000
 
 

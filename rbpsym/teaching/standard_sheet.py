@@ -21,8 +21,7 @@ from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.wish import Wish
 
 TRIES = 4  # quantities of one pattern that are tried
-WRITTEN = ("formula", "number", "choose")  # kinds of tasks whose answers are written or read as one formula
-LONGEST = 100  # parts of such a formula: about one line in print
+LONGEST = 100  # parts of a formula that is asked for or led to: about one line in print
 
 # kinds (the first that can be made is), what to ask about, level: from much help to little, as a lesson goes
 Row = tuple[tuple[str, ...], tuple[str, ...], int]
@@ -108,13 +107,13 @@ def _possible(bench: ProblemBench, scenery: Scenery, kind: str, patterns, level:
         for options in (4, 3) if kind == "choose" else (4,):
             wish = Wish(kind, (pattern,) if pattern else (), level=level, options=options)
             for task in _made(bench, scenery, wish):
-                if kind in WRITTEN and _is_long(bench, task):
+                if _is_long(bench, task):
                     continue
                 yield replace(wish, about=task.about or wish.about), task.content
 
 
 def _is_long(bench: ProblemBench, task: Prepared) -> bool:
-    """Is the answer a formula that no one would write by hand?"""
+    """Is what it is about a formula that no one would write or read by hand?"""
     value = task.target and task.target.value(bench.study)
     return value is not None and length(present(value, bench.study.style)) > LONGEST
 

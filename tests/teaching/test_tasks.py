@@ -10,13 +10,17 @@ import pytest
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.decide import equal, scalars_equal
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import apart, without_noise
 from rbpsym.teaching.lines import gaps
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
-from rbpsym.teaching.plan import WorksheetPlan, plan_of
+from rbpsym.teaching.plan import WorksheetPlan, bench_of, plan_of
 from rbpsym.teaching.sheet import sheet_of_text
+from rbpsym.teaching.tasks.compare import variants
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.slip import SHORT, SPLITS, brief
 from rbpsym.teaching.units import si
@@ -251,3 +255,15 @@ def test_sentences_speak_of_no_equation_without_a_number(name: str) -> None:
     items = plan(name).worksheet(Student("s1"), "secret").parts[0].items
     assert {"fill-in", "explain"} <= {item.kind for item in items}
     assert "found before" not in repr(items)
+
+def test_a_weld_is_compared_with_a_bearing_only_where_that_leaves_the_spin_alone() -> None:
+    """The friction of a plank would turn a free cylinder, and a chimney's upper part would swing: other systems than those."""
+    free = {}
+    for name in ("plank-on-cylinder", "breaking-chimney", "rod-and-disk-fixed"):
+        bench = bench_of(load_problem(find_problem(name)))
+        free[name] = [(bench, variant) for variant in variants(bench) if variant.phrase == "compare.free"]
+    assert not free["plank-on-cylinder"] and not free["breaking-chimney"]
+    [(bench, variant)] = free["rod-and-disk-fixed"]
+    told = variant.value(bench, bench.targets["acceleration.theta"])
+    other = Study(load_problem(find_problem("rod-and-disk-free")))
+    assert scalars_equal(told, other.dynamics.accelerations["theta_ddot"], other.assumptions).is_proved

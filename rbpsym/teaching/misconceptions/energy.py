@@ -146,9 +146,9 @@ def _orbital_dropped(study: Study) -> Changes:
 
 
 def _one_body_forgotten(study: Study) -> Changes:
-    """One body is not counted in the sum over the system."""
-    bodies = study.system.bodies.items() if len(study.system.bodies) > 1 else ()
-    return ((name, {"velocity": ORIGIN, "omega": NOTHING}) for name, s in bodies if s.velocity != ORIGIN or s.omega)
+    """One body of several that move is not counted in the sum over the system."""
+    moving = [name for name, s in study.system.bodies.items() if s.velocity != ORIGIN or s.omega]
+    return ((name, {"velocity": ORIGIN, "omega": NOTHING}) for name in moving if len(moving) > 1)
 
 
 def _sine_for_cosine(study: Study) -> Changes:

@@ -99,7 +99,17 @@ def variants(bench: ProblemBench) -> Iterator[Variant]:
         yield Variant("compare.shape", slots, partial(_of_study, study=wrong.study))
     for name, phrase in (("free-taken-as-welded", "compare.welded"), ("welded-taken-as-free", "compare.free")):
         for wrong in _made_so(bench, name):
+            if phrase == "compare.free" and not _would_keep_its_spin(bench.study, wrong.site.slots["body"].name):
+                continue
             yield Variant(phrase, {"body": wrong.site.slots["body"]}, partial(_of_study, study=wrong.study))
+
+
+def _would_keep_its_spin(study: Study, name: str) -> bool:
+    """Does nothing but its weld turn a body about its centre of mass, so that on a bearing only its mass would count?"""
+    state = study.system.bodies[name]
+    arms = [(force.point - state.center).cross(force.vector) for force in study.system.on(name)]
+    couples = [force.couple for force in study.system.on(name) if not force.unknowns]
+    return bool(state.omega) and all(map(is_zero, (*arms, *couples)))
 
 
 def _made_so(bench: ProblemBench, name: str) -> list[Wrong]:
