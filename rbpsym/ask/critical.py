@@ -15,7 +15,7 @@ from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, 
 from rbpsym.ask.seen import Scene, moving, parameter, seen, told, way_to
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
 from rbpsym.ask.wanted import Wanted, arrives, premises
-from rbpsym.ask.zeros import Zero, sign_table, where_met
+from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat, rooted
 from rbpsym.equality.verdict import undecided
@@ -101,29 +101,32 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
             equation=table.zeros.open_[0],
         )
     if table.zeros.crossings:
-        [crossing, *more] = table.zeros.crossings
-        said = checked("one_zero", equation=crossing.equation, name=name, given=given, value=None)
-        if more or zeros:
-            said = {"verdict": undecided("there are several such values, and no closed form was found for one of them")}
-        return Finding(**said, symbol=name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
+        return _crossing(name, table.zeros.crossings, given, is_only=not zeros)
+    every = [zero.place for zero in table.zeros.found if not zero.is_pole]
     if not zeros:
-        places = tuple(zero.place for zero in table.zeros.found if not zero.is_pole)
-        found = checked("vanishes_for", value=value, name=name, places=places, given=given)
-        asked_ = (*world.demands, *world.standing)
-        away = [[one.value for one in _there(asked_, name, place)] for place in places]  # there it is not the motion that is told
-        found = together(Finding(**found), *(Finding(**kept_said(one, None, (), given, holds=False)) for one in away))
+        found = Finding(**checked("vanishes_for", value=value, name=name, places=tuple(every), given=given))
+        away = [[one.value for one in _there((*world.demands, *world.standing), name, place)] for place in every]
+        others = (Finding(**kept_said(one, None, (), given, holds=False)) for one in away)  # there it is another motion
         says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
-        return Finding(symbol=name, says=says, valid=(*asked, *_case(world)), **found)
+        return Finding(symbol=name, says=says, valid=(*asked, *_case(world)), **together(found, *others))
     if superlative is not None and len(zeros) > 1:
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
     places = tuple(neat(zero.place, given) for zero in zeros)
     shared = tuple(d for d in zeros[0].asked if all(d in zero.asked for zero in zeros))
     under = where_met(given, [*table.zeros.asked, *(d for zero in zeros for d in zero.asked)])
-    every = [zero.place for zero in table.zeros.found if not zero.is_pole]
     own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
     found = checked("vanishes_for", value=value, name=name, places=every, given=under)
     firm = settle([d for d in world.demands if d.op == ">" and not depends_on(d.value, name)], world.motion.assumptions) or ()
     return Finding(symbol=name, values=places, valid=tuple(dict.fromkeys((*shared, *asked, *firm))), asked=own, met=True, **found)
+
+
+def _crossing(name: str, crossings: Sequence[Crossing], given: Assumptions, *, is_only: bool) -> Finding:
+    """A value without a closed form, by the equation that it solves."""
+    [crossing, *more] = crossings
+    said = checked("one_zero", equation=crossing.equation, name=name, given=given, value=None)
+    if more or not is_only:
+        said = {"verdict": undecided("there are several such values, and no closed form was found for one of them")}
+    return Finding(**said, symbol=name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
 
 
 def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:
@@ -175,61 +178,93 @@ def on_what(world: Scene, value: Scalar) -> str:
 
 def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int) -> Finding:
     """For which values of a parameter what is wanted is positive; `sense`: of which bound it is asked."""
-    moments = [demand for demand in world.demands if demand.op != "!="]
-    along, given = condition.along, condition.given
-    own = [demand for demand in (*condition.asked, *moments) if depends_on(demand.value, name)]
-    given = premise = where_met(given, [*condition.asked, *moments])
+    along = condition.along
     if condition.others and any(depends_on(demand.value, name) for demand in condition.asked):
         return Finding(undecided(f"the sense in which it sets out depends on {name}, and it may come in both"), name)
-    if own:  # what is asked of the symbol itself is a premise of the rest only
-        within = {along: given.range_of(along)} if along else {}
-        given = replace(condition.given, ranges={**world.motion.assumptions.ranges, **within})
-        given = where_met(given, [demand for demand in (*condition.asked, *moments) if demand not in own])
+    own, given, premise = _own_demands(world, name, condition)
     values = (*(demand.value for demand in own), *condition.values)  # the last is the square of a speed, where it is one
     if name in world.coordinates or not any(depends_on(value, name) for value in (*values, *_ends_of(given, along))):
         parameter(world, name)
     free = [other for other in moving(world, values) if other != along]
     if free:
         raise StatementError(f"“{text}” depends on {free[0]} too", instead="say where or until when: “… until theta = VALUE”.")
-    cores = [essential(value, given) for value in values]
-    if not any(depends_on(value, name) for value in (*cores, *_ends_of(given, along))):
-        known = common([region_on_way(value, name, along or "", given) for value in values], given)
-        if known is not None and not known.asked:
-            says = FOR_NONE if known.is_empty else "holds for all values"
-            says = f"“{text}” {says} of the parameters in their declared ranges"
-            holds = not known.is_empty
-            return Finding(**kept_said(values, along, known.worst, given, holds=holds), symbol=name, says=says,
-                           steps=condition.steps)  # fmt: skip
-        raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
+    if not any(depends_on(value, name) for value in (*(essential(value, given) for value in values), *_ends_of(given, along))):
+        return _for_all(world, name, condition, values, given, text)
     under = (*(given for _ in own), *(premise for _ in condition.values))
     regions = [region_on_way(value, name, along or "", each) for value, each in zip(values, under, strict=True)]
     pairs = [(value, region_on_way(value, name, along or "", premise)) for value in condition.beside]
     if any(one is None for _, one in pairs):
         world.doubts.append("whether the contacts and the friction last so far is not decided")
-    beside, others = [one for _, one in pairs if one is not None], [value for value, one in pairs if one is not None]
+    pairs = [pair for pair in pairs if pair[1] is not None]
+    beside = [one for _, one in pairs]
     found = _first(regions, beside, given, sense)
     if found is None:
         return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)
-    parts = (*values, *others), [*regions, *beside]
+    parts = (*values, *(value for value, _ in pairs)), [*regions, *beside]
     if found.cases:
         return _in_cases(name, found, parts, given, along, sense)
     if not found.is_empty and (sense or None in (found.lower, found.upper)):
-        found = replace(found, asked=alone(found, [*regions, *beside], sense or (-1 if found.upper is None else 1)))
+        found = replace(found, asked=alone(found, parts[1], sense or (-1 if found.upper is None else 1)))
     said = _said(parts, name, found, given, along, sense)
     told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
+    told_ = _otherwise(told_, name, found, parts, given, along, text)
+    ends = {end for one in regions if one for end in (one.lower, one.upper)}
+    return _stopped(told_, name, condition, pairs, ends, given)
+
+
+def _own_demands(world: Scene, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:
+    """What is asked of the symbol itself, what is known without that, and with it: it is a premise of the rest only."""
+    asked = [*condition.asked, *(demand for demand in world.demands if demand.op != "!=")]
+    own = [demand for demand in asked if depends_on(demand.value, name)]
+    given = premise = where_met(condition.given, asked)
+    if own:
+        within = {condition.along: given.range_of(condition.along)} if condition.along else {}
+        given = replace(condition.given, ranges={**world.motion.assumptions.ranges, **within})
+        given = where_met(given, [demand for demand in asked if demand not in own])
+    return own, given, premise
+
+
+def _for_all(
+    world: Scene, name: str, condition: Wanted, values: tuple[Scalar, ...], given: Assumptions, text: str
+) -> Finding:
+    """What holds for all values, or none, since it does not depend on the symbol. Raises StatementError where it depends on
+    others which of both."""
+    known = common([region_on_way(value, name, condition.along or "", given) for value in values], given)
+    if known is None or known.asked:
+        raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, essential(values[0], given)))
+    says = f"“{text}” {FOR_NONE if known.is_empty else 'holds for all values'} of the parameters in their declared ranges"
+    said = kept_said(values, condition.along, known.worst, given, holds=not known.is_empty)
+    return Finding(**said, symbol=name, says=says, steps=condition.steps)
+
+
+def _otherwise(
+    told_: Finding, name: str, found: Region, parts: Parts, given: Assumptions, along: str | None, text: str
+) -> Finding:
+    """With what holds where the conditions of a bound are not met, as far as it is proved."""
     if told_.relation == "between" and not told_.says and found.asked:
         ends = (("<", found.upper, 1), (">", found.lower, -1))
-        bare = next(((op, end) for op, end, way in ends if not alone(found, [*regions, *beside], way)), None)
+        bare = next(((op, end) for op, end, way in ends if not alone(found, parts[1], way)), None)
         told_ = _else(told_, name, found, parts, given, along, (text, *bare)) if bare else told_
     if found.otherwise and told_.says:
         turned = Demand(-found.asked[0].value, ">=" if found.asked[0].op == ">" else ">")
         else_ = kept_said(parts[0], along, found.worst, where_met(given, [turned]), holds=found.otherwise > 0)
         told_ = replace(told_, **together(told_, Finding(**else_)))
-    own = {end for one in regions if one for end in (one.lower, one.upper)}
-    for value, one in zip(others, beside, strict=True):
-        for bound in (bound for bound in told_.values if bound in (one.lower, one.upper) and bound not in own):
+    return told_
+
+
+def _stopped(
+    told_: Finding,
+    name: str,
+    condition: Wanted,
+    pairs: Sequence[tuple[Scalar, Region]],
+    ends: set[Scalar | None],
+    given: Assumptions,
+) -> Finding:
+    """With what is said where the motion ceases to be the stated one at a bound that is none of the condition itself."""
+    for value, one in pairs:
+        for bound in (bound for bound in told_.values if bound in (one.lower, one.upper) and bound not in ends):
             places = [place for place in one.worst[:1] if place is not None]
-            there = substitute(value, {name: bound, **dict(zip((along,), places, strict=False))})
+            there = substitute(value, {name: bound, **dict(zip((condition.along,), places, strict=False))})
             vanishes = checked("no_change", value=there, names=(), best=NOTHING, given=given)
             return replace(told_, says=condition.there, **together(told_, Finding(**vanishes)))
     return told_
