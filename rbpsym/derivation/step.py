@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import KW_ONLY
 from typing import Any
 
@@ -45,6 +45,12 @@ class PhraseRef:
 
     key: str
     slots: Mapping[str, Any] = field(default_factory=dict)
+
+
+def bodies_named(names: Iterable[str]) -> PhraseRef:
+    """A mention of one body or of several ("the rod and the disk") as an argument of a phrase."""
+    bodies = [BodyRef(name) for name in names]
+    return PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)})
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,11 +47,7 @@ def slip_ends(study: Study, phase: Phase) -> State:
     """The moment at which a slip that changes uniformly has gone."""
     element = study.system.element(phase.subject)
     if element.values.get("coefficient") is None:
-        raise StatementError(
-            f"the phase “{phase.name}” begins when “{phase.subject}” stops slipping, but it has no kinetic friction",
-            instead='give it a coefficient = "mu".',
-            place=element.place,
-        )
+        raise _cannot_end(phase, element, "stops slipping, but it has no kinetic friction", 'give it a coefficient = "mu".')
     geometry = geometry_of(study.system)
     slip = short(substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent))
     if not _are_uniform(study):
@@ -60,11 +56,8 @@ def slip_ends(study: Study, phase: Phase) -> State:
     start = at_start(study)
     first = short(substitute(slip, by_letters(start.speeds) | dict(start.places)))
     if is_zero(first):
-        raise StatementError(
-            f"the phase “{phase.name}” begins when “{phase.subject}” stops slipping, and it does not slip any more before",
-            instead="where two contacts stop slipping at the same moment, let both roll from one phase on.",
-            place=element.place,
-        )
+        cure = "where two contacts stop slipping at the same moment, let both roll from one phase on."
+        raise _cannot_end(phase, element, "stops slipping, and it does not slip any more before", cure)
     asked, what = [Demand(-(first * gain))], "does not stop slipping"
     if is_zero(gain) or settle(asked, study.assumptions) is None:
         raise _never(study, phase, what=what)
@@ -85,11 +78,8 @@ def contact_lost(study: Study, phase: Phase) -> State:
     """The place at which a contact is lost, and the speed there from the first integral."""
     element = study.system.element(phase.subject)
     if not pushes(element):
-        raise StatementError(
-            f"the phase “{phase.name}” begins when “{phase.subject}” is lost, but a {element.kind} holds to both sides",
-            instead="name a contact or a string, or let another event begin the phase.",
-            place=element.place,
-        )
+        cure = "name a contact or a string, or let another event begin the phase."
+        raise _cannot_end(phase, element, f"is lost, but a {element.kind} holds to both sides", cure)
     loss = next((item for item in study.losses if item.force == phase.subject and item.at), None)
     name, along = mover(study), study.reactions_along_motion
     if loss is not None and name in loss.at:
@@ -126,11 +116,7 @@ def grip_ends(study: Study, phase: Phase) -> State:
     """The place at which static friction reaches its limit: |f| = μ N."""
     element = study.system.element(phase.subject)
     if element.values.get("limit") is None:
-        raise StatementError(
-            f"the phase “{phase.name}” begins when “{phase.subject}” slips, but its static friction has no limit",
-            instead='give it a limit = "mu".',
-            place=element.place,
-        )
+        raise _cannot_end(phase, element, "slips, but its static friction has no limit", 'give it a limit = "mu".')
     along, name = study.reactions_along_motion, mover(study)
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” slips")
@@ -324,6 +310,10 @@ def _never(study: Study, phase: Phase, how: str = "never reached", what: str = "
         instead="check the start, the start speeds, the value, and the sense of a slip.",
         place=next((one.place for one in stated if one.name == phase.subject), None),
     )
+
+
+def _cannot_end(phase: Phase, element: Element, what: str, instead: str) -> StatementError:
+    return StatementError(f"the phase “{phase.name}” begins when “{phase.subject}” {what}", instead=instead, place=element.place)
 
 
 def _no_closed_form(what: str) -> NotApplicable:

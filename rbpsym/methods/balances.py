@@ -13,6 +13,7 @@ from itertools import combinations
 from rbpsym.algebra import EX, EY, NOTHING, ONE, Scalar, Vector, depends_on, derivative, is_zero, present_ratio, short, substitute
 from rbpsym.algebra.normal import without_even_roots
 from rbpsym.derivation.draft import Draft, with_shorter
+from rbpsym.derivation.step import PhraseRef
 from rbpsym.errors import LimitError
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.constraints import JOINTS
@@ -60,6 +61,12 @@ def all_balances(study: Study) -> list[Balance]:
         found += _torques(study, bodies)
         found += _pushes(study, bodies)
     return sorted(found, key=lambda b: b.cost)
+
+
+def silent_forces(forces: list[Force]) -> PhraseRef:
+    """The unknown forces that have no torque about the point."""
+    names = [t.Vec(name) for name in dict.fromkeys(f.name for f in forces)]
+    return PhraseRef("torque.silent", {"forces": names, "count": len(names)}) if names else PhraseRef("torque.none", {})
 
 
 def outer_forces(system: System, bodies: tuple[str, ...]) -> list[Force]:

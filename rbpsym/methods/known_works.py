@@ -10,7 +10,7 @@ from rbpsym.algebra import NOTHING, UNITY, Scalar, at_start, depends_on, derivat
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.derivation.chapters.inertia import moment_about, turning_together
 from rbpsym.derivation.draft import Draft, length
-from rbpsym.derivation.step import BodyRef, PhraseRef
+from rbpsym.derivation.step import bodies_named
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.methods.balances import outer_forces
@@ -160,7 +160,7 @@ def _add(draft: Draft, label: str, power: Scalar, shown: t.Node) -> None:
         "work.axis",
         premises=draft.those(*(f"moment.{b}.{label}" for b in bodies), f"moment.together.{label}", "theorem.whole"),
         point=t.Sym(label),
-        bodies=PhraseRef("bodies", {"bodies": [BodyRef(b) for b in bodies], "count": len(bodies)}),
+        bodies=bodies_named(bodies),
         count=len(bodies),
     )
 

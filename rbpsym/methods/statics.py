@@ -6,11 +6,11 @@ from collections.abc import Iterable
 
 from rbpsym.algebra import is_zero, positive_first, short
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import BodyRef, PhraseRef, Step
+from rbpsym.derivation.step import Step, bodies_named
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
-from rbpsym.methods.balances import Balance, all_balances, outer_forces
+from rbpsym.methods.balances import Balance, all_balances, outer_forces, silent_forces
 from rbpsym.notation import tree as t
 
 
@@ -47,20 +47,19 @@ def _can_be_told(balance: Balance, study: Study) -> bool:
 
 
 def _stated(draft: Draft, place: int, balance: Balance) -> Step:
-    bodies = [BodyRef(name) for name in balance.bodies]
     is_push = balance.kind == "force"
     forces = outer_forces(draft.study.system, balance.bodies)
-    gone = (f.name for f in forces if f.unknowns and not balance.unknowns & {*f.unknowns})
-    silent = [] if is_push else [t.Vec(name) for name in dict.fromkeys(gone)]
+    gone = [f for f in forces if f.unknowns and not balance.unknowns & {*f.unknowns}]
+    silent = [] if is_push else gone
     return draft.add(
         f"static.{place}",
         "balance",
         t.equation(_sum(draft, balance, forces), t.ZERO),
         f"statics.{balance.label}" if is_push else f"statics.{'fixed' if balance.kind == 'fixed' else 'point'}",
         premises=[f"force.{f.name}.{f.on}" for f in forces],
-        bodies=PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)}),
+        bodies=bodies_named(balance.bodies),
         point=t.Sym(balance.label) if balance.kind == "fixed" else [balance.label],
-        silent=PhraseRef("torque.silent", {"forces": silent, "count": len(silent)}) if silent else PhraseRef("torque.none", {}),
+        silent=silent_forces(silent),
         data={"forces": tuple(forces), "origin": balance.where},
     )
 

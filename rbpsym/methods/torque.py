@@ -7,11 +7,10 @@ from collections.abc import Mapping
 from rbpsym.algebra import NOTHING, UNITY, Scalar, Space, at_most, is_zero, positive_first, same, short, symbol
 from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.derivation.draft import Draft, acceleration_symbol, length
-from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
+from rbpsym.derivation.step import Step, StepRef, bodies_named
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import solve_linear
-from rbpsym.mechanics.system import Force
-from rbpsym.methods.balances import Balance, Plan, isolated, outer_forces, plan, solved_for
+from rbpsym.methods.balances import Balance, Plan, isolated, outer_forces, plan, silent_forces, solved_for
 from rbpsym.methods.body_by_body import along_k, by_bodies
 from rbpsym.notation import tree as t
 
@@ -111,8 +110,8 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
         f"torque.net.{_manner(draft, balance)}",
         premises=[f"force.{f.name}.{f.on}" for f in forces],
         point=_point(draft, balance),
-        bodies=_bodies(balance),
-        silent=_silent(silent),
+        bodies=bodies_named(balance.bodies),
+        silent=silent_forces(silent),
         place=draft.show_vector(balance.where),
         variant="some" if balance.right else "zero",
         data={"forces": tuple(forces), "origin": balance.where, "value": balance.right},
@@ -123,17 +122,6 @@ def _manner(draft: Draft, balance: Balance) -> str:
     """How the point is spoken of: a moving one is where a round body touches, or a joint."""
     touching = balance.kind == "moving" and balance.label in draft.study.problem.body_names
     return "contact" if touching else balance.kind
-
-
-def _silent(forces: list[Force]) -> PhraseRef:
-    """The unknown forces that have no torque about the point."""
-    names = [t.Vec(name) for name in dict.fromkeys(f.name for f in forces)]
-    return PhraseRef("torque.silent", {"forces": names, "count": len(names)}) if names else PhraseRef("torque.none", {})
-
-
-def _bodies(balance: Balance) -> PhraseRef:
-    refs = [BodyRef(name) for name in balance.bodies]
-    return PhraseRef("bodies", {"bodies": refs, "count": len(refs)})
 
 
 def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
@@ -147,7 +135,7 @@ def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
         f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'fixed_unseen'}",
         premises=[net.id, *(ref.id for ref in momenta if ref.id.endswith(f".{balance.label}"))],
         point=_point(draft, balance),
-        bodies=_bodies(balance),
+        bodies=bodies_named(balance.bodies),
         net=StepRef(net.id),
         momenta=momenta,
         variant="some" if balance.right else "zero",
@@ -186,7 +174,7 @@ def _push(draft: Draft, balance: Balance) -> Step:
         "balance",
         t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=not whole)),
         f"torque.{manner}.{way}",
-        bodies=_bodies(balance),
+        bodies=bodies_named(balance.bodies),
         axis=axis,
         variant="whole" if whole else "one",
         data={"along": balance.where, "bodies": balance.bodies},

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from rbpsym.algebra import NOTHING, Scalar, is_zero, short, substitute, symbol, time_derivative
 from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
+from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef, bodies_named
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.arrivals import State, at_start
 from rbpsym.mechanics.contacts import meeting, slip_speed
@@ -243,13 +243,12 @@ def kept_until(draft: Draft, ending: Ending, slip: Scalar) -> list[Step]:
 def _kept_step(draft: Draft, ending: Ending, kept: Kept, slip: Scalar) -> Step:
     letters = draft.study.letters
     point = t.Sym(kept.label or letters.free("C", taken=letters.things))
-    bodies = [BodyRef(name) for name in kept.bodies]
     return draft.add(
         f"kept.{kept.label or 'there'}.{'.'.join(kept.bodies)}",
         "kept_until",
         t.system([_unchanged(draft, ending, kept.value), t.equation(draft.show(_then(draft, ending, slip)), t.ZERO)]),
         f"phases.until.{'named' if kept.label else 'there'}",
-        bodies=PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)}),
+        bodies=bodies_named(kept.bodies),
         point=point,
         place=draft.show_vector(kept.where),
         silent=_those("phases.quiet", kept.silent, point),

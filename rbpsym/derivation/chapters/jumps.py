@@ -7,7 +7,7 @@ from __future__ import annotations
 from rbpsym.algebra import Scalar, substitute, symbol
 from rbpsym.derivation.chapters.endings import speed_symbol
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import BodyRef, PhraseRef, Step
+from rbpsym.derivation.step import PhraseRef, Step, bodies_named
 from rbpsym.equality.rooted import neat
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.endings import State
@@ -89,7 +89,6 @@ def _step(draft: Draft, blow: Blow, jump: Jump) -> Step:
     names = [t.Vec(name) for name in silent]
     point = t.Sym(jump.label or letters.free("C", taken=letters.things))
     axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(jump.label, draft.show_vector(jump.where))
-    bodies = [BodyRef(name) for name in jump.bodies]
     is_known = jump.label in origins(blow.moment.before)
     where = ("named" if is_known else "there") if jump.is_turning else "along"
     reason = {"forces": names, "count": len(names), "point": point, "axis": axis}
@@ -99,7 +98,7 @@ def _step(draft: Draft, blow: Blow, jump: Jump) -> Step:
         _statement(draft, blow, jump),
         f"phases.{'grown' if jump.given else 'kept'}.{where}",
         premises=draft.those("state.speed", "state.place", *(f"law.blow.{body}" for body in jump.bodies)),
-        bodies=PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)}),
+        bodies=bodies_named(jump.bodies),
         point=point,
         place=draft.show_vector(jump.where),
         axis=axis,
