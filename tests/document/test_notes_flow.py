@@ -214,3 +214,11 @@ def test_an_integral_is_carried_out_once() -> None:
 @pytest.mark.parametrize(("op", "turned"), [(">", "<"), (">=", "<="), ("!=", "!=")])
 def test_a_condition_does_not_begin_with_a_minus(op: str, turned: str) -> None:
     assert upright(t.relation(t.Neg(t.Sym("z")), op, t.ZERO)) == t.relation(t.Sym("z"), turned, t.ZERO)
+
+
+@pytest.mark.parametrize("name", ["falling-rod-hooked", "bullet-in-a-rod"])
+def test_what_ties_coordinates_has_plain_angles(name: str) -> None:
+    """cos θ and not cos(−θ), sin θ and not cos(θ − π/2)."""
+    tied = next(found.node for found in displays(page(name)) if found.label == "phase2.condition.P")
+    turned = [node for node in t.walk(tied) if isinstance(node, t.Fn)]
+    assert turned and all(node.arg == t.Sym("theta") for node in turned)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from rbpsym.algebra import NOTHING, Scalar, Vector, is_zero, short, time_derivative
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.present import present
 from rbpsym.derivation.chapters.places import (
     Given,
     as_given,
@@ -81,7 +82,7 @@ def _geometric(draft: Draft, element: Element) -> None:
     draft.add(
         f"condition.{element.name}",
         "constraint",
-        t.system(rows),
+        t.system([_plain(row) for row in rows] if ties else rows),
         f"kinematics.condition.{_kind(element)}",
         level=STANDARD if ties else FULL,
         variant="tie" if ties else "identity",
@@ -130,6 +131,15 @@ def _moving_line_rows(draft: Draft, element: Element) -> list[t.Node]:
 def _is_identity(row: t.Node) -> bool:
     """Does it hold whatever the coordinates are, before anything is put in?"""
     return is_zero(scalar(row.items[0]) - scalar(row.items[-1]))
+
+
+def _plain(node: t.Node) -> t.Node:
+    """Sines and cosines with signs and quarter turns taken out of their arguments, the signs put in front."""
+    node = t.mapped(node, _plain)
+    if isinstance(node, t.Fn):
+        plain = present(scalar(node))
+        return plain if isinstance(plain.arg if isinstance(plain, t.Neg) else plain, t.Fn) else node
+    return t.mul(*node.factors) if isinstance(node, t.Mul) else t.add(*node.terms) if isinstance(node, t.Add) else node
 
 
 def _kind(element: Element) -> str:

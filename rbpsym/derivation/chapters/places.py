@@ -33,11 +33,9 @@ def coordinates_of(draft: Draft, ref: PointRef) -> Pair | None:
     x, y = _local_difference(body, ref.point)
     if (x or y) and body.angle is None:
         return None
-    angle, way = body.angle if body.angle is not None else t.ZERO, 1
-    if isinstance(angle, t.Neg):
-        angle, way = angle.arg, -1
+    angle = body.angle if body.angle is not None else t.ZERO
     (px, py), cos, sin = body.placed[1], t.Fn("cos", angle), t.Fn("sin", angle)
-    return (t.add(px, *_signed(x, cos), *_signed(y, sin, -way)), t.add(py, *_signed(x, sin, way), *_signed(y, cos)))
+    return (t.add(px, *_signed(x, cos), *_signed(y, sin, -1)), t.add(py, *_signed(x, sin), *_signed(y, cos)))
 
 
 def _local_difference(body: Body, point: str) -> tuple[Scalar, Scalar]:

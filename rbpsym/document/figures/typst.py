@@ -70,22 +70,10 @@ def circle_typst(item: s.Circle, origin: Origin) -> str:
 
 
 def arc_typst(item: s.Arc, origin: Origin) -> str:
-    """An arc as cubic pieces, each less than an eighth of a turn."""
-    count = max(1, round(abs(item.end - item.start) / 0.7) + 1)
-    steps = [f"curve.move({pair(item.at(0), origin)})"]
-    steps += [cubic(item, n / count, (n + 1) / count, origin) for n in range(count)]
-    return f"place(curve({look(item.style)}, {', '.join(steps)}))" + heads_typst(item, origin)
-
-
-def cubic(item: s.Arc, low: float, high: float, origin: Origin) -> str:
-    """The Bézier piece of an arc between two shares of it."""
-    turn = (high - low) * (item.end - item.start)
-    start, end = (item.start + share * (item.end - item.start) for share in (low, high))
-    reach = item.radius * 4 / 3 * math.tan(turn / 4)
-    a = s.polar(item.at(low), reach, start + math.pi / 2)
-    b = s.polar(item.at(high), -reach, end + math.pi / 2)
-    points = ", ".join(pair(point, origin) for point in (a, b, item.at(high)))
-    return f"curve.cubic({points})"
+    """An arc as straight pieces, so short that none is seen."""
+    count = math.ceil(abs(item.end - item.start) / 0.05) + 1
+    path = s.Line(tuple(item.at(n / count) for n in range(count + 1)), item.style)
+    return line_typst(path, origin) + heads_typst(item, origin)
 
 
 def heads_typst(item: s.Line | s.Arc, origin: Origin) -> str:
