@@ -167,10 +167,11 @@ def _typical(problem: Problem, middle: Mapping[str, float], dimension: Dimension
 
 
 def asks_for(bench: ProblemBench, target: Target) -> Content:
-    """What a task asks that wants the value of a target: its formula, and the step that shows it."""
+    """What a task asks that wants the value of a target: its formula, the step that shows it, and what is read off it."""
     step = (bench.derivation.step(target.step).statement,) if target.step else ()
     formula = formula_of(bench, target)
-    return Content(asks=claims((t.equation(target.left, formula), *step)) | wanted(bench.study, [formula]))
+    read = (target.reading.node(formula), t.Sqrt(formula)) if target.reading else ()  # the period and the frequency are one
+    return Content(asks=claims((t.equation(target.left, formula), *step)) | wanted(bench.study, [formula, *read]))
 
 
 def formula_of(bench: ProblemBench, target: Target) -> t.Node:

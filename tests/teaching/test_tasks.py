@@ -267,3 +267,12 @@ def test_a_weld_is_compared_with_a_bearing_only_where_that_leaves_the_spin_alone
     told = variant.value(bench, bench.targets["acceleration.theta"])
     other = Study(load_problem(find_problem("rod-and-disk-free")))
     assert scalars_equal(told, other.dynamics.accelerations["theta_ddot"], other.assumptions).is_proved
+
+
+@pytest.mark.parametrize("name", ["torsion-pendulum", "rod-with-spring"])
+def test_a_period_and_its_frequency_are_one_answer(name: str) -> None:
+    """Where the problem asks for one, no task wants the other; nor does one lead to a formula of several lines."""
+    tasks = [(item.kind, item.asked.quantity) for item in plan_of(name).worksheet().items]
+    assert any(quantity.startswith("question.") for _, quantity in tasks)
+    assert not [kind for kind, quantity in tasks if quantity.startswith("frequency.") and kind != "compare"]
+    assert name != "rod-with-spring" or not {"fill-in", "order"} & {kind for kind, _ in tasks}
