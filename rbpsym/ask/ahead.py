@@ -18,6 +18,7 @@ from rbpsym.ask.sliding import of_contact
 from rbpsym.ask.wanted import Wanted
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.stability import essential
 
 EVENT = r"(?:begin to |start to |begins to |starts to )?(slip|tip)s?(?: over)?"
 ORDER = re.compile(rf"(?:the )?\w+ {EVENT} before (?:the )?\w+ {EVENT}(?: as (\w+) (?:grows|increases))?")
@@ -30,7 +31,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     first = _first_of_two(world, name, text)
     if first is None:
         return critical.which(world, superlative, name, text)
-    return _resting(world, region_of(world, name, first[0], text, SUPERLATIVES.get(superlative, 0)), first[1])
+    return _resting(world, region_of(world, name, first[0], text, SUPERLATIVES.get(superlative or "", 0)), first[1])
 
 
 def _is_quantity(world: Scene, name: str) -> bool:
@@ -45,8 +46,10 @@ def _afresh(world: Scene) -> Scene:
 
 def comes_first(world: Scene, text: str) -> Finding:
     """Whether one limit comes before another."""
-    condition, limits = _first_of_two(world, "", text)
-    return _resting(world, yesno.does(world, text, condition=condition), limits)
+    first = _first_of_two(world, "", text)
+    if first is None:
+        raise StatementError(f"“{text}” names no two limits", instead="write “it tips before it slips”.")
+    return _resting(world, yesno.does(world, text, condition=first[0]), first[1])
 
 
 def _resting(world: Scene, found: Finding, limits: Finding) -> Finding:
@@ -57,18 +60,23 @@ def _resting(world: Scene, found: Finding, limits: Finding) -> Finding:
 def _first_of_two(world: Scene, name: str, text: str) -> tuple[Wanted, Finding] | None:
     """That one limit comes before the other as a load grows, with what finds the two; None for another condition.
 
-    Raises StatementError where no parameter takes it to both.
+    Raises StatementError where no parameter takes it to both, or it depends on which one does.
     """
     said = ORDER.fullmatch(text)
     if said is None or said[1] == said[2]:
         return None
+    given, found = world.motion.assumptions, {}
     for load in [said[3]] if said[3] else _free(world, name):
         with suppress(RbpsymError):
             (first, one), (second, other) = (_limit(world, load, f"it {KEPT[kind]}", name) for kind in said.group(1, 2))
             limits = Finding(**together(one, other), valid=(*one.valid, *other.valid))
-            return Wanted((second - first,), world.motion.assumptions, closed=False), limits
-    raise StatementError(f"no parameter is known whose growth makes it both {said[1]} and {said[2]}",
-                         instead=f"say which: “… {said[1]}s before it {said[2]}s as P grows”.")  # fmt: skip
+            found[load] = Wanted((second - first,), given, closed=False), limits
+    gaps = {essential(condition.values[0], given) for condition, _ in found.values()}
+    if len(gaps) == 1:
+        return next(iter(found.values()))
+    both = f"no parameter is known whose growth makes it both {said[1]} and {said[2]}"
+    what = f"which of both comes first depends on which of {', '.join(found)} grows" if gaps else both
+    raise StatementError(what, instead=f"say which: “… {said[1]}s before it {said[2]}s as {next(iter(found), 'P')} grows”.")
 
 
 def _free(world: Scene, name: str = "") -> list[str]:
@@ -109,9 +117,9 @@ def _bounds(world: Scene, superlative: str, phrase: str, text: str) -> Iterator[
             region = critical.which(alone, None, name, text) if depends_on(value, name) else Finding()
             if len(region.values) != 1 or region.relation not in OPS:
                 continue
-            ends, given = (None, region.values[0])[:: OPS[region.relation]], world.motion.assumptions
-            known = zip(ends, given.range_of(name), strict=True)
-            given = given.with_range(name, *(old if end is None else end for end, old in known))
+            given, bound = world.motion.assumptions, region.values[0]
+            low, high = given.range_of(name)
+            given = given.with_range(name, *((low, bound) if OPS[region.relation] > 0 else (bound, high)))
             best = optima.of_extreme(value, name, given, SUPERLATIVES[superlative], phrase, closed=True, by_place=False)
             if len(best.values) == 1 and best.relation == "=" and best.place == (name, region.values[0]):
                 yield _resting(world, best, region), name

@@ -175,18 +175,24 @@ def _touches(world: Scene, until: str | None = None, text: str | None = None) ->
 
 def _stays_put(world: Scene, name: str = "") -> Wanted:
     """Neither static friction gives way nor a contact."""
-    parts, refused = [], None
-    for find in (lambda: _holds_fast(world, "it", None, None, name), lambda: _touches(world)):
-        try:
-            parts.append(find())
-        except StatementError as error:
-            refused = refused or error
-    if not parts:
-        raise refused
-    return replace(parts[0], values=tuple(value for part in parts for value in part.values), beside=())
+    lets_go = any(pushes(element) for element in world.study.problem.constraints)
+    if not world.study.friction_needs and lets_go:
+        return _touches(world)
+    held = _holds_fast(world, "it", None, None, name)
+    return replace(held, values=(*held.values, *(_touches(world).values if lets_go else ())), beside=())
 
 
-OF_FRICTION = (_holds_fast, _holds_then, _holds_there, _stays_put)
+def _at_rest(world: Scene, name: str = "") -> Wanted:
+    """The same of what nothing but friction and contacts lets move."""
+    if world.study.system.independent:
+        raise StatementError(
+            "whether what can move stays at rest is not decided by its contacts",
+            instead="ask “… for which x stays constant”, or state it without coordinates, held by what sticks.",
+        )
+    return _stays_put(world, name)
+
+
+OF_FRICTION = (_holds_fast, _holds_then, _holds_there, _stays_put, _at_rest)
 
 
 def rest_at(world: Scene, name: str, text: str | None) -> tuple[int, Equilibrium]:
@@ -315,8 +321,8 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"{_N} (?:holds|sticks|rolls without slipping){_UNTIL}", _holds_fast),
     (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact|tip)s?(?: off| over)?{_UNTIL}", _touches),
     (rf"\w+ (?:stays in|keeps) contact{_UNTIL}", _touches),
-    (r"\w+ (?:neither slips nor tips|neither tips nor slips|does not move)", _stays_put),
-    (r"\w+ (?:stays|remains|is) (?:at rest|in equilibrium)", _stays_put),
+    (r"\w+ (?:neither slips nor tips|neither tips nor slips)", _stays_put),
+    (r"\w+ (?:(?:stays|remains|is) (?:at rest|in equilibrium)|does not move)", _at_rest),
     (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
     (rf"(.+?) is (positive|negative){_UNTIL}", lambda world, *words: replace(_stays(world, *words), closed=False)),
     (rf"(.+?) (?:stays|remains|is(?: always)?) (below|above) (.+?){_UNTIL}", _beyond),

@@ -60,7 +60,8 @@ def stays(world: Scene, text: str) -> Wanted | None:
     if said is None or said[1] not in study.system.coordinates:
         return None
     start, gain = study.system.scope.start, seen(world, f"acceleration of {said[1]} as a function of the state")
-    if moving(world, (gain,)) and (not study.kept_speeds or mover(study) != said[1]):
+    is_uniform = not moving(world, (gain,)) and not slips(study.system)
+    if not is_uniform and (not study.kept_speeds or mover(study) != said[1]):
         return None
     is_here = said[2] == "constant" or (said[2] in world.names and is_zero(symbol(said[2]) - start[said[1]]))
     if not is_here or not is_zero(start.get(f"{said[1]}_dot", NOTHING)):
@@ -75,6 +76,8 @@ def rises(world: Scene, text: str) -> Wanted | None:
     """A body that is at rest begins to move upwards, or downwards. None for another condition."""
     said = RISES.fullmatch(text)
     if said is None or said[1] not in (body.name for body in world.study.problem.bodies):
+        return None
+    if not is_zero(seen(world, f"y component of velocity of {said[1]}.cm at the start")):
         return None
     gain = seen(world, f"y component of acceleration of {said[1]}.cm at the start")
     way = -1 if re.match("fall|sink|.*down", said[2]) else 1

@@ -20,6 +20,7 @@ ANSWERS = (
     ("push-at-height", "largest H for which it slips before it tips as P grows", "b/(2*mu)"),
     ("push-at-height", "largest P for which it neither slips nor tips", "mu*m*g"),
     ("push-at-height", "smallest mu for which the crate stays at rest", "P/(m*g)"),
+    ("push-and-lift", "mu for which it tips before it slips as P grows", "b*(m*g - 2*F)/(2*H*(m*g - F))"),
     ("block-on-incline", "mu for which it tips before it slips", "b/h"),
     ("block-on-incline", "largest h for which the block slips before it tips", "b/mu"),
     # bounds of quantities
@@ -86,6 +87,8 @@ def test_whether_one_limit_comes_first_is_told_with_its_condition() -> None:
     ("name", "question", "said"),
     [
         ("push-at-height", "P for which it tips before it slips", "no parameter is known whose growth"),
+        ("push-and-lift", "mu for which it tips before it slips", "depends on which of F, P grows"),
+        ("stacked-and-hung", "smallest mu for which it stays at rest", "is not decided by its contacts"),
         ("stacked-and-hung", "largest magnitude of N for which it does not slip", "no parameter is known"),
     ],
 )
