@@ -17,28 +17,18 @@ def width(box: b.Box) -> float:
     return WIDTHS[type(box)](box)
 
 
-def letter_width(box: b.Letter) -> float:
-    """Half an em a digit or small letter, more for capitals."""
-    return sum(0.72 if char.isupper() else 0.53 for char in box.text)
-
-
 def script_width(box: b.Script) -> float:
     """The base, and the wider of its two small scripts."""
     scripts = [width(part) for part in (box.sub, box.sup) if part]
     return width(box.base) + 0.7 * max(scripts, default=0.0)
 
 
-def fence_width(box: b.Fence) -> float:
-    """The body with its delimiters."""
-    return width(box.body) + (0.5 if box.tall else 0.4) * sum(map(bool, (box.opening, box.closing)))
-
-
 OPERATORS = {"binary": 1.15, "prefix": 0.8, "relation": 1.35, "mark": 0.4}
 
 WIDTHS: Mapping[type, Callable[..., float]] = {
-    b.Letter: letter_width,
+    b.Letter: lambda box: sum(0.72 if char.isupper() else 0.53 for char in box.text),
     b.Script: script_width,
-    b.Fence: fence_width,
+    b.Fence: lambda box: width(box.body) + (0.5 if box.tall else 0.4) * sum(map(bool, (box.opening, box.closing))),
     b.Phrase: lambda box: 0.5 * len(box.text) + 0.6,
     b.Operator: lambda box: OPERATORS.get(box.kind, 1.0),
     b.Big: lambda box: 1.0,

@@ -137,6 +137,5 @@ def _is_new(step: Step) -> bool:
 
 def _is_nothing(step: Step) -> bool:
     """Does a step say that a force is zero from now on?"""
-    statement = step.statement
-    is_equal = isinstance(statement, t.Chain) and {*statement.ops} == {"="}
-    return step.chapter == "contact" and is_equal and statement.items[-1] == t.ZERO
+    said = step.statement
+    return step.chapter == "contact" and isinstance(said, t.Chain) and {*said.ops} == {"="} and said.items[-1] == t.ZERO

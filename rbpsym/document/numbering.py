@@ -70,16 +70,11 @@ def number_table(block: d.Table, counters: LabelCounters) -> d.Table:
     return replace(block, number=number)
 
 
-def number_callout(block: d.Callout, counters: LabelCounters) -> d.Callout:
-    """The callout with its inner blocks numbered."""
-    return replace(block, blocks=number_blocks(block.blocks, counters))
-
-
 NUMBERED: Mapping[type, Callable] = {
     d.Display: number_display,
     d.FigureBlock: number_figure,
     d.Table: number_table,
-    d.Callout: number_callout,
+    d.Callout: lambda block, counters: replace(block, blocks=number_blocks(block.blocks, counters)),
 }
 
 

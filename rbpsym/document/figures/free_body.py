@@ -28,8 +28,8 @@ def free_body(sketch: Sketch, body_name: str, name: str | None = None, axes_too:
     sketch = scaled(sketch, factor(sketch.body(body_name)))
     body = sketch.body(body_name)
     scene = Scene((*body_outline(body), *marks.dot(body.center)))
-    scene += sum(map(force_scene, spread(forces_on(sketch, body_name))), Scene())
-    scene += sum(map(couple_scene, couples_on(sketch, body_name)), Scene())
+    scene += sum(map(force_scene, spread([force for force in sketch.forces if force.body == body_name])), Scene())
+    scene += sum((couple_scene(couple) for couple in sketch.couples if couple.body == body_name), Scene())
     shown = body.name if name is None else name
     under = heading(scene, shown) if shown else Scene()
     return scene + (sense(scene) if axes_too else Scene()) + under
@@ -41,16 +41,6 @@ def factor(body: SketchBody) -> float:
     left, bottom, right, top = box_of(found)
     extent = max(right - left, top - bottom)
     return SIZE * SHARES.get(body.kind, 0.42) / extent if extent > 1e-9 else 1.0
-
-
-def forces_on(sketch: Sketch, body: str) -> list[SketchForce]:
-    """The forces on a body, in the order of the sketch."""
-    return [force for force in sketch.forces if force.body == body]
-
-
-def couples_on(sketch: Sketch, body: str) -> list[SketchCouple]:
-    """The couples on a body."""
-    return [couple for couple in sketch.couples if couple.body == body]
 
 
 def spread(forces: list[SketchForce]) -> Iterator[SketchForce]:

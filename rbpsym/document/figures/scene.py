@@ -184,16 +184,11 @@ def points_of(item: Item) -> tuple[Point, ...]:
     return TRACE[type(item)](item)
 
 
-def trace_circle(item: Circle) -> tuple[Point, ...]:
-    """Sixteen points and the first again."""
-    return tuple(polar(item.center, item.radius, n * math.pi / 8) for n in range(17))
-
-
 DOT = 0.07  # the radius of a point that has no size
 TRACE: Mapping[type, Callable[..., tuple[Point, ...]]] = {
     Line: lambda item: item.points + item.points[:1] if item.closed else item.points,
     Strokes: lambda item: tuple(point for piece in item.pieces for point in piece),
-    Circle: trace_circle,
+    Circle: lambda item: tuple(polar(item.center, item.radius, n * math.pi / 8) for n in range(17)),
     Arc: lambda item: tuple(item.at(n / 8) for n in range(9)),
 }
 

@@ -118,11 +118,6 @@ def draw_link(link: sk.SketchLink, sketch: sk.Sketch) -> s.Scene:
     return s.Scene(items, dimensions.labelled(link.label, middle, aside, gap=0.22))
 
 
-def draw_circle(circle: sk.SketchCircle, sketch: sk.Sketch) -> s.Scene:
-    """A fixed cylinder, a hollow, or a wire."""
-    return s.Scene(CIRCLES[circle.kind](circle.at, circle.radius))
-
-
 CIRCLES = {
     "convex": lambda at, radius: (s.Circle(at, radius, "ground"), *marks.dot(at)),
     "concave": lambda at, radius: (*marks.bore(at, radius), *marks.dot(at)),
@@ -170,11 +165,6 @@ ARROWS = {
 }
 
 
-def draw_coil(part: sk.SketchCoil, sketch: sk.Sketch) -> s.Scene:
-    """A torsion spring."""
-    return s.Scene(marks.coil(part.at), dimensions.labelled(part.label, part.at, dimensions.QUARTER, gap=0.35))
-
-
 def draw_line(line: sk.SketchLine, sketch: sk.Sketch) -> s.Scene:
     """A solid edge, hatched on its solid side."""
     found = solid_line(line, sketch, extent(sketch))
@@ -192,9 +182,11 @@ DRAW = {
     sk.SketchBody: draw_body,
     sk.SketchPoint: draw_point,
     sk.SketchLink: draw_link,
-    sk.SketchCoil: draw_coil,
+    sk.SketchCoil: lambda part, sketch: s.Scene(
+        marks.coil(part.at), dimensions.labelled(part.label, part.at, dimensions.QUARTER, gap=0.35)
+    ),
     sk.SketchLine: draw_line,
-    sk.SketchCircle: draw_circle,
+    sk.SketchCircle: lambda circle, sketch: s.Scene(CIRCLES[circle.kind](circle.at, circle.radius)),
     sk.SketchCord: draw_cord,
     sk.SketchArrow: draw_arrow,
     sk.AngleMark: dimensions.draw_angle,

@@ -113,7 +113,7 @@ def write_html(document: d.Document, around: Around = Around()) -> str:
         around=around,
         home_name=page.word("library.home"),
         contents=page.word("block.contents"),
-        sections=[contents_entry(part, page) for part in document.sections if part.level == 1],
+        sections=[(section_id(s), s.number, Markup(page.inlines(s.title))) for s in document.sections if s.level == 1],
         style=Markup(style()),
         font=Markup(font()),
         body=Markup(body(document, page)),
@@ -137,11 +137,6 @@ def font() -> str:
 def section_id(part: d.Section) -> str:
     """The target of links to a section."""
     return part.label or f"section-{part.number}"
-
-
-def contents_entry(part: d.Section, page: Page) -> tuple[str, str, Markup]:
-    """Target, number and title of a line in the contents."""
-    return section_id(part), part.number, Markup(page.inlines(part.title))
 
 
 def section(part: d.Section, page: Page) -> str:
