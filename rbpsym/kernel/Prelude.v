@@ -220,6 +220,7 @@ Ltac nonzero := match goal with
   | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero
   | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; nonzero
   | |- _ ^ _ <> 0 => apply pow_nonzero; nonzero
+  | |- _ + _ <> 0 => apply Rgt_not_eq; unfold Rgt; apply Rplus_lt_le_0_compat; [solve [repeat pos1] | solve [nng]]
   end.
 Ltac over0 := first [solve [repeat pos1] | apply over; [nng | nonzero]].
 Ltac signs := repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>

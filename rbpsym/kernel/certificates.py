@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
 from rbpsym.frozen import dataclass, field
-from rbpsym.kernel.claim import Claim
+from rbpsym.kernel.claim import Claim, sides
 from rbpsym.notation import tree as t
 
 
@@ -204,3 +204,24 @@ def wound(value: Scalar, kind: str = "sin", only: Collection[int] | None = None)
 def vanishes(value: Scalar) -> bool:
     """Whether it is 0 by sin² + cos² = 1."""
     return not wound(value)
+
+
+# --- formulas that are written out
+
+
+def _multiplied(multiples: Multiples) -> Iterator[t.Node]:
+    for factor, known in multiples.known:
+        yield from (factor, *sides(known.claim))
+    yield from (factor for factor, _ in multiples.circles)
+
+
+def formulas(proof: Proof) -> Iterator[t.Node]:
+    """All that is written out in a proof."""
+    yield from _multiplied(proof.multiples)
+    if proof.like:
+        yield proof.like[0]
+        yield from _multiplied(proof.like[1])
+    yield from (node for node in (proof.factor, *proof.parts) if node is not None)
+    for have in proof.steps:
+        if have.how not in ("sign", "gap"):
+            yield from (have.of, *sides(have.claim), *_multiplied(have.multiples), *_multiplied(have.begin))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from rbpsym.algebra import Monomial, Poly, Scalar, atoms, factors
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import dataclass
 from rbpsym.notation import tree as t
+from rbpsym.notation.machine import to_machine
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,3 +84,16 @@ def _atom(index: int) -> t.Node:
     if found.kind not in ("sin", "cos"):
         raise RbpsymError(f"the function {found.kind} has no term in Rocq")
     return t.Fn(found.kind, tree_of(found.arg))
+
+
+def sides(claim: Claim) -> Iterator[t.Node]:
+    """The sides of a claim and of what it rests on."""
+    yield from (claim.left, claim.right)
+    for item in claim.given:
+        yield from sides(item)
+
+
+def brief(rest: t.Node) -> str:
+    """A formula as text, cut to a line."""
+    told = to_machine(rest)
+    return told if len(told) < 80 else f"{told[:77]}…"

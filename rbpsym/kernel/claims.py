@@ -308,11 +308,15 @@ def _equilibrium(source: Source, step: Step, claims: list[Claim]) -> list[Claim]
 def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """What is linear has the value and the derivative of the right side of the equation of motion at the place."""
     name, right = step.data["name"], rows(step.statement)[0].items[-1]
-    place, whole = tree_of(step.data["at"][name]), rows(source.steps[f"motion.{name}"].statement)[0].items[-1]
+    whole = rows(source.steps[f"motion.{name}"].statement)[0].items[-1]
     apart = t.Add((whole, t.Neg(right)))
-    if any(map(source.moving, t.names(apart) - {name})):
-        raise RbpsymError("a motion in several variables is not written yet")
-    return [Claim(t.renamed(apart, {name: place}), t.ZERO), Claim(apart, t.ZERO, "slope", var=name, place=place)]
+    place = {each: tree_of(value) for each, value in step.data["at"].items()}
+    place |= {each: t.ZERO for each in sorted(filter(source.moving, t.names(apart))) if each not in place}
+    found = [Claim(t.renamed(apart, place), t.ZERO)]
+    for var in sorted({name} | t.names(apart) & place.keys()):
+        others = {each: value for each, value in place.items() if each != var}
+        found.append(Claim(t.renamed(apart, others), t.ZERO, "slope", var=var, place=place[var]))
+    return found
 
 
 def _there(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:

@@ -1,10 +1,12 @@
-"""Integrals between fixed ends, each by an antiderivative."""
+"""What antiderivatives give: integrals between fixed ends, and letters as functions of the time."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import reduce_roots, substitute
+from rbpsym.algebra import NOTHING, names_in, reduce_roots, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.errors import Undecided
@@ -37,3 +39,29 @@ def _integral(node: t.Integral) -> Have:
     ends = [substitute(primitive, {node.var: scalar(end)}) for end in (node.upper, node.lower)]
     plain = (tree_of(reduce_roots(scalar(integrand).num)),) if any(isinstance(part, t.Sqrt) for part in t.walk(integrand)) else ()
     return Have("", "integral", Claim(node, tree_of(ends[0] - ends[1])), tree_of(primitive), inner=inner, parts=plain)
+
+
+def courses(search: Search, known: Sequence[Known]) -> list[Known]:
+    """What each is at any time, from its start; what has a rate without a closed form is left out."""
+    found: dict[str, Known] = {}
+    free = [item for item in known if item.is_free]
+    names = [name for name in search.rates if name != TIME and name not in search.integrals]
+    for name in (*names, *names):  # speeds first, then what they move
+        if name not in found:
+            with suppress(Undecided):
+                found[name] = _course(search, name, [*free, *found.values()])
+    search.fixed -= found.keys()
+    return [*found.values()]
+
+
+def _course(search: Search, name: str, known: Sequence[Known]) -> Known:
+    """A letter less its start and what its rate gives does not change."""
+    rate, _ = search.follow(search.rates[name], known)
+    way = None if any(map(search.moving, names_in(rate) - {TIME})) else antiderivative(rate, TIME)
+    if way is None:
+        raise Undecided("its rate is no function of the time")
+    begun = [Known(item.name, item.claim, "0") for item in known if item.name in search.given]
+    start, _ = search.follow(search.at_start(symbol(name)), begun)
+    search.by_rates(symbol(name) - start - way + substitute(way, {TIME: NOTHING}), known)
+    have = search.haves[-1]
+    return Known(have.name, have.claim)

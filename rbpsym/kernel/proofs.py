@@ -11,15 +11,12 @@ from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_a
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, parted, reduced, vanishes, wound
-from rbpsym.kernel.claim import Claim, is_along_time, letter, tree_of
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, formulas, parted, reduced, vanishes, wound
+from rbpsym.kernel.claim import Claim, brief, is_along_time, letter, sides, tree_of
 from rbpsym.kernel.claims import TIME, Source
-from rbpsym.kernel.combining import based, combined, nonzero
+from rbpsym.kernel.combining import based, cancelled, cancelled_rates, combined, conjugated, multiplied, nonzero
 from rbpsym.kernel.components import START, started
-from rbpsym.kernel.courses import courses
-from rbpsym.kernel.factors import cancelled, cancelled_rates, conjugated, multiplied
-from rbpsym.kernel.formulas import brief, formulas, sides
-from rbpsym.kernel.integrals import integrated
+from rbpsym.kernel.integrals import courses, integrated
 from rbpsym.kernel.positive import Sum
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed
@@ -67,7 +64,7 @@ class Search:
         for claim in (claim for claim in given.values() if claim.kind == "start"):
             self.starts[letter(claim.left) + START] = claim.right
         for name, claim in given.items():
-            if claim.kind == "rate" and isinstance(claim.left, t.Sym) and self._is_new(claim.left.name):
+            if claim.kind == "rate" and isinstance(claim.left, t.Sym) and self._unrated(claim.left.name):
                 self.rates[claim.left.name] = self.value(claim.right)
             elif claim.kind == "rate":
                 self.doubled[name] = claim
@@ -169,9 +166,6 @@ class Search:
         """Whether it is a sum of positive terms over a positive one."""
         parts = (value.num, value.den)
         return all(p.atoms() <= self.positive and all(c > 0 for c in p.terms.values()) for p in parts) and bool(value)
-
-    def _is_new(self, name: str) -> bool:
-        return name not in self.rates and self.moving(name)
 
     def _unrated(self, name: str) -> bool:
         return self.moving(name) and name not in self.rates and name not in self.source.circular

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known
+from rbpsym.kernel.certificates import Have, Known, Multiples
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.ranges import above, signed
 from rbpsym.notation import tree as t
@@ -45,12 +45,7 @@ def _once(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Kno
             term = _head(value, index, top) * symbol(name) ** -2
             value, factor = value - term * square, factor + term
         if factor:
-            with suppress(Undecided):
-                by, parts = above(search, arg, ())
-                squared = Have(f"r{number}", "root", Claim(t.Pow(node, t.TWO), node.arg), node.arg, by, parts=parts)
-                search.notes.setdefault(squared.name, squared)
-            squared = search.notes.setdefault(f"r{number}", Have(f"r{number}", "root", Claim(t.Pow(node, t.TWO), node.arg)))
-            taken.append((factor, Known(squared.name, squared.claim)))
+            taken.append((factor, _squared(search, f"r{number}", node, arg)))
         for other in names[:place]:
             ratio = _root_of(search, arg / search.roots[other])
             if ratio is not None and 1 in value.num.by_power(index):
@@ -61,6 +56,17 @@ def _once(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Kno
                 taken.append((term, Known(same.name, same.claim)))
                 break
     return value, taken
+
+
+def _squared(search: Search, name: str, node: t.Sqrt, arg: Scalar) -> Known:
+    """The square of a root is what stands below it, which is positive."""
+    claim = Claim(t.Pow(node, t.TWO), node.arg)
+    if name not in search.notes:
+        by, parts = Multiples(), tuple[t.Node, ...]()
+        with suppress(Undecided):
+            by, parts = above(search, arg, ())
+        search.notes[name] = Have(name, "root", claim, node.arg, by, parts=parts)
+    return Known(name, claim)
 
 
 def _head(value: Scalar, index: int, power: int) -> Scalar:

@@ -12,8 +12,7 @@ from rbpsym.algebra import NOTHING, PI, Poly, Scalar, atoms, factors, generator,
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, circles, parted, partner, wound
-from rbpsym.kernel.claim import Claim
-from rbpsym.kernel.formulas import brief
+from rbpsym.kernel.claim import Claim, brief
 from rbpsym.kernel.positive import Sum, positive_sum
 from rbpsym.notation import tree as t
 

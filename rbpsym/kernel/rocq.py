@@ -263,15 +263,11 @@ class Writer:
     def _gap(self, have: Have, finish: str) -> str:
         return f"{_bounds(have)}lra"
 
-    def _nonzero(self, have: Have, finish: str) -> str:
-        """± what is below is a positive formula and one that is not negative."""
-        above, others = map(self.terms.term, have.parts)
-        way = "beyond" if have.of == have.claim.left else "below"
-        return f"apply ({way} _ {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
-
     def _positive(self, have: Have, finish: str) -> str:
+        """± the formula is a positive one and one that is not negative."""
         above, others = map(self.terms.term, have.parts)
-        return f"apply (above _ _ {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
+        way = "above _ _" if have.how != "nonzero" else "beyond _" if have.of == have.claim.left else "below _"
+        return f"apply ({way} {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
 
     def _rooted(self, have: Have, finish: str) -> str:
         """The square of a root is what stands below it."""
@@ -313,7 +309,7 @@ def _head(claim: Claim) -> str:
 
 HAVES = {
     "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign, "gap": Writer._gap,
-    "integral": Writer._integral, "nonzero": Writer._nonzero, "positive": Writer._positive,
+    "integral": Writer._integral, "nonzero": Writer._positive, "positive": Writer._positive,
     "root": Writer._rooted, "multiple root": Writer._same_root,
 }  # fmt: skip
 

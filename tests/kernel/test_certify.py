@@ -225,3 +225,17 @@ def test_signs_that_take_a_gap_a_least_value_or_pi() -> None:
     """R > a declared; a mass that may be 0; 9π > 16 cos θ."""
     for name, id in (("rod-in-bowl", "motion.theta"), ("double-atwood", "motion.x"), ("half-disk-rocking", "motion.theta")):
         assert id not in found(name).refused, name
+
+
+MENDED = {  # what is three integrals deep, divides by what a premise keeps positive, needs the root that is left, nested roots
+    "ball-in-a-loop": ("moment.ball", "friction.N", "linear.1"), "cylinder-off-cylinder": ("at_loss.N.f",),
+    "half-ring-on-its-end": ("frequency.1",),
+}  # fmt: skip
+
+
+@needs_coqc
+@pytest.mark.parametrize("name", MENDED)
+def test_integrals_factors_and_roots_carry_the_signs_that_they_need(name: str) -> None:
+    whole = found(name)
+    told = compiled(Written(whole.source, {id: whole.lemmas[id] for id in MENDED[name]}))
+    assert not told.refused and told.steps == len(MENDED[name])
