@@ -355,7 +355,7 @@ def _dragged(known: Given) -> Course | None:
 
 def _powered(known: Given) -> Course | None:
     """The square of the speed grows at the rate 2 p."""
-    rate, way = known.letter("lamda"), known.sense(known.speed)
+    rate, way = known.letter("lamda"), known.sense(known.speed or known.form.power)
     square, letters = known.speed**2 + rate * TIME, _named(rate, short(known.form.power * 2))
     place = known.place + ((root(square) * way) ** 3 - known.speed**3) / rate * Fraction(2, 3)
     return Course(place, letters, valid=(Demand(substitute(square, letters)),)) if way else None

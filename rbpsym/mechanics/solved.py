@@ -208,6 +208,8 @@ def _by_power(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tupl
 
 def _by_square(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
     """a t² + b t + c = 0: where a and c have unlike signs one root is positive; where b has not that of both, the less one is."""
+    if any(atoms.atom(index).kind != "symbol" for index in _moving(gap)):
+        return None
     slope = derivative(gap, "t")
     c, b = (substitute(part, {"t": NOTHING}) for part in (gap, slope))
     a = derivative(slope, "t") / 2

@@ -62,6 +62,9 @@ ANSWERS = (
     ("bob-on-slack-spring", "speed of bob where elongation of S = m*g/k", "g*sqrt(m/k)"),
     ("bead-on-cycloid", "frequency of q", "sqrt(g/R)/2"),
     ("wheel-before-step", "smallest P for which N vanishes", "M*g*sqrt(2*R*h-h**2)/(R-h)"),
+    # a constant power from rest
+    ("car-of-one-power", "time until speed of x = v_1", "m*v_1**2/(2*P)"),
+    ("car-of-one-power", "x where speed of x = v_1", "m*v_1**3/(3*P)"),
     ("held-by-string", "smallest mu for which it does not slip", "tan(beta/2)"),
     ("rod-with-beads", "speed of phi as a function of r", "omega_0*(M*L**2/3+2*m*r_0**2)/(M*L**2/3+2*m*r**2)"),
     ("ball-off-wall", "ratio of energy lost until rolling to kinetic energy at the start", "40/49"),

@@ -85,6 +85,7 @@ LINES = [
     ("-m*g - c*x_dot**2", GOES, "x when x comes to rest", "m/(2*c)*ln(1 + c*v_0^2/(m*g))"),
     ("-m*g - c*x_dot**2", GOES, "time until x comes to rest", "sqrt(m/(c*g))*atan(v_0*sqrt(c/(m*g)))"),
     # a constant power
+    ("F*v_1/x_dot", {"start": "0", "speed": "0"}, "x as a function of t", "2/3*t*sqrt(2*F*v_1*t/m)"),
     ("F*v_1/x_dot", GOES, "x as a function of t", "m/(3*F*v_1)*((v_0^2 + 2*F*v_1*t/m)*sqrt(v_0^2 + 2*F*v_1*t/m) - v_0^3)"),
     # dry friction until rest
     ("-mu*m*g", GOES, "time until x comes to rest", "v_0/(mu*g)"),
@@ -139,7 +140,6 @@ WRONG = [
     ("-k*x - c*x_dot**2", GOES, "speed of x as a function of x", "is no known function of x"),
     ("-b*x_dot - m*g", GOES, "time until x = 0", "no closed form was found for the moment"),
     ("-c*x_dot*sqrt(x_dot**2)", GOES, "x as a function of t", "found for “x” as a function of the time"),
-    ("F*v_1/x_dot", {"start": "0", "speed": "0"}, "x as a function of t", "found for “x” as a function of the time"),
 ]  # fmt: skip
 
 
