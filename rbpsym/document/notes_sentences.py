@@ -22,6 +22,7 @@ from rbpsym.statement.scope import CLOCK
 
 Slots = dict[str, object]
 DOWN = (t.ZERO, t.Neg(t.ONE))
+DRIVEN = {(t.ONE, t.ZERO): "driven_right", (t.ZERO, t.ONE): "driven_up"}
 
 
 def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
@@ -154,7 +155,9 @@ def _couple(element: Element, pose: DrawnPose, said: Words) -> Slots:
 def _driven(element: Element, pose: DrawnPose, said: Words) -> Slots:
     x, y = element["along"]
     slots: Slots = {"point": point_in_words(element["point"], pose, said), "distance": element["distance"], "x": x, "y": y}
-    return {**slots, "other": BodyRef(element["of"]), "key": "statement.driven_along"} if element["of"] else slots
+    if element["of"]:
+        return {**slots, "other": BodyRef(element["of"]), "key": "statement.driven_along"}
+    return {**slots, "key": f"statement.{DRIVEN.get((x, y), 'prescribed')}"}
 
 
 def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
