@@ -7,7 +7,7 @@ import pytest
 
 from rbpsym.derivation.assertions import Said
 from rbpsym.document.model import Inlines, Math
-from rbpsym.document.notes_sentences import SENTENCES, element_sentences
+from rbpsym.document.notes_sentences import DRIVEN, SENTENCES, element_sentences
 from rbpsym.document.notes_statement import _bodies, _phases
 from rbpsym.document.phrases import phrases
 from rbpsym.document.pose import DrawnPose
@@ -42,7 +42,8 @@ def facts(element: Element) -> Iterator[tuple[str, t.Node]]:
     """The formulas of an element by their key, without what is as usual."""
     for field in FIELDS[element.kind]:
         value = element.values.get(field.name)
-        if value != AS_USUAL.get(field.name) and UNTOLD.get(element.kind) != field.name:
+        in_words = field.name == "along" and value in DRIVEN and not element.values.get("of")  # “to the right”
+        if value != AS_USUAL.get(field.name) and UNTOLD.get(element.kind) != field.name and not in_words:
             nodes = value if isinstance(value, tuple) else (value,)
             yield from ((field.name, node) for node in nodes if isinstance(node, t.Node))
 
@@ -98,6 +99,7 @@ VARIANTS = {  # problem, what is written else, what is then said
     "as usual": ("rod-pendulum", (), "Gravity acts downwards with the acceleration g."),
     "usual, written": ("rod-pendulum", (('"gravity"', '"gravity"\ndirection = ["0", "-1"]'),), "Gravity acts downwards"),
     "gravity": ("rod-pendulum", (('type = "gravity"', 'type = "gravity"\ndirection = ["1", "0"]'),), "in the direction (1, 0)"),
+    "to the right": ("crate-on-truck", (), "of the truck is driven to the right"),
     "of some": ("cart-and-rod", (('type = "gravity"', 'type = "gravity"\nbodies = ["rod"]'),), "It acts on the rod alone."),
     "smooth": ("ball-bouncing-with-spin", (('coefficient = "mu"\nslip        = "none"', ""),), "There is no friction in this."),
     "rough": ("ball-bouncing-with-spin", (('"none"', '"backward"'),), "The coefficient of friction is μ."),
