@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from rbpsym.errors import Place, RbpsymError
 from rbpsym.frozen import dataclass, replace
-from rbpsym.notation import latex_calculus, latex_formal, latex_functions, latex_packages
+from rbpsym.notation import latex_calculus, latex_formal, latex_functions, latex_packages, latex_sums
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.infix import Ways
@@ -113,7 +113,8 @@ def _parting(one: Reading, other: Reading) -> Question:
     return one.met[place]
 
 
-GRAMMAR = (latex_calculus, latex_formal, latex_functions, latex_packages)  # loaded: they enter their commands into the table
+# loaded: they enter their commands into the table
+GRAMMAR = (latex_calculus, latex_formal, latex_functions, latex_packages, latex_sums)
 
 
 def read_latex(

@@ -19,8 +19,14 @@ def test_works_that_are_told_to_cancel_are_those_of_bodies_on_which_work_is_done
             assert {body.name for body in step.slots["bodies"]} <= worked, step.id
 
 
-@pytest.mark.parametrize(("question", "phrase"), [("smallest P for which it tips", "divides"), ("P for which A = m*g", "vanishes_for"),
-                                                  ("largest P for which it does not slip", "holds_for")])  # fmt: skip
+BOUNDS = (
+    ("smallest P for which it tips", "divides"),
+    ("P for which A = m*g", "vanishes_for"),
+    ("largest P for which it does not slip", "holds_for"),
+)
+
+
+@pytest.mark.parametrize(("question", "phrase"), BOUNDS)
 def test_a_bound_of_the_opposite_is_not_said_to_hold_so_far(question, phrase):
     [found] = ask(problem("box-pushed-at-top"), question)
     assert found.steps[-1].phrase == f"ask.found.{phrase}"

@@ -48,8 +48,8 @@ THROWN = {"start": "0", "speed": "v", "slip": "forward"}
 DRAWN = {"start": "x_0", "speed": "0", "slip": "backward"}
 SYSTEMS = {
     "thrown": ({**THROWN, "more": ""}, "v/(mu*g) - t >= 0"),
-    "drawn": ({**DRAWN, "more": SPRING}, "pi/sqrt(k/m) - t >= 0"),
-    "drawn and damped": ({**DRAWN, "more": SPRING + DAMPER}, "pi/sqrt((4*m*k - c**2)/(4*m**2)) - t >= 0"),
+    "drawn": ({**DRAWN, "more": SPRING}, "pi*sqrt(m/k) - t >= 0"),
+    "drawn and damped": ({**DRAWN, "more": SPRING + DAMPER}, "2*pi*m/sqrt(4*m*k - c**2) - t >= 0"),
 }
 
 

@@ -165,8 +165,8 @@ def test_a_start_asks_for_no_more_friction_than_there_is(name):
 def test_a_start_that_static_friction_cannot_hold_is_refused():
     text = (Path(__file__).parents[2] / "derivations/friction/box-pushed-at-top.toml").read_text(encoding="utf-8")
     text = text.partition("[meanings.es]")[0].replace('["P", "0"]', '["m*g", "0"]').replace('P  = "force: push"', "")
-    held, slipping = (text.replace('limit    = "mu"', f'limit = "{limit}"').replace('mu = "number: coefficient of static friction"', "")
-                      for limit in ("1", "1/2"))  # fmt: skip
+    text = text.replace('mu = "number: coefficient of static friction"', "")
+    held, slipping = (text.replace('limit    = "mu"', f'limit = "{limit}"') for limit in ("1", "1/2"))
     assert solve(load_text(held), simulation=False)["start_valid_where"] == ["b - 2*h >= 0"]
     with pytest.raises(StatementError, match="would slip at the start"):
         solve(load_text(slipping), simulation=False)
