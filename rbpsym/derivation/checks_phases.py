@@ -116,11 +116,14 @@ def first_there(context: Context, step: Step) -> Verdict:
     printed, context = demanded(context, step), under(context, step, ">")
     (place,) = [context.value(right) for _, _, right in relations(step.statement)]
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in printed):
-        goes, between = way_to(context, step.data["name"], place, printed)
+        verdicts, between = way_to(context, step.data["name"], place, printed)
+        goes = weakest(verdicts)
+    if not goes.is_proved:
+        return goes
     gap, name = _gap(context, step.data["ending"].phase), step.data["name"]
     way = SENSES.get(sign(gap, between).kind) or sign_along(gap, name, between)
     is_free = way > 0 if step.data["ending"].phase.event in GIVE_WAY else bool(way)
-    return weakest([*goes, Verdict(PROVED) if is_free else UNSEEN])
+    return Verdict(PROVED) if is_free else UNSEEN
 
 
 def _gap(context: Context, phase: Phase) -> Scalar:

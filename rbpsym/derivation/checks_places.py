@@ -120,22 +120,30 @@ def _first(context: Context, step: Step, end: Scalar) -> Verdict:
     return weakest(chain(goes, (compare(low, high, where, strict=strict) for low, high, where, strict in ordered)))
 
 
-def way_to(context: Context, name: str, end: Scalar, printed: Sequence[Demand] = ()) -> tuple[list[Verdict], Assumptions]:
-    """Whether the motion sets out for a place and comes there without a halt, and what holds on the way; where the square of
-    its speed rises or falls all the way, it is enough that this is not negative at the end, as is `printed`."""
+def way_to(
+    context: Context, name: str, end: Scalar, printed: Sequence[Demand] = ()
+) -> tuple[Iterator[Verdict], Assumptions]:
+    """Whether the motion sets out for a place and comes there without a halt, one verdict after another, and what holds on the
+    way; where the square of its speed rises or falls all the way, it is enough that this is not negative at the end, as is
+    `printed`."""
     given = context.assumptions
     begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
     drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
-    way = sign(drive, given).sense
-    side = way or (1 if _beyond(context, begin, end).is_proved else -1)
+    side = sign(drive, given).sense or (1 if _beyond(context, begin, end).is_proved else -1)
     lower, upper = (begin, end) if side > 0 else (end, begin)
     between = given.with_range(name, lower, upper)
-    sets_out = compare(NOTHING, drive * side, given, strict=False)
-    goes, square = compare(NOTHING, context.study.squares[name], between), context.study.squares[name]
-    if not goes.is_proved:
-        is_kept = sign_along(square, name, between, lambda value: _follows(Demand(value, ">="), [*printed], given)) > 0
-        goes = Verdict(PROVED, how="from its slope on the way") if is_kept else goes
-    return [_beyond(context, lower, upper, printed), sets_out, goes], between
+
+    def verdicts() -> Iterator[Verdict]:
+        yield _beyond(context, lower, upper, printed)
+        yield compare(NOTHING, drive * side, given, strict=False)
+        square = context.study.squares[name]
+        goes = compare(NOTHING, square, between)
+        if not goes.is_proved:
+            is_kept = sign_along(square, name, between, lambda value: _follows(Demand(value, ">="), [*printed], given)) > 0
+            goes = Verdict(PROVED, how="from its slope on the way") if is_kept else goes
+        yield goes
+
+    return verdicts(), between
 
 
 def _exists(context: Context, step: Step, printed: list[Demand]) -> Iterator[Verdict]:
