@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import UNITY, Scalar, depends_on, is_zero
+from rbpsym.algebra import UNITY, Scalar, depends_on, derivative, is_zero, names_in
 from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.critical import kept_said
 from rbpsym.ask.extremes import Extreme, extremes
@@ -16,7 +16,9 @@ from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.derivation.chapters import contact, oscillations
 from rbpsym.derivation.step import Step
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
 from rbpsym.mechanics.demands import Demand, settle
@@ -138,12 +140,26 @@ def _least(world: Scene, condition: Wanted) -> Iterator[Part]:
             limits = of_symbol(condition.along, given)
             yield value, Extreme((limits.lower, limits.upper)[ends.index(-1)], None), Demand(-UNITY)
             continue
-        lows = extremes(value, condition.along, given, -1)
-        if lows is None or any(low.crossing is not None or low.asked for low in lows):
+        lows = next(filter(None, (_lows(each, condition.along, given) for each in (value, *_linear(value, condition.along, given)))), None)
+        if lows is None:
             raise Undecided("where it is least on the way is not decided")
         told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
         strict = condition.end is not None and op == ">="
         yield from ((value, low, _of_low(low, way if strict else op)) for low, way in zip(lows, told, strict=True))
+
+
+def _lows(value: Scalar, along: str, given: Assumptions) -> list[Extreme] | None:
+    """Where it is least, whatever the parameters are; None if that is not decided."""
+    lows = extremes(value, along, given, -1)
+    return None if lows is None or any(low.crossing is not None or low.asked for low in lows) else lows
+
+
+def _linear(value: Scalar, along: str, given: Assumptions) -> Iterator[Scalar]:
+    """p + b/a for a p + b with a positive a: it has the sign of the value, and is least in a place that p does not move."""
+    for name in sorted(names_in(value) - {along}):
+        slope = derivative(value, name)
+        if not depends_on(slope, name) and sign(slope, given).kind == "positive":
+            yield value / slope
 
 
 def _always(condition: Wanted) -> bool:

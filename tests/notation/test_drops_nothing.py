@@ -64,7 +64,7 @@ REFUSED = {
     r"a = b \quad r": "nothing says how it goes on",
     r"\ddot y = g \quad -\ddot x = g": "one formula, or are these two",
     r"\ddot y = g \\ -\ddot x = g": "one formula, or are these two",
-    r"\ddot y &= g & \ddot x &= g \\ &= a & &= a": "which relation",
+    r"\ddot y &= g & \ddot x &= g \\ &= a & &= a": "what stands on the left",
     r"x = (h + b \\ r)": "product",
     r"x = h - \\ - b": "a sign begins the next",
     r"\left(\begin{array}{cc} h & -b \\\\ b & h \end{array}\right)": "environment",

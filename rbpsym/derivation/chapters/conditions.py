@@ -139,7 +139,8 @@ def _plain(node: t.Node) -> t.Node:
     if isinstance(node, t.Fn):
         plain = present(scalar(node))
         return plain if isinstance(plain.arg if isinstance(plain, t.Neg) else plain, t.Fn) else node
-    return t.mul(*node.factors) if isinstance(node, t.Mul) else t.add(*node.terms) if isinstance(node, t.Add) else node
+    parts = {t.Mul: lambda n: t.mul(*n.factors), t.Add: lambda n: t.add(*n.terms), t.Neg: lambda n: t.neg(n.arg)}
+    return parts.get(type(node), lambda n: n)(node)
 
 
 def _kind(element: Element) -> str:

@@ -115,7 +115,7 @@ def _formula(text: str, item: m.Item, case: Case) -> Judgement:
     ground = case.ground(item, key.value, key.left)
     carried = tuple(own for follow in key.follows if (own := own_formula(follow, case)) is not None)
     found = judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
-    if found.status is Status.WRONG and with_numbers_put_in(text, item, case):
+    if found.status is Status.WRONG and found.slip is None and with_numbers_put_in(text, item, case):
         return Judgement(Status.UNDECIDED, remarks=(Remark("numbers put in"),))
     return found
 
