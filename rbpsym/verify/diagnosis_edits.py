@@ -104,7 +104,8 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
     named = {phrase: name for name, phrase in phrases.items()}
     question = Question(ground)
     found: dict[t.Chain, tuple[int, t.Node]] = {}
-    alone = {side.name for side in relation.items if isinstance(side, t.Sym)}
+    sides = {_value_of(side, ground) for side in relation.items if isinstance(side, t.Sym)} - {None}
+    alone = {name for name in {*t.names(relation), *phrases} if _value_of(name, ground) in sides}  # by whatever symbol
     values = {name: own for name in phrases if name not in t.names(relation) and (own := _value_of(name, ground))}
     whole = any(isinstance(part, (t.Integral, t.PathIntegral)) for part in t.walk(relation))  # nothing else is to be carried out
     for depth in ("identity", "motion") if whole else ("identity", "motion", "start"):
