@@ -140,7 +140,8 @@ def _least(world: Scene, condition: Wanted) -> Iterator[Part]:
             limits = of_symbol(condition.along, given)
             yield value, Extreme((limits.lower, limits.upper)[ends.index(-1)], None), Demand(-UNITY)
             continue
-        lows = next(filter(None, (_lows(each, condition.along, given) for each in (value, *_linear(value, condition.along, given)))), None)
+        ways = (value, *_linear(value, condition.along, given))
+        lows = next(filter(None, (_lows(each, condition.along, given) for each in ways)), None)
         if lows is None:
             raise Undecided("where it is least on the way is not decided")
         told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
