@@ -31,7 +31,7 @@ READERS = (
     HOUSE / "statement" / "units.py",
     *(
         HOUSE / "notation" / f"latex_{name}.py"
-        for name in ("calculus", "functions", "grammar", "names", "reader", "rows", "tokens")
+        for name in ("calculus", "functions", "grammar", "names", "reader", "rows", "sums", "tokens")
     ),
     *(HOUSE / "teaching" / "grading" / f"{name}.py" for name in ("quantity", "reading", "words")),
 )
