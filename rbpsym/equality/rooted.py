@@ -45,7 +45,7 @@ def rooted(value: Scalar, given: Assumptions) -> Scalar:
 
 def root_of(value: Scalar, given: Assumptions) -> Scalar:
     """√value, with what is declared positive and squared taken out."""
-    return simplified_root(value, lambda name: given.sign_of(name) == "positive")
+    return simplified_root(without_even_roots(value), lambda name: given.sign_of(name) == "positive")
 
 
 def neat(value: Scalar, given: Assumptions) -> Scalar:

@@ -320,8 +320,10 @@ def _pulls(run: tuple[Turn, ...], mechanism: Mechanism) -> Pushes:
 
 
 def _along(dx: complex, dy: complex, offset: complex) -> Point:
-    """u with d = L u + offset k×u."""
+    """u with d = L u + offset k×u; none where the two are at one place."""
     square = dx * dx + dy * dy
+    if not square:
+        return 0j, 0j
     length = cmath.sqrt(square - offset * offset)
     return (dx * length + dy * offset) / square, (dy * length - dx * offset) / square
 

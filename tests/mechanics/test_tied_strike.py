@@ -2,11 +2,17 @@
 
 import re
 
+import pytest
+
 from rbpsym.algebra.normal import same
+from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import symbol
+from rbpsym.derive import derive
+from rbpsym.equality.decide import equal
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.pushing import start_valid
+from rbpsym.notation.infix import read_infix
 from rbpsym.statement import load_text
 from rbpsym.statement.library import problem_files
 
@@ -23,3 +29,40 @@ def test_the_edge_of_a_step_is_a_pivot_or_a_corner_over_which_it_rolls() -> None
     assert same(touching.began.speeds["x"], held.began.speeds["phi"] * (symbol("R") - symbol("h")))
     asked = start_valid(touching.study)  # the edge only pushes, which the pivot does not tell
     assert asked and all(isinstance(one, Demand) for one in asked)
+
+
+BOB = """
+title = "A bob falls until its string is taut"
+[parameters]
+m = "mass"
+L = "length: of the string"
+h = "length < L: how far beside the end of the string"
+g = "acceleration"
+[coordinates]
+x = { dimension = "length", start = "h", speed = "0" }
+y = { dimension = "length", start = "0", speed = "0" }
+[bodies.bob]
+shape = "particle"
+mass = "m"
+center = ["x", "-y"]
+[interactions.W]
+type = "gravity"
+[[phases]]
+name = "swing"
+event = "begins"
+of = "S"
+constraints = { S = { type = "string", path = ["O", "bob.center"], length = "L" } }
+"""
+
+
+@pytest.mark.parametrize("beside", ["h", "0"])
+def test_a_string_that_becomes_taut_takes_the_speed_along_it(beside: str) -> None:
+    """Beside its end the bob keeps of √(2 g y₁) what is across the string, below it nothing; it may start at the end."""
+    text = BOB if beside == "h" else "\n".join(line for line in BOB.replace('"h"', '"0"').splitlines() if line[:1] != "h")
+    derivation = derive(load_text(text), simulation=True)
+    assert all(step.certificate.verdict.is_proved for step in derivation.all_steps)
+    assert derivation.simulation.max_relative_error < 1e-6
+    [_, swing] = stages(load_text(text))
+    depth = f"sqrt(L**2 - {beside}**2)"
+    expected = read_infix(f"m*g*{depth}*(1 - {beside}**2/L**2)", ["m", "g", "L", "h"])
+    assert equal(present(swing.began.energy_lost), expected, swing.study.assumptions).is_proved
