@@ -9,7 +9,7 @@ from typing import Any
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.ask.conditions import wanted
-from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked, together
+from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, seen, told, way_to
@@ -232,7 +232,7 @@ def _for_all(
     known = common([region_on_way(value, name, condition.along or "", given) for value in values], given)
     if known is None or known.asked:
         raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, essential(values[0], given)))
-    says = f"“{text}” {FOR_NONE if known.is_empty else 'holds for all values'} of the parameters in their declared ranges"
+    says = f"“{text}” {FOR_NONE if known.is_empty else FOR_EVERY} of the parameters in their declared ranges"
     said = kept_said(values, condition.along, known.worst, given, holds=not known.is_empty)
     return Finding(**said, symbol=name, says=says, steps=condition.steps)
 

@@ -56,7 +56,7 @@ class Finding:
         return not self.values and any(said in self.says for said in (NO_SUCH, FOR_NONE))
 
 
-NO_SUCH, FOR_NONE = "there is no such", "holds for no values"
+NO_SUCH, FOR_NONE, FOR_EVERY = "there is no such", "holds for no values", "holds for all values"
 
 
 def checked(rule: str, study: Study | None = None, **data: Any) -> dict[str, Any]:

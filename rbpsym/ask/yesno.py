@@ -100,7 +100,7 @@ def _by_loss(world: Scene, losses: Sequence[Loss], until: str | None, text: str 
     left = settle(asked, where_met(given, surely))
     if left is None:
         return None
-    says = f"yes where this is met{', else no' if is_all and not surely else ''}" if left else "yes"
+    says = "yes" if not left else "yes where this is met, else no" if is_all and not surely else "yes where this is met"
     steps = _told(of_chapter(world, contact.write, f"loss.{loss.force}"), open=bool(left))
     return Finding(valid=(*surely, *left), place=(name, place), says=says, holds=None if left else True, steps=steps)
 

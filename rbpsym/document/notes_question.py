@@ -15,6 +15,7 @@ from rbpsym.document.chapters import ends
 from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section, Text
 from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
+from rbpsym.document.translated import translated
 from rbpsym.document.words import Words, sentences
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import RELATION_SIGNS
@@ -185,7 +186,7 @@ def _outcome(found: Found, said: Words, box: Iterable[Block], *, alone: bool = T
     """The box, what is said beside it, the conditions, and whether it is proved, but for one of several that all are."""
     yield from box
     if isinstance(found, Refused):
-        yield Paragraph(said.say("question.refused", reason=found.reason))
+        yield Paragraph(said.say("question.refused", reason=translated(found.reason, said.language)))
         return
     told = [*_beside(found, said)]
     if found.valid:
@@ -193,7 +194,7 @@ def _outcome(found: Found, said: Words, box: Iterable[Block], *, alone: bool = T
     if found.verdict.is_proved and alone:
         told.append(said.say("question.proved.one", ground=Said(steps=found.steps)))
     elif not found.verdict.is_proved:
-        told.append(said.say("question.open", reason=found.verdict.reason))
+        told.append(said.say("question.open", reason=translated(found.verdict.reason, said.language)))
     if told := [part for part in told if part]:
         yield Paragraph(sentences(told))
 
@@ -202,8 +203,9 @@ def _beside(found: Answer, said: Words) -> Iterator[Inlines]:
     """Yes or no, a sentence, the equation that is solved, where an extremum lies, each value's own condition."""
     if found.holds_so is not None:
         yield said.say("question.yes" if found.holds_so else "question.no")
-    elif found.says and said.language == "en":  # the language of the grammar in which the question is asked
-        yield spoken(f"{found.says[0].upper()}{found.says[1:].rstrip('.')}.", said)
+    elif found.says:
+        says = translated(found.says, said.language)
+        yield spoken(f"{says[0].upper()}{says[1:].rstrip('.')}.", said)
     if found.equation is not None:
         yield said.say("question.solves", name=t.Sym(found.symbol), equation=t.equation(found.equation, t.ZERO))
     if found.at is not None and found.at[0] != found.symbol:

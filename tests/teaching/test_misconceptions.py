@@ -188,7 +188,7 @@ def test_first_wrong_steps_are_those_that_a_teacher_would_mark() -> None:
 
 def shared(table: Mapping[str, str]) -> dict[str, str]:
     """The phrases without those that translate what the readers say in English."""
-    return {key: text for key, text in table.items() if not key.startswith("reader.")}
+    return {key: text for key, text in table.items() if not key.startswith("sentence.")}
 
 
 def test_languages_have_the_same_keys_and_places() -> None:

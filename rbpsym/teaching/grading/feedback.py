@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 from unicodedata import category
@@ -14,6 +14,7 @@ from markupsafe import Markup, escape
 
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.phrases import phrase_of
+from rbpsym.document.translated import translated as document_translated
 from rbpsym.document.writers.page import shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.errors import RbpsymError
@@ -28,12 +29,6 @@ from rbpsym.teaching.units import number_text
 from rbpsym.teaching.wording import FOLDER, say_slip, teaching_phrases
 
 # --- what the readers say of an answer that can't be read, in the language of the worksheet
-# Readers speak English. As in gettext, the English sentence with its places is the key of its translation, in the table
-# [reader] of a phrases file; what fills a place is found again by matching.
-
-
-TABLE = "reader."
-Entry = tuple[re.Pattern[str], str]
 
 
 def translated(sentence: str, language: str) -> str:
@@ -42,11 +37,7 @@ def translated(sentence: str, language: str) -> str:
     >>> translated("unknown symbol “v”", "es")
     'el símbolo «v» no se conoce'
     """
-    for pattern, text in _catalogue(language):
-        found = pattern.fullmatch(sentence)
-        if found:
-            return filled(text, {name: translated(part, language) for name, part in found.groupdict().items()})
-    return sentence
+    return document_translated(sentence, language, FOLDER)
 
 
 def reason(error: RbpsymError, language: str) -> str:
@@ -54,28 +45,6 @@ def reason(error: RbpsymError, language: str) -> str:
     what = translated(error.what, language)
     instead = translated(error.instead, language) if error.instead else ""
     return " ".join(filter(None, (sentence(what), sentence(instead) if instead else "")))
-
-
-def filled(text: str, parts: dict[str, str]) -> str:
-    """The template with its places filled; other braces are those of LaTeX."""
-    return re.sub(r"\{([a-d])\}", lambda found: parts.get(found[1], found[0]), text)
-
-
-@cache
-def _catalogue(language: str) -> tuple[Entry, ...]:
-    """Patterns of English sentences with their translations, those with the most words of their own first."""
-    table = teaching_phrases(language)
-    keys = sorted((key for key in table if key.startswith(TABLE)), key=lambda key: -len(_PLACE.sub("", key)))
-    return tuple((_pattern(key.removeprefix(TABLE)), table[key]) for key in keys)
-
-
-_PLACE = re.compile(r"\{([a-d])\}")
-
-
-def _pattern(key: str) -> re.Pattern[str]:
-    pieces = _PLACE.split(key)
-    parts = (f"(?P<{piece}>.+?)" if place % 2 else re.escape(piece) for place, piece in enumerate(pieces))
-    return re.compile("".join(parts), re.DOTALL)
 
 
 # --- the sentences of marks, [remark] of the phrases. {name} is a place; a tree in a place is printed as a formula
