@@ -18,6 +18,7 @@ from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, uniform_motion
+from rbpsym.mechanics.forms import Form
 from rbpsym.mechanics.orbit import quarters_to, swing_of
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.solved import time_to, without_logarithms
@@ -67,7 +68,7 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     at = {n: one.place for n, one in found.items()} | {f"{n}_dot": derivative(one.place, "t") for n, one in found.items()}
     letters = {letter: value for one in found.values() for letter, value in one.letters.items()}
     gap = short(substitute(moving - substitute(value, study.system.dependent), at))
-    known = solutions.Given(solutions.Form(NOTHING), NOTHING, NOTHING, study, "")  # signs are all that is asked of it
+    known = solutions.Given(Form(NOTHING), NOTHING, NOTHING, study, "")  # signs are all that is asked of it
     # the end of a declared range may be where the motion is to come
     if sign(substitute(gap, letters), study.assumptions.without(*study.system.coordinates)).is_nonzero:
         raise StatementError(f"“{subject}” never has this value in this motion, though it may come ever closer to it")

@@ -26,6 +26,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import root_of
+from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError, Undecided
 from rbpsym.frozen import dataclass
 from rbpsym.mechanics.elimination import short
@@ -162,6 +163,10 @@ def _of_atom(index: int, given: Assumptions) -> Series | None:
         return _of_root(found.arg, given)
     if found.kind in POWERS and is_zero(substitute(found.arg, {SMALL: NOTHING})):
         return _composed(POWERS[found.kind], _series(found.arg, given))
+    inner = _series(found.arg, given) if found.kind == "exp" else None
+    inner = inner and inner.from_first()
+    if inner and inner.start < 0 and sign(inner.terms[0], given).kind == "negative":
+        return _constant(NOTHING)  # it vanishes faster than any power
     terms, value, factorial = [], Scalar(generator(index)), 1
     for k in range(LENGTH):
         terms.append(substitute(value, {SMALL: NOTHING}) / factorial)

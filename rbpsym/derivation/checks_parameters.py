@@ -13,6 +13,7 @@ from itertools import pairwise
 from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, is_zero, symbol
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import normal
+from rbpsym.algebra.roots import with_image
 from rbpsym.derivation.checks import first_proved, relations
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
@@ -310,9 +311,20 @@ def tends_to(context: Context, step: Step) -> Verdict:
     return _goes_to(rooted(value * value, given), step.data["name"], order * 2, rooted(end * end, given), given)
 
 
+def _without_dying(value: Scalar, name: str, given: Assumptions) -> Scalar:
+    """Without e^{-a/ε}, a > 0, which vanishes faster than any power of ε."""
+    for index in value.atoms():
+        with suppress(ZeroDivisionError):
+            one = atoms.atom(index)
+            if one.kind == "exp" and sign(substitute(one.arg * symbol(name), {name: NOTHING}), given).kind == "negative":
+                value = with_image(value.num, index, NOTHING) / with_image(value.den, index, NOTHING)
+    return value
+
+
 def _goes_to(value: Scalar, name: str, order: int, end: Scalar, given: Assumptions) -> Verdict:
     """The first derivatives above and below the line that do not vanish at ε = 0 are compared."""
     small, index = symbol(name), atoms.intern("symbol", name)
+    value = _without_dying(value, name, given)
     lowest = min((min(poly.by_power(index)) for poly in (value.num, value.den)), default=0)
     above, below = (shorter(Scalar(poly) * small ** (-lowest)) for poly in (value.num, value.den))  # no ε stands in a divisor
     above, below = (above, below * small**order) if order >= 0 else (above * small**-order, below)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, atoms, generator, is_zero, symbol, time_derivative, without_roots_below
 from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
+from rbpsym.algebra.roots import has_roots
 from rbpsym.derivation.checks import first_proved, premise_says, relations, right_side, same, weakest
 from rbpsym.derivation.checks_phases import said_of
 from rbpsym.derivation.context import Context
@@ -49,6 +50,7 @@ def course(context: Context, step: Step) -> Verdict:
     follows = substitute(_with(gained, name, place, speed), at)
     if left.name != name or names_in(follows) & {*context.study.system.coordinates, *context.study.system.speeds}:
         return Verdict(UNDECIDED, reason="the acceleration is no function of the time with this")
+    follows = neat(follows, _given(context, step)) if has_roots(follows) else follows
     found = tied or [same(context, derivative(speed, "t"), follows)]
     if not step.data["steady"]:
         begins = [(place, name), (speed, f"{name}_dot")]
@@ -158,7 +160,7 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
     if bends.is_nonzero and bends.sense * sign(substitute(gap, {"t": NOTHING}), given_).sense < 0:
         return Verdict(PROVED, how="it bends towards zero all the time")
     last = sign(rooted(substitute(slope, {"t": time}), given_), given_)
-    if bends.is_nonzero and begins.is_nonzero and last.is_nonzero and begins.kind == last.kind:
+    if bends.is_nonzero and begins.is_nonzero and last.kind in (begins.kind, "zero"):
         return Verdict(PROVED, how="it changes in one sense until then")
     if bends.is_nonzero and is_zero(substitute(gap, {"t": NOTHING})):
         return Verdict(PROVED, how="it bends to one side all the time, and begins with zero")
@@ -183,7 +185,7 @@ def speed_along(context: Context, step: Step) -> Verdict:
     begin = substitute(value, {name: context.start(symbol(name))})
     first = context.start(symbol(f"{name}_dot"))
     push = first or context.start(_gained(context, step))
-    found = [same(context, derivative(value, name) * value, gained)]
+    found = [same(context, derivative(value, name) * value, neat(gained, _given(context, step)))]
     plain = same(context, begin, first)
     if first and plain.is_proved:
         return weakest([*found, plain])
@@ -219,9 +221,7 @@ def feature(context: Context, step: Step) -> Verdict:
     "steady")."""
     form, name = step.data["form"], step.data["name"]
     place, speed = symbol(name), symbol(f"{name}_dot")
-    stated = form.constant - form.stiffness * place - form.damping * speed - form.drag * speed * speed + form.drive
-    stated += form.power / speed
-    found = same(context, _gained(context, step), stated)
+    found = same(context, _gained(context, step), form.at_speed(speed) - form.stiffness * place + form.drive)
     return weakest([found, *FEATURES[step.data["key"]](context, step, right_side(context, step))])
 
 
@@ -290,13 +290,17 @@ def _terminal(context: Context, step: Step, value: Scalar) -> list[Verdict]:
 
 
 def _total(context: Context, step: Step, value: Scalar) -> list[Verdict]:
-    """q + q̇/b is kept, and q̇ dies out; q̇² - 2 c q is kept, where what is constant drives back."""
-    form, begin = step.data["form"], context.start(symbol(f"{step.data['name']}_dot"))
-    others = [same(context, part, NOTHING) for part in (form.stiffness, form.drag, form.drive)]
-    if form.constant:
-        others += [same(context, form.damping, NOTHING), *_positive(context, -(begin * form.constant))]
-        return [*others, same(context, value * form.constant * 2, -(begin * begin))]
-    return [*others, *_positive(context, form.damping), same(context, value * form.damping, begin)]
+    """q - q̇²/((2 - n) f) is kept where f, the acceleration, goes as q̇ⁿ with n < 2 and drives back: q̇ dies out."""
+    form, name = step.data["form"], f"{step.data['name']}_dot"
+    speed, begin = symbol(name), context.start(symbol(name))
+    gained = form.at_speed(speed)
+    sense = sign(begin, context.assumptions).kind
+    given = context.assumptions.with_signs({name: sense} if sense in ("positive", "negative") else {})
+    power, pushed = neat(speed * derivative(gained, name) / gained, given).number(), substitute(gained, {name: begin})
+    if power is None or power >= 2:
+        return [Verdict(UNDECIDED, reason="the acceleration is no such power of the speed")]
+    others = [same(context, part, NOTHING) for part in (form.stiffness, form.drive)]
+    return [*others, *_positive(context, -short(pushed / begin)), same(context, value * pushed * (2 - power), -(begin * begin))]
 
 
 def _lasting(context: Context, step: Step, value: Scalar) -> list[Verdict]:

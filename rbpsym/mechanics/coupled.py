@@ -15,10 +15,11 @@ from rbpsym.errors import NotApplicable
 from rbpsym.frozen import dataclass, replace
 from rbpsym.mechanics import slipping, solutions
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_linear, solve_matrix
+from rbpsym.mechanics.forms import Form, driven_form
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.roots import numerator_factors
-from rbpsym.mechanics.solutions import Course, Form, Given
+from rbpsym.mechanics.solutions import Course, Given
 from rbpsym.mechanics.study import Study
 
 
@@ -71,7 +72,7 @@ def courses(study: Study, law: Linear | None, solved: Callable[[Given], Course |
     begun = [[start.get(f"{name}{dot}", NOTHING) for name in law.names] for dot in ("", "_dot")]
     modes, count = [], len([value for value, _ in rows if value])
     for number, (value, row) in enumerate(rows, 1):
-        form = solutions.driven_form(Form(short(_sum(row, law.rest)), value))
+        form = driven_form(Form(short(_sum(row, law.rest)), value))
         place, speed = (short(_sum(row, part)) for part in begun)
         known = form and Given(form, place, speed, study, "", mark=f"_{number}" if count > 1 else "")
         mode = known and solved(known)

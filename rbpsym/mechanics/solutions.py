@@ -1,8 +1,9 @@
 """The motion of one coordinate as a function of the time, where its acceleration has a form that can be integrated.
 
 q̈ = c - s q - b q̇ - k q̇² + h(t) with constant c, s, b, k: free, damped and harmonically driven oscillations (k = 0), resistance
-in proportion to the speed (s = k = 0) and to its square (s = b = 0); and q̈ = p/q̇ of a constant power. That it starts as
-the motion does and solves the equation is proved (`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6.
+in proportion to the speed (s = k = 0) and to its square (s = b = 0); and q̈ = f(q̇), a power of the
+speed, as of a constant power, or an exponential of it. That it starts as the motion does and solves the equation is proved
+(`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6; Symon, Mechanics, 2.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, is_zero, symbol
+from rbpsym.algebra import NOTHING, UNITY, Scalar, is_zero, symbol
 from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, root, substitute
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.assumptions import Assumptions
@@ -20,6 +21,7 @@ from rbpsym.errors import NoNumber
 from rbpsym.frozen import dataclass, field, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.forms import Form, form_of, power_law, raised
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.orbit import swinging
@@ -31,31 +33,6 @@ WEAK, CRITICAL, STRONG = "weak", "critical", "strong"
 CASES = (WEAK, CRITICAL, STRONG)
 SURE = {"positive": (WEAK,), "negative": (STRONG,), "zero": (CRITICAL,)}
 STEADY, SMALL = "steady", "small"
-
-
-@dataclass(frozen=True, slots=True)
-class Form:
-    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive; or power/q̇; or -q̇ times
-    a function of the time, `drawn`, as of what is drawn in or let out while it turns."""
-
-    constant: Scalar
-    stiffness: Scalar = NOTHING
-    damping: Scalar = NOTHING
-    drag: Scalar = NOTHING
-    drive: Scalar = NOTHING
-    frequency: Scalar = NOTHING
-    power: Scalar = NOTHING
-    drawn: Scalar = NOTHING
-
-    @property
-    def rest(self) -> Scalar:
-        """Where a spring balances what is constant."""
-        return short(self.constant / self.stiffness) if self.stiffness else NOTHING
-
-    @property
-    def gap(self) -> Scalar:
-        """s - b²/4, which is positive where the damping is weak."""
-        return short(without_even_roots(self.stiffness - self.damping**2 / 4))
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,43 +118,6 @@ def form_along(study: Study, name: str) -> Form | None:
     return None if gained is None else form_of(gained, name, {*study.system.scope.rates, "t"})
 
 
-def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
-    """The form of an acceleration; None for another one."""
-    speed = f"{name}_dot"
-    power, slope = short(value * symbol(speed)), derivative(value, speed)
-    if power and not names_in(power) & moving:
-        return Form(NOTHING, power=power)
-    try:
-        parts = (derivative(value, name), substitute(slope, {speed: NOTHING}), derivative(slope, speed) / 2)
-    except ZeroDivisionError:  # it grows beyond all bounds where the speed vanishes
-        return None
-    stiffness, damping, drag = (short(-part) for part in parts)
-    left = short(value + stiffness * symbol(name) + damping * symbol(speed) + drag * symbol(speed) ** 2)
-    if not (stiffness or drag or left) and names_in(damping) & moving == {"t"}:
-        return Form(NOTHING, drawn=damping)
-    if any(names_in(part) & moving for part in (stiffness, damping, drag)) or names_in(left) & (moving - {"t"}):
-        return None
-    if drag and (stiffness or damping or depends_on(left, "t")):
-        return None
-    return driven_form(Form(left, stiffness, damping, drag))
-
-
-def driven_form(form: Form) -> Form | None:
-    """The form with what swings taken out of what is constant."""
-    if not depends_on(form.constant, "t"):
-        return form
-    swinging = (atoms.atom(index) for index in form.constant.atoms())
-    rates = {derivative(Scalar(a.arg), "t") for a in swinging if a.kind in ("cos", "sin") and depends_on(Scalar(a.arg), "t")}
-    if len(rates) != 1 or depends_on(next(iter(rates)), "t"):
-        return None
-    [frequency] = rates
-    drive = short(-derivative(derivative(form.constant, "t"), "t") / frequency**2)
-    constant = short(form.constant - drive)
-    if not is_zero(derivative(constant, "t")):
-        return None
-    return replace(form, constant=substitute(constant, {"t": NOTHING}), drive=drive, frequency=frequency)
-
-
 def _small(study: Study, name: str, item: Equilibrium | None) -> Form | None:
     """The acceleration to first order about a place of rest of one degree of freedom."""
     if item is None or name not in item.at or len(study.system.independent) != 1:
@@ -236,8 +176,8 @@ def course(known: Given, case: str = "") -> Course | None:
 
 def kind_of(form: Form) -> str:
     """Which of the solved forms it is: a key of SOLVED, or “damped”."""
-    if form.drag or form.power or form.drawn:
-        return "dragged" if form.drag else "powered" if form.power else "drawn"
+    if form.drag or form.law or form.drawn:
+        return "dragged" if form.drag else "slowed" if form.law else "drawn"
     if form.stiffness:
         return "damped" if form.damping else "swinging"
     return "resisted" if form.damping else "uniform"
@@ -353,12 +293,26 @@ def _dragged(known: Given) -> Course | None:
     return Course(known.place + last * TIME + function("ln", part) / form.drag, letters, valid=valid) if way else None
 
 
-def _powered(known: Given) -> Course | None:
-    """The square of the speed grows at the rate 2 p."""
-    rate, way = known.letter("lamda"), known.sense(known.speed or known.form.power)
-    square, letters = known.speed**2 + rate * TIME, _named(rate, short(known.form.power * 2))
-    place = known.place + ((root(square) * way) ** 3 - known.speed**3) / rate * Fraction(2, 3)
-    return Course(place, letters, valid=(Demand(substitute(square, letters)),)) if way else None
+def _slowed(known: Given) -> Course | None:
+    """Where u̇ = k uⁿ, u^(1 - n) grows at the rate (1 - n) k; where q̈ = k e^{c q̇}, e^{-c q̇} at the rate -c k."""
+    speed, rate, law = f"{known.name}_dot", known.letter("lamda"), power_law(known)
+    if law is None:
+        slope = short(derivative(known.form.law, speed) / known.form.law)
+        if depends_on(slope, speed):
+            return None
+        begun = function("exp", -slope * known.speed)
+        letters = _named(rate, short(-slope * substitute(known.form.law, {speed: NOTHING})))
+        grown = begun + rate * TIME
+        moved = grown * (1 - function("ln", grown)) - begun * (slope * known.speed + 1)
+        return Course(known.place + moved / slope / rate, letters, valid=(Demand(substitute(grown, letters)),))
+    first, second = 1 - law.power, 2 - law.power
+    grown = law.grown(first, TIME, rate) if first and second else None
+    moved = [raised(one, Fraction(second) / first) for one in grown[:2]] if grown else [None]
+    if None in moved:
+        return None
+    letters, size = _named(rate, law.rate(first)), grown[2] * law.way * first / second
+    going = Demand(substitute(grown[0], letters), ">=" if 0 < law.power < 1 else ">")  # with the place at which it rests
+    return Course(known.place + (moved[0] - moved[1]) * size / rate, letters, valid=(going,))
 
 
 def _drawn(known: Given) -> Course | None:
@@ -387,7 +341,7 @@ SOLVED: Mapping[str, Callable[[Given], Course | None]] = {
     "swinging": _swinging,
     "resisted": _resisted,
     "dragged": _dragged,
-    "powered": _powered,
+    "slowed": _slowed,
     "drawn": _drawn,
 }
 DAMPED: Mapping[str, Callable[[Given, Scalar], Course | None]] = {WEAK: _weak, CRITICAL: _critical, STRONG: _strong}

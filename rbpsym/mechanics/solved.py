@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 
 from rbpsym.algebra import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
 from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
@@ -11,6 +12,7 @@ from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import WAYS, Demand
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.forms import power_law, raised
 from rbpsym.mechanics.friction import slips, stops
 from rbpsym.mechanics.solutions import Given, kind_of, steady
 
@@ -20,10 +22,11 @@ Letters = Mapping[str, Scalar]
 def speed_along(known: Given, name: str) -> Scalar | None:
     """The speed as a function of the place, where a resistance tells it, in the sense in which the motion sets out."""
     form, way = known.form, symbol(name) - known.place
-    if kind_of(form) == "resisted" and not form.constant:
-        return known.speed - form.damping * way
+    law = None if form.drag else power_law(known)
     if not form.drag:
-        return None
+        grown = law.grown(2 - law.power, way * law.way) if law and law.power else None
+        size = grown and raised(grown[0], 1 / Fraction(2 - law.power))
+        return size and size * grown[2] * law.way
     dies = function("exp", -form.drag * way)
     if not form.constant:
         return known.speed * dies
@@ -33,7 +36,11 @@ def speed_along(known: Given, name: str) -> Scalar | None:
 
 
 def sets_out(known: Given) -> tuple[Demand, ...]:
-    """What has to be positive for the sense in which a motion with a resistance sets out, where the square is known alone."""
+    """What has to be positive for the sense in which a motion with a resistance sets out, where the square is known alone; and
+    for it to go on, where a root tells so."""
+    law = None if known.form.drag else power_law(known)
+    if law and isinstance(law.power, Fraction):
+        return (Demand(law.grown(2 - law.power, (symbol(known.name) - known.place) * law.way)[0]),)
     push = known.speed or known.form.constant
     is_sure = not known.form.drag or not known.form.constant or sign(push, known.study.assumptions).kind in WAYS
     return () if is_sure else (Demand(push * known.sense(push)),)
@@ -115,11 +122,12 @@ def _terminal(known: Given) -> Scalar | None:
 
 
 def _total(known: Given) -> Scalar | None:
-    """The way that it still makes until a resistance in proportion to the speed, or a constant one, has stopped it."""
-    form = known.form
-    if not (form.stiffness or form.damping or form.drag or form.drive) and known.sense(known.speed * form.constant) < 0:
-        return short(-(known.speed**2) / form.constant / 2)
-    return short(known.speed / form.damping) if kind_of(form) == "resisted" and not (form.constant or form.drive) else None
+    """The way that it still makes until a resistance in proportion to a power of the speed, or a constant one, has stopped it."""
+    law = power_law(known) if known.speed else None
+    if law is None or law.power >= 2 or known.sense(law.factor) >= 0:
+        return None
+    gone, first, _ = law.grown(2 - law.power, UNITY)
+    return short(first / (first - gone) * law.way)
 
 
 def _lasting(known: Given) -> Scalar | None:
@@ -218,7 +226,7 @@ def _by_square(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tup
     if not way or not side or depends_on(a, "t"):
         return None
     spread = short(b * b - a * c * 4)
-    asked = (a * way, c * side * way, *((-b * way, spread) if side > 0 else ()))
+    asked = (a * way, c * side * way, *((-b * way, *([spread] if spread else [])) if side > 0 else ()))
     if known.sense(substitute(asked[-1], letters)) <= 0:
         return None
     return (root(spread) * -side * way - b) / (a * 2), tuple(Demand(short(substitute(part, letters))) for part in asked)
@@ -263,6 +271,7 @@ def _by_logarithm(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, 
         gap = neat(substitute(gap, letters), known.assumptions)
         logs = [index for index in _moving(gap) if atoms.atom(index).kind == "ln"]
     parts = {power: Scalar(part) for power, part in gap.num.by_power(logs[0]).items()} if len(logs) == 1 else {}
+    parts = {0: NOTHING, **parts}
     slope = neat(derivative(parts[0], "t") / parts[1], known.assumptions) if parts.keys() == {0, 1} else symbol("t")
     if depends_on(slope, "t") or depends_on(parts[1], "t"):
         return None

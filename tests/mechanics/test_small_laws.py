@@ -19,11 +19,11 @@ from rbpsym.mechanics.constraints import _weld_angles
 from rbpsym.mechanics.contacts import slip_speed
 from rbpsym.mechanics.dynamics import LARGEST_TRIED, _solved_block
 from rbpsym.mechanics.energy import effective_potential
+from rbpsym.mechanics.forms import Form
 from rbpsym.mechanics.motion import from_integral
 from rbpsym.mechanics.numbers import NoNumber, number
 from rbpsym.mechanics.placing import _join_angle
 from rbpsym.mechanics.roots import zeros
-from rbpsym.mechanics.solutions import Form
 from rbpsym.mechanics.solved import _terminal
 from rbpsym.mechanics.study import Study
 from rbpsym.methods import known_works

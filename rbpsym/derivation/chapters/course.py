@@ -24,7 +24,7 @@ def write(draft: Draft) -> None:
     draft.chapter = "course"
     for name in draft.study.system.independent:
         known = solutions.given(draft.study, name)
-        if known is None or not (known.form.stiffness or known.form.damping or known.form.drag or known.form.power):
+        if known is None or not (known.form.stiffness or known.form.damping or known.form.drag or known.form.law):
             continue
         for one in solutions.courses(known) if not known.form.drive else (solutions.driven(known),):
             told(draft, name, one)

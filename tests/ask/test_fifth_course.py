@@ -1,0 +1,32 @@
+"""Resistance as any power of the speed or an exponential of it, and what was asked in a trial of other textbooks: worked out by
+hand before the engine was asked.
+
+Symon 2; Marion 2, 3; Irodov 1.2, 1.3; Kleppner & Kolenkow 2, 6; Beer & Johnston 16, 17; Meriam & Kraige 3, 6; Goodman & Warner.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
+
+ANSWERS = (
+    ("exp-brake", "time until x comes to rest", "m*u/b*(1-exp(-v_0/u))"),
+    ("exp-brake", "x where x comes to rest", "m*u**2/b*(1-(1+v_0/u)*exp(-v_0/u))"),
+    ("exp-brake", "speed of x as a function of t", "-u*ln(exp(-v_0/u)+b*t/(m*u))"),
+    ("exp-brake", "v_0 for which time until x comes to rest = m*u/(2*b)", "u*ln(2)"),
+    ("exp-brake", "time until x comes to rest in the limit v_0 -> oo", "m*u/b"),
+    ("drag-three-halves", "total way of x", "2*m*v_0**2/F_0"),
+    ("drag-three-halves", "speed of x as a function of x", "v_0*(1-F_0*x/(2*m*v_0**2))**2"),
+    ("drag-three-halves", "speed of x as a function of t", "v_0/(1+F_0*t/(2*m*v_0))**2"),
+    ("drag-three-halves", "time until speed of x = v_0/4", "2*m*v_0/F_0"),
+    ("root-drag", "time until x comes to rest", "2*m*v_0/F_0"),
+    ("root-drag", "x where x comes to rest", "2*m*v_0**2/(3*F_0)"),
+    ("spun-cubic", "total angle of phi", "2*I*omega_0**2/tau"),
+    ("spun-cubic", "tau for which total angle of phi = 20*pi", "I*omega_0**2/(10*pi)"),
+)
+
+
+@pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: value[:60])
+def test_it_finds_what_is_worked_out_by_hand(name: str, question: str, worked_out: str) -> None:
+    found(name, question, worked_out)
