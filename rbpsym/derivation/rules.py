@@ -149,10 +149,16 @@ def certify(context: Context, step: Step) -> Certificate:
 
 
 def examined(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False) -> tuple[Certificate, set[str]]:
-    """The certificate of the step with these premises, and which of them were used; a `hasty` one holds by numbers."""
+    """The certificate of the step with these premises, and which of them were used; a `hasty` one holds by numbers.
+
+    What follows from a step that is not proved is not proved.
+    """
     view = seen_by(context, step, premises, hasty=hasty)
     checks = RULES[step.rule]
     verdict = c.weakest(c.guarded(lambda check=check: check(view, step)) for check in checks)
+    open_ = [id for id in view.used if id in context.steps and not context.steps[id].certificate.verdict.is_proved]
+    if verdict.is_proved and open_:
+        verdict = undecided(f"it follows from “{min(open_)}”, which is not proved")
     if verdict.is_proved and not view.is_hasty:
         verdict = replace(verdict, obligations=tuple(dict.fromkeys((*verdict.obligations, *duties(view, step)))))
     return Certificate(tuple(check.__name__ for check in checks), verdict), view.used

@@ -40,9 +40,9 @@ def start_of(draft: Draft, name: str) -> t.Node:
 
 
 def started(draft: Draft) -> bool:
-    """Whether the start of every coordinate and its speed are said."""
-    start = draft.study.system.scope.start
-    return all(name in start for q in draft.study.system.independent for name in (q, f"{q}_dot"))
+    """Whether the start of every coordinate is said, of those that conditions tie too, and how fast they begin."""
+    system = draft.study.system
+    return {*system.coordinates, *(f"{q}_dot" for q in system.independent)} <= system.scope.start.keys()
 
 
 def is_of_position(draft: Draft, work: Work) -> bool:

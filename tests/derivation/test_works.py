@@ -6,10 +6,13 @@ import pytest
 
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import certify
-from rbpsym.derivation.step import FULL, STANDARD
+from rbpsym.derivation.step import FULL, STANDARD, Certificate
 from rbpsym.derive import BEFORE
+from rbpsym.equality.verdict import undecided
+from rbpsym.mechanics.study import Study
 from rbpsym.methods import work_energy
 from rbpsym.notation import tree as t
+from rbpsym.statement import load_text
 from tests.library.derived import derived
 
 AXIS, ALONE, TOGETHER, SPRING = "axis.", "alone.", "together.", "spring."
@@ -82,6 +85,44 @@ def test_the_opposite_sign_is_not_proved(name, id):
     assert certify(context, own).verdict.is_proved
     wrong = t.equation(*(_swapped(item) for item in own.statement.items))
     assert not certify(context, replace(own, statement=wrong)).verdict.is_proved
+
+
+def test_what_follows_from_a_step_that_is_not_proved_is_not_proved():
+    own, context = step("rod-and-disk-free", "alone.added"), _drafted("rod-and-disk-free").context
+    assert certify(context, own).verdict.is_proved
+    first = context.steps["alone.disk"]
+    context.steps["alone.disk"] = replace(first, certificate=Certificate(first.certificate.checks, undecided("it is doubted")))
+    assert not certify(context, own).verdict.is_proved
+
+
+CRANK = """
+title = "A crank whose link ends on a line"
+[parameters]
+m = "mass"
+ell = "length"
+g = "acceleration"
+[coordinates]
+q = { meaning = "angle", start = "q_0", speed = "0" }
+p = { meaning = "angle" }
+[bodies]
+crank = { shape = "rod", mass = "m", length = "ell", angle = "q" }
+link = { shape = "rod", mass = "m", length = "3*ell", angle = "p" }
+[constraints]
+A = { type = "pivot", point = "crank.start", at = "O" }
+B = { type = "pin", points = ["crank.end", "link.start"] }
+N = { type = "guide", point = "link.end", line = "y = 0" }
+[interactions.W]
+type = "gravity"
+"""
+
+
+def test_nothing_is_told_since_a_start_at_which_a_tied_coordinate_has_no_place():
+    """What the angle of the link is at the start is not known: no formula may have it as it is now."""
+    draft = Draft(Study(load_text(CRANK)))
+    for write in (*BEFORE, work_energy.write):
+        write(draft)
+    assert all(one.certificate.verdict.is_proved for one in draft.steps)
+    assert not [one.id for one in draft.steps if one.id.startswith(ALONE)]
 
 
 def _drafted(name: str) -> Draft:
