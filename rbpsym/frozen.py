@@ -51,7 +51,7 @@ def _made(frozen: bool, slots: bool, eq: bool, repr: bool, cls: Any) -> Any:
 
 def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
     """What sets the fields that are given, and all others as they are declared."""
-    fields = tuple(sorted((f for f in fields if f.init or not _is_open(f)), key=lambda f: not f.init or f.kw_only))
+    fields = tuple(sorted((f for f in fields if f.init or not _is_open(f)), key=lambda f: bool(not f.init or f.kw_only)))
     names = [f.name for f in fields]
     most = sum(f.init and not f.kw_only for f in fields)
     is_followed = hasattr(cls, "__post_init__")
