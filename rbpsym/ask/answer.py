@@ -181,15 +181,22 @@ def _then(asked: Asked, question: Question) -> Found:
     """The value at a moment; what is counted since another moment, from there."""
     if question.of:
         raise StatementError("what is asked at one moment is no function", instead="leave out “as a function of …”.")
-    _bound(asked, question, None)  # an unknown word is told before a moment is looked for
-    if not re.search(r"\bwork\b", question.quantity):
+    place, _ = _bound(asked, question, None)  # an unknown word is told before a moment is looked for
+    if said := FRICTION.fullmatch(question.quantity):  # of the forces: along the motion it holds its speeds already
+        need = next(one for one in asked.study(place).friction_needs if one.constraint == said[2])
+        what = "" if said[1] == "ratio" else "magnitude of "
+        question = replace(question, quantity=f"{what}{need.friction}/({' + '.join(need.normals)})")
+    if not re.search(r"\b(?:work|displacement|number)\b", question.quantity):
         ends = [moment_of(asked, when, question) for when in (question.when, question.since) if when]
         return _since(*(_at_moment(asked, question, end) for end in ends))
     return _work(asked, question)
 
 
+FRICTION = re.compile(r"friction (ratio|coefficient needed) at (\w+)")
+
+
 def _work(asked: Asked, question: Question) -> Found:
-    """A work until a moment, from the very start, that of the phase that is named, or another moment: phase by phase."""
+    """A work or a way until a moment, from the very start, that of the phase that is named, or another moment: phase by phase."""
     when, since, before = question.when, question.since, None
     found = _at_moment(asked, question, moment_of(asked, replace(when, kind=DONE_BEFORE.get(when.kind, when.kind)), question))
     first = asked.named(question.phase) if question.phase else found.moment.place if when.kind == "over" else 0
@@ -200,6 +207,8 @@ def _work(asked: Asked, question: Question) -> Found:
     if first > found.moment.place:
         raise StatementError(BACKWARDS, instead="ask the other way round.")
     between = asked.names[first : found.moment.place]
+    if between and question.quantity.startswith("number"):
+        raise StatementError("turns are counted in one phase", instead="name it: “… in phase PHASE”.")
     ends = [moment_of(asked, When("end", (name,)), question) for name in between]
     words, blows = set(re.findall(r"\w+", question.quantity)), [asked.stage(end.place + 1).began for end in ends]
     struck = {name for blow in blows if blow.is_blow for name, size in blow.impulses.items() if not is_zero(size)}

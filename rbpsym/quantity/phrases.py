@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import (
     NOTHING,
     ORIGIN,
+    PI,
     Scalar,
     Space,
     cartesian,
     function,
+    names_in,
     short,
     space_derivative,
     substitute,
@@ -102,13 +104,27 @@ def _of_point(order: int) -> Callable[..., Bound]:
     return find
 
 
+def _gone(world: ProblemWorld, value: Scalar) -> Scalar:
+    """How much a place or an angle differs from what it was at the start. Raises StatementError where that is not known."""
+    value = substitute(value, world.dependent)
+    begun = substitute(value, world.motion.scope.start)
+    if open_ := sorted(names_in(begun) & {*world.coordinates}):
+        raise StatementError(f"it is not said where “{open_[0]}” starts", instead='give its coordinate a start = "...".')
+    return value - begun
+
+
 def _displacement(world: ProblemWorld, name: str) -> Bound:
     """How far a point, or a coordinate, is from where it was at the start."""
-    start = world.motion.scope.start
     if name in world.coordinates:
-        return number(symbol(name) - substitute(symbol(name), start))
+        return number(_gone(world, symbol(name)))
     place = world.place(name)
-    return plane(place - cartesian(*(substitute(part, start) for part in (place.x, place.y))))
+    return plane(cartesian(*(_gone(world, part) for part in (place.x, place.y))))
+
+
+def _turns(world: ProblemWorld, name: str) -> Bound:
+    """How often a body, or a coordinate that is an angle, has turned round since the start."""
+    turned = _gone(world, symbol(name) if name in world.coordinates else world.body(name).pose.angle)
+    return number(function("sqrt", turned * turned) / PI / 2)
 
 
 def _moment(world: ProblemWorld, name: str, about: str | None) -> Bound:
@@ -285,6 +301,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"acceleration of ([\w]+)", _of_coordinate(2), "acceleration of COORDINATE"),
     (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),
     (rf"displacement of {_P}", _displacement, "displacement of BODY.cm"),
+    (r"number of (?:turns|revolutions|rotations) (?:of|made by) ([\w-]+)", _turns, "number of turns of BODY"),
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
     (rf"speed of {_P}", lambda world, name: _magnitude(world, f"velocity of {name}"), "speed of BODY.cm"),
     (rf"acceleration of {_P}", _of_point(2), "acceleration of BODY.cm"),

@@ -23,8 +23,18 @@ ANSWERS = (
     ("root-drag", "time until x comes to rest", "2*m*v_0/F_0"),
     ("root-drag", "x where x comes to rest", "2*m*v_0**2/(3*F_0)"),
     ("spun-cubic", "total angle of phi", "2*I*omega_0**2/tau"),
+    ("spun-cubic", "number of turns of phi until speed of phi = omega_0/4", "I*omega_0**2/(2*pi*tau)"),
+    ("drum-and-load", "number of turns of drum until y = h", "h/(2*pi*r)"),
+    ("drum-and-load", "displacement of phi where y = h", "-h/r"),  # phi has no start of its own
+    ("drum-and-load", "M_f for which y where y comes to rest = h", "(g*m*h + m*v_0**2/2 + I*v_0**2/(2*r**2))*r/h"),
+    ("spin-on-slope", "time until rolling", "omega_0*R/(g*(3*mu*cos(beta)-sin(beta)))"),
+    ("spin-on-slope", "displacement of s where s comes to rest",
+     "omega_0**2*R**2*(mu*cos(beta)-sin(beta))/(4*g*sin(beta)*(3*mu*cos(beta)-sin(beta)))"),  # through both phases
+    ("spin-on-slope", "energy lost until rolling", "mu*cos(beta)*m*omega_0**2*R**2/(2*(3*mu*cos(beta)-sin(beta)))"),
+    ("half-disk-on-slope", "friction coefficient needed at N in equilibrium", "tan(beta)"),  # at rest, not as it swings by
+    ("half-disk-on-slope", "equilibrium of phi", "asin(3*pi*sin(beta)/4)"),
     ("spun-cubic", "tau for which total angle of phi = 20*pi", "I*omega_0**2/(10*pi)"),
-)
+)  # fmt: skip
 
 
 @pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: value[:60])
