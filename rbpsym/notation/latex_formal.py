@@ -6,7 +6,9 @@ sentence of its kind, which says what to write instead (`refuse`).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from fractions import Fraction as Rational
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
@@ -105,12 +107,28 @@ def _measured(reader: LatexReader) -> t.Node:
     while reader.sees_sign("{") and len(groups) < (1 if alone else 3):
         begin = reader.position
         try:
-            groups.append(argument(reader))
+            groups.append(numeral(reader))
         except RbpsymError:
             groups, reader.position = [*groups, _word(reader, begin)], reader.position
     if len(groups) == 1 and not alone:
         return groups[0]
     return formal(reader, head.start, "measured", *groups)
+
+
+_NUMERAL = re.compile(r"\s*([-+]?)(\d{0,20}(?:[.,]\d{0,20})?)(?:e([-+]?\d{1,2}))?\s*")
+
+
+def numeral(reader: LatexReader) -> t.Node:
+    """What stands in the braces of a number of siunitx: 8.3e-5 is 0.000083, and e no symbol."""
+    begin = reader.position
+    if reader.sees_sign("{"):
+        found = _NUMERAL.fullmatch(_word(reader, begin).text)
+        if found and found[2].strip(".,"):
+            value = Rational(found[2].replace(",", ".")) * Rational(10) ** int(found[3] or 0)
+            number = t.Num(int(value) if value.denominator == 1 else value)
+            return t.Neg(number) if found[1] == "-" else number
+    reader.position = begin
+    return argument(reader)
 
 
 def _word(reader: LatexReader, begin: int) -> t.Node:

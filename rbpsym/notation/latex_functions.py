@@ -74,7 +74,7 @@ COMMANDS["relation"] = relation
 @begins("f()")
 def called(reader: LatexReader) -> t.Node:
     """A name; in x(t) and V(θ, φ) it is a function of these, and stands for its value there."""
-    name = read_name(reader)
+    first, name = reader.position, read_name(reader)
     if not isinstance(name, (t.Sym, t.Vec)) or not reader.sees_sign("("):
         return name
     varies, begin = _varies(reader, name), reader.position
@@ -85,7 +85,8 @@ def called(reader: LatexReader) -> t.Node:
     end, reader.position = reader.position, begin
     if found is None or (varies is False and found != [t.ZERO]):
         return name
-    if any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False):
+    constant = any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False)
+    if constant or _is_elsewhere(reader, first, begin, end):
         return _value(reader, name)
     clear = len(found) > 1 or found[0] is _TIME or (varies is not False and len(reader.met) >= MOST_ASKED)
     clear = clear or (varies is None and found == [_TIME])
@@ -115,6 +116,14 @@ def _value(reader: LatexReader, name: t.Node) -> t.Node:
         found.append(relation(reader))
     reader.expect(")", opening)
     return reader.spanned(t.Formal("value", (name, *found)), (name.span or (opening.start, 0))[0])
+
+
+def _is_elsewhere(reader: LatexReader, first: int, begin: int, end: int) -> bool:
+    """Does the same name stand with something else in its parentheses, so that its values differ: V(x) - V(y)?"""
+    texts = [token.text for token in reader.tokens]
+    name, given = texts[first : begin + 1], texts[begin:end]
+    starts = (k for k in range(len(texts)) if texts[k : k + len(name)] == name and texts[k - 1] not in ("_", *_DOTTED))
+    return any(texts[k + len(name) - 1 :][: len(given)] != given for k in starts)
 
 
 _TIME = t.Sym("t")

@@ -8,7 +8,7 @@ from fractions import Fraction as Rational
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_names import begins_name
+from rbpsym.notation.latex_names import begins_name, read_name
 from rbpsym.notation.latex_rows import OPEN
 from rbpsym.notation.latex_tokens import END_COLUMN, Token
 from rbpsym.notation.limits import number_of
@@ -84,7 +84,7 @@ def multiplied(reader: LatexReader) -> t.Node:
         sign = reader.take()
         right = _signed_product(reader)
         formal = t.Formal(_OPERATORS[sign.text], (node, right)) if sign.text in _OPERATORS else None
-        node = reader.spanned(formal or _joined(node, right, sign.text), start)
+        node = reader.spanned(formal or _joined(reader, node, right, sign), start)
     return node
 
 
@@ -96,9 +96,12 @@ def ends_integrand(reader: LatexReader) -> bool:
     return bool(reader.integrals) and reader.sees_differential(1)
 
 
-def _joined(left: t.Node, right: t.Node, sign: str) -> t.Node:
-    if is_vector(left) and is_vector(right) and sign != "*":
-        return (t.Cross if sign == r"\times" else t.Dot)(left, right)
+def _joined(reader: LatexReader, left: t.Node, right: t.Node, sign: Token) -> t.Node:
+    if is_vector(left) and is_vector(right) and sign.text != "*":
+        return (t.Dot if sign.text == r"\cdot" else t.Cross)(left, right)
+    if sign.text == r"\times" and all(any(map(reader.table.directed, t.names(side))) for side in (left, right)):
+        hint = "Print arrows over vectors, or magnitudes side by side."
+        raise reader.error("is this a product of vectors, or of their magnitudes?", hint, sign)
     factors = [part for side in (left, right) for part in _factors(side)]
     return t.Mul(tuple(factors))
 
@@ -339,7 +342,7 @@ def argument(reader: LatexReader) -> t.Node:
     if reader.token.kind == "digit":
         token = reader.take()
         return t.Num(int(token.text), span=(token.start, token.end))
-    return atom(reader)
+    return read_name(reader) if begins_name(reader.token) and not reader.sees_differential() else atom(reader)
 
 
 @begins("{")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.notation import tree as t
+from rbpsym.notation.latex_formal import numeral
 from rbpsym.notation.latex_functions import operand, whole_number
 from rbpsym.notation.latex_grammar import DEGREE, argument
 from rbpsym.notation.latex_names import read_symbol
@@ -52,7 +53,7 @@ def _magnitude(reader: LatexReader) -> t.Node:
 @begins(r"\num", r"\ang")
 def _number(reader: LatexReader) -> t.Node:
     head = reader.take()
-    found = argument(reader)
+    found = numeral(reader)
     return reader.spanned(t.mul(found, DEGREE), head.start) if head.text == r"\ang" else found
 
 

@@ -32,13 +32,15 @@ class SymbolTable:
 
     `faults` counts where the dimensions of a formula do not fit; by it a reader chooses between two readings
     (None: it refuses what can be read in two ways). `varies` says whether a name is no constant, and so may be a
-    function: in x(t), V(θ) (None: nothing is known). `comma`: in 1{,}470 it is declared to be the decimal mark.
+    function: in x(t), V(θ) (None: nothing is known). `directed`: is a name that of a vector, printed without an arrow?
+    `comma`: in 1{,}470 it is declared to be the decimal mark.
     """
 
     names: Mapping[Drawn, tuple[str, ...]]
     spellings: Mapping[tuple[str, ...], str] = field(default_factory=lambda: MappingProxyType({}))
     faults: Callable[[Node], int] | None = None
     varies: Callable[[str], bool] | None = None
+    directed: Callable[[str], bool] = lambda name: False
     comma: bool = False
 
     @property

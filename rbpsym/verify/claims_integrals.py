@@ -33,16 +33,26 @@ from rbpsym.verify.claims_model import Setting
 
 def with_dimensions(words: Glossary, setting: Setting, world: World) -> SymbolTable:
     """The table of a glossary that chooses readings by the dimensions of its symbols, looked up when asked for."""
-    phrases = {words.names[latex][0]: meaning.phrase for latex, meaning in setting.symbols.items()}
-    return replace(words.table, faults=_judge(phrases, world), varies=partial(_varies, phrases, world))
+    arrows_first = sorted(setting.symbols.items(), key=lambda item: not words.names[item[0]][1])
+    phrases = {words.names[latex][0]: meaning.phrase for latex, meaning in arrows_first}
+    return replace(
+        words.table,
+        faults=_judge(phrases, world),
+        varies=partial(_varies, phrases, world),
+        directed=lambda name: (found := _bound(phrases.get(name), world)) is not None and found.in_plane,
+    )
+
+
+def _bound(phrase: str | None, world: World) -> Bound | None:
+    """What a phrase means; None where nothing is known."""
+    with suppress(RbpsymError, ZeroDivisionError):
+        return world.bound(phrase) if phrase is not None else None
+    return None
 
 
 def _varies(phrases: Mapping[str, str], world: World, name: str) -> bool:
     """May the quantity of a name change during the motion?"""
-    try:
-        found = world.bound(phrases[name]) if name in phrases else None
-    except (RbpsymError, ZeroDivisionError):
-        found = None
+    found = _bound(phrases.get(name), world)
     if found is None:
         return True
     if found.kind != "value" or found.vector is not None or found.scalar is None:
@@ -68,12 +78,10 @@ def _judge(phrases: Mapping[str, str], world: World) -> Callable[[t.Node], int]:
 
 def _of_phrase(phrase: str | None, world: World) -> Dimension | None:
     """None where nothing is known."""
-    if phrase is None:
+    if (found := _bound(phrase, world)) is None:
         return None
     with suppress(RbpsymError, ZeroDivisionError):
-        return dimension_of_bound(
-            world.bound(phrase), {**world.dimensions, **dict.fromkeys(world.motion.ledger, ENERGY)}
-        )
+        return dimension_of_bound(found, {**world.dimensions, **dict.fromkeys(world.motion.ledger, ENERGY)})
     return None
 
 

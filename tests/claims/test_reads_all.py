@@ -21,6 +21,7 @@ def result(latex, problem, symbols=None, given=()):
 
 PENDULUM = {
     r"\omega": "speed of theta", r"\alpha": "acceleration of theta", "V": "potential energy", "K": "kinetic energy",
+    "r": "position of rod.cm", "p": "linear momentum of rod", "L": "angular momentum of rod about O, orbital",
 }  # fmt: skip
 ROWS = [
     (r"V &= -\frac12 Mg\ell\cos\theta \\ &+ 17Mg\ell", "NOT PROVED"),
@@ -37,6 +38,9 @@ ROWS = [
     (r"K = \frac16 M\ell^2\omega^2, 12Mg\ell", Outcome.UNREAD),
     (r"\alpha = -\frac{3g}{2\ell}\sin\theta \quad\quad K = \frac16 M\ell^2\omega^2", PROVED),
     (r"\alpha = -\frac{3g}{2\ell}\sin\theta \quad\quad K = 2 M\ell^2\omega^2", REFUTED),
+    (r"K(\omega) - K(\alpha) = 0", Outcome.UNREAD),
+    (r"L = r\times p", Outcome.UNREAD),
+    (r"\vec L = \vec r\times\vec p", PROVED),
     (r"1{,}470 = 1.47", Outcome.UNREAD),
     (r"\frac{d}{dt}\ell\theta = \ell\omega", PROVED),
     (r"K &= \frac13 M\ell^2\omega^2 \\ &- \frac16 M\ell^2\omega^2", PROVED),

@@ -67,6 +67,8 @@ SAME = [
     (r"a = b \; (\rightarrow)", "a = b"),
     (r"a = \ln \cos^2 x", r"a = \ln(\cos^2 x)"),
     (r"\log_a x = b", r"\frac{\ln x}{\ln a} = b"),
+    (r"a = \num{8.3e-5} b + \num{-3} + \num{.5}", "a = 0.000083 b - 3 + 0.5"),
+    (r"a^b(T)^k = a^b T^k", "a^b (T)^k = a^b T^k"),
     (r"\left[x^2\right]_{x = 0} = a", r"\left. x^2 \right|_{x = 0} = a"),
 ]  # fmt: skip
 
@@ -130,6 +132,8 @@ FORMAL = {  # read whole, without a value
     r"c = \tr(U)^2 - \tr(U^2)": "c = (tr(U))² − tr(U²)",
     r"x \propto U(x)": "∝(x, U)",
     r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s²)",
+    r"L = \SI{-8.3e-5}{m}": "L = measured(−0.000083, m)",
+    r"U(x) - U(y) = -W(x)": "value(U, x) − value(U, y) = −W",
     r"E[X^2] = F(t + \Delta t)": "Evalue(X²) = value(F, t + Δt)",
     r"a = \binom{n}{k}": "a = binomial(n, k)",
     r"|\psi\rangle = \langle a|H|b\rangle \ket{b}": r"state(|\psi\rangle) = state(\langle a|H|b\rangle) state(b)",
