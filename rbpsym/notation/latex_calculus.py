@@ -6,7 +6,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_formal import formal, over_an_index, taken_at
 from rbpsym.notation.latex_functions import SIGNS, operand
-from rbpsym.notation.latex_grammar import argument, begins_factor, between, expression, multiplied
+from rbpsym.notation.latex_grammar import argument, begins_factor, between, expression, factor, multiplied
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.symbol_table import Drawn, LatexReader, begins
@@ -214,7 +214,10 @@ def _region_label(reader: LatexReader) -> str | None:
 
 def _differential(reader: LatexReader) -> t.Node:
     """What stands after the d: a symbol, a vector, or a parenthesis; `m` for a mass element."""
-    reader.take()
+    start = reader.take().start
+    if reader.pass_sign("^"):  # d³r
+        order = argument(reader)
+        return reader.spanned(t.Formal("differential", (factor(reader), order)), start)
     token = reader.token
     if reader.sees_sign("(", "{"):
         return between(reader, ")" if reader.sees_sign("(") else "}")
@@ -231,6 +234,7 @@ def _mass(reader: LatexReader) -> t.Node:
 
 def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
     """The integral that a sign, a differential and limits make."""
+    reader.over = getattr(path, "name", "")
     lower, upper = limits = tuple(_value_at(reader, limit, path) for limit in limits)
     joined = {r"\cdot": t.Dot, r"\times": t.Cross}.get(sign, lambda *factors: t.Mul(factors))
     whole = joined(integrand, t.Formal("differential", (path,)))
@@ -283,8 +287,6 @@ def _limit(reader: LatexReader) -> t.Node:
         reader.expect("}", opening)
     except RbpsymError:
         reader.position = begin
-        if reader.ahead(3).text != "Δ" and reader.ahead(2).text != "Δ":
-            raise
         return over_an_index(reader, "limit", start)
     return reader.spanned(t.Limit(multiplied(reader), var, to), start)
 
@@ -309,15 +311,25 @@ def _bracket(reader: LatexReader) -> t.Node:
         taken = lower_var is not None
         return taken_at(reader, node, start) if taken else formal(reader, start, "marked", node, t.Word(label_after(reader)))
     upper_var, upper = _end(reader)
-    var = upper_var or lower_var or (upper.name if isinstance(upper, t.Sym) else None)
+    var = upper_var or lower_var or _taken_over(reader, t.names(node) - {"pi"}, upper)
     if var is None or (lower_var or var) != var:
         raise reader.error("which variable has these limits?", r"Write ]_{\theta = 0}^{...}.")
     return reader.spanned(t.Bracket(node, var, lower, upper), start)
 
 
+def _taken_over(reader: LatexReader, inside: set[str], upper: t.Node) -> str | None:
+    """Of which name limits are that do not say it: of the integral before, of the upper limit θ, or the only one there is."""
+    varies = reader.table.varies
+    above = upper.name if isinstance(upper, t.Sym) and (varies is None or varies(upper.name)) else ""
+    sole = filter(varies, inside) if varies and len(inside) == 1 else ()
+    return next((name for name in (reader.over, above, *sole) if name in inside), None)
+
+
 def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> str:
     """[T] alone is a unit, X[0] an element, S[q] and E[x²] a value (no factors stand in brackets); "" for what is multiplied."""
     last = before[-1] if before else None
+    if reader.sees_sign("_"):
+        return ""
     behind = last is not None and (last.kind in ("letter", "digit", "text") or last.text in ("}", ")"))
     named = last is not None and last.kind == "letter" and before[0].kind not in ("command", "differential")
     if behind and isinstance(node, t.Num):
@@ -326,7 +338,7 @@ def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> st
         return "value"
     if not isinstance(node, (t.Sym, t.Vec)):
         return ""
-    if behind and last.kind != "digit" and not reader.sees_sign("_"):
+    if behind and last.kind != "digit":
         return "value"
     beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (last or reader.tokens[-1], reader.token)]
     return "unit" if all(beside) else ""

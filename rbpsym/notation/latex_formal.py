@@ -13,7 +13,7 @@ from fractions import Fraction as Rational
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_functions import LOOSE, SIGNS, relation
-from rbpsym.notation.latex_grammar import argument, atom, between, factor, is_vector, multiplied
+from rbpsym.notation.latex_grammar import argument, atom, between, factor, is_vector, term_of
 from rbpsym.notation.latex_names import label_after
 from rbpsym.notation.latex_tokens import COLUMN, END_COLUMN, NEXT
 from rbpsym.notation.source import Source
@@ -56,6 +56,9 @@ SENTENCES: Mapping[str, Sentence] = {
     "condition": ("are these words a condition?", r"Write it as \text{for } x > 0, or as “given” in the claim."),
     "continued": ("what stands on the left of this?", "Write the left side again."),
     "marked": ("only a symbol can have a subscript or prime", "Give all of it a symbol."),
+    "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
+    "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
+    "crossed": ("is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side."),
     "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),
     "element": ("a number in brackets is an index here", "Write it as a subscript."),
     "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),
@@ -155,7 +158,7 @@ def over_an_index(reader: LatexReader, kind: str, start: int) -> t.Node:
     while reader.sees_sign("_", "^") and len(ends) < 2:
         reader.take()
         ends.append(_end(reader))
-    return formal(reader, start, kind, multiplied(reader), *ends)
+    return formal(reader, start, kind, term_of(reader), *ends)
 
 
 def _end(reader: LatexReader) -> t.Node:
@@ -178,7 +181,7 @@ def _around(reader: LatexReader) -> t.Node:
     limits = [_end(reader) for _ in range(2) if reader.pass_sign("_", "^")]
     if reader.sees_sign(r"\limits"):
         reader.position = begin
-    return formal(reader, token.start, "∮", multiplied(reader), *limits)
+    return formal(reader, token.start, "∮", term_of(reader), *limits)
 
 
 @begins(*_OPERATORS)

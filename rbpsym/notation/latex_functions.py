@@ -75,10 +75,15 @@ COMMANDS["relation"] = relation
 def called(reader: LatexReader) -> t.Node:
     """A name; in x(t) and V(θ, φ) it is a function of these, and stands for its value there."""
     first, name = reader.position, read_name(reader)
-    if not isinstance(name, (t.Sym, t.Vec)) or not reader.sees_sign("("):
-        return name
+    return applied(reader, name, first) if isinstance(name, (t.Sym, t.Vec)) and reader.sees_sign("(") else name
+
+
+def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False) -> t.Node:
+    """A name that stands at `first`, perhaps raised to a power, and in parentheses behind it what it may depend on."""
     varies, begin = _varies(reader, name), reader.position
-    later = reader.ahead().text == "t" and reader.ahead(2).text in ("+", "-") and varies  # v(t + Δt)
+    if raised and varies is None:
+        return name
+    later = not raised and reader.ahead().text == "t" and reader.ahead(2).text in ("+", "-") and varies  # v(t + Δt)
     if later or _has_commas(reader):
         return _value(reader, name)
     found = _arguments(reader)
@@ -86,6 +91,8 @@ def called(reader: LatexReader) -> t.Node:
     if found is None or (varies is False and found != [t.ZERO]):
         return name
     constant = any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False)
+    if raised and constant and found != [t.ZERO]:
+        return name
     if constant or _is_elsewhere(reader, first, begin, end):
         return _value(reader, name)
     clear = len(found) > 1 or found[0] is _TIME or (varies is not False and len(reader.met) >= MOST_ASKED)
@@ -156,7 +163,8 @@ def _applied_to(reader: LatexReader) -> t.Node | None:
     if not begins_name(token):
         return None
     try:
-        return read_name(reader)
+        name = read_name(reader)
+        return name if isinstance(name, (t.Sym, t.Vec)) else None
     except RbpsymError:
         is_time = token.kind == "letter" and token.text == "t" and reader.tokens[reader.position - 1] is token
         return _TIME if is_time else None
@@ -174,13 +182,12 @@ def operand(reader: LatexReader) -> t.Node:
         factors.append(factor(reader))
     several = len([node for node in factors if _varies(reader, node) is not False and t.names(node) - {"pi"}]) > 1
     goes_on = not closed and reader.sees_sign("/", r"\cdot", r"\times", "*") and not ends_integrand(reader)
-    if several or goes_on:
-        what = "how much of this product does the derivative stand for?"
-        raise reader.error(what, r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b.", start)
-    return factors[0] if len(factors) == 1 else reader.spanned(t.Mul(tuple(factors)), start.start)
+    whole = factors[0] if len(factors) == 1 else reader.spanned(t.Mul(tuple(factors)), start.start)
+    return reader.spanned(t.Formal("several", (whole,)), start.start) if several or goes_on else whole
 
 
 COMMANDS["operand"] = operand
+COMMANDS["applied"] = applied
 FUNCTIONS = {rf"\{word}": name for word, name in FUNCTION_WORDS.items()}
 _INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})
 _CLOSED = ("(", "[", "{", r"\{")
@@ -200,6 +207,8 @@ def _function(reader: LatexReader) -> t.Node:
         if exponent == t.Neg(t.ONE) and f"a{name}" in FUNCTION_WORDS.values():
             asked = f"this power of {name} can be read in two ways", rf"Write \arc{name}, or ({token.text} x)^n."
             name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
+        elif name == "exp" and not (begins_factor(reader) or isinstance(exponent, t.Num)):
+            return reader.spanned(t.Fn(name, exponent), token.start)  # \exp^{-t/T}, printed for e^{-t/T}
         elif name in _INVERSE_POWER or not isinstance(exponent, t.Num):
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip

@@ -24,10 +24,10 @@ def expression(reader: LatexReader) -> t.Node:
     """term + term - term"""
     start = reader.token.start
     with reader.deeper():
-        terms = [_evaluated(reader, _term(reader))]
+        terms = [_evaluated(reader, term_of(reader))]
         while goes_on(reader, "-") or reader.sees_sign("+", *_SIGNED):
             sign = reader.take()
-            term = _evaluated(reader, _term(reader), start)
+            term = _evaluated(reader, term_of(reader), start)
             terms.append(_signed(reader, term, sign) if sign.text != "+" else term)
     if _is_differential(terms[-1]) and any(isinstance(part, t.PathIntegral | t.Integral) for part in t.walk(t.Add(tuple(terms)))):
         what = "does this belong to the integral?"
@@ -49,11 +49,12 @@ def _is_differential(term: t.Node) -> bool:
     return any(isinstance(part, t.Formal) and part.kind == "differential" for part in parts)
 
 
-def _term(reader: LatexReader) -> t.Node:
+def term_of(reader: LatexReader) -> t.Node:
+    """A product, with perhaps signs in front."""
     if reader.sees_sign(*_SIGNED):
         sign = reader.take()
         with reader.deeper():
-            return _signed(reader, _term(reader), sign)
+            return _signed(reader, term_of(reader), sign)
     reader.pass_sign("+")
     return multiplied(reader)
 
@@ -83,7 +84,8 @@ def multiplied(reader: LatexReader) -> t.Node:
     while reader.sees_sign(r"\cdot", r"\times", "*", *_OPERATORS) and not ends_integrand(reader):
         sign = reader.take()
         right = _signed_product(reader)
-        formal = t.Formal(_OPERATORS[sign.text], (node, right)) if sign.text in _OPERATORS else None
+        wedge = sign.text == r"\wedge" and is_vector(node) and is_vector(right)  # how French and Italian texts print a cross
+        formal = t.Formal(_OPERATORS[sign.text], (node, right)) if sign.text in _OPERATORS and not wedge else None
         node = reader.spanned(formal or _joined(reader, node, right, sign), start)
     return node
 
@@ -99,9 +101,10 @@ def ends_integrand(reader: LatexReader) -> bool:
 def _joined(reader: LatexReader, left: t.Node, right: t.Node, sign: Token) -> t.Node:
     if is_vector(left) and is_vector(right) and sign.text != "*":
         return (t.Dot if sign.text == r"\cdot" else t.Cross)(left, right)
-    if sign.text == r"\times" and all(any(map(reader.table.directed, t.names(side))) for side in (left, right)):
-        hint = "Print arrows over vectors, or magnitudes side by side."
-        raise reader.error("is this a product of vectors, or of their magnitudes?", hint, sign)
+    directed = [is_vector(side) or any(map(reader.table.directed, t.names(side))) for side in (left, right)]
+    half = is_vector(left) != is_vector(right) and bool(t.names(left) and t.names(right))
+    if sign.text == r"\times" and (half or all(directed)):
+        return t.Formal("crossed", (left, right))
     factors = [part for side in (left, right) for part in _factors(side)]
     return t.Mul(tuple(factors))
 
@@ -223,14 +226,19 @@ def _sees_derivative(reader: LatexReader) -> bool:
 
 def refuse_number(reader: LatexReader) -> None:
     """Raise ReadError for 2 3."""
-    behind = reader.tokens[reader.position - 1].text in ("}", END_COLUMN) and reader.ahead(-2).text != "^"
+    before, place = reader.tokens[reader.position - 1], reader.position
+    behind = before.text in ("}", END_COLUMN) and reader.ahead(-2).text != "^"
+    while before.kind == "letter" and reader.token.kind == "digit":
+        reader.take()
+    behind, reader.position = behind or (reader.position > place and begins_factor(reader)), place  # B2\pi f
     if reader.token.kind == "digit" and not behind:
         raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
 
 
 def factor(reader: LatexReader) -> t.Node:
     """An atom with its powers."""
-    start, closed = reader.token.start, reader.sees_sign("(", "[", r"\{", r"\frac", r"\dv", r"\pdv")
+    start, first = reader.token.start, reader.position
+    closed = reader.sees_sign("(", "[", r"\{", r"\frac", r"\dv", r"\pdv")
     base = atom(reader)
     while closed and _sees_evaluation(reader):
         reader.take()
@@ -239,6 +247,8 @@ def factor(reader: LatexReader) -> t.Node:
         reader.take()
         exponent = _exponent(reader)
         transposed = exponent == t.Sym("T") and is_vector(base)
+        if isinstance(base, (t.Sym, t.Vec)) and reader.sees_sign("("):  # r²(z)
+            base = COMMANDS["applied"](reader, base, first, raised=True)
         base = reader.spanned(t.Formal("transposed", (base,)), start) if transposed else reader.power(base, exponent, start)
     while reader.sees_sign("_", "'", "!", r"\prime"):
         label = (t.Word(COMMANDS["label"](reader)),) if reader.sees_sign("_") else ()

@@ -22,7 +22,7 @@ _DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 _HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
 _LONGEST = 24
 _MARKED = frozenset("+-*=()/<>|;:.")  # what a label may hold beside letters and digits
-_NAMES = ("pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times")
+_NAMES = ("pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top")
 _NAMED = frozenset(rf"\{word}" for word in _NAMES)
 
 
@@ -39,10 +39,23 @@ def read_name(reader: LatexReader) -> t.Node:
         return reader.spanned(spelled, start)
     word = reader.token if reader.token.kind == "text" else None
     first = reader.position
-    drawn, vector = _summed(reader)
+    try:
+        drawn, vector = _summed(reader)
+    except RbpsymError:
+        reader.position = first
+        return _over_several(reader)
     if drawn.prefix or drawn.base != "Δ":
         return reader.spanned(_known(reader, drawn, vector, word, first), start)
     return _change(reader, drawn, start, first)
+
+
+def _over_several(reader: LatexReader) -> t.Node:
+    """An accent over more than a letter, \\overline{v^2}. Raises ReadError for what begins otherwise."""
+    head = reader.take()
+    if head.text not in _HEADS or not reader.sees_sign("{"):
+        reader.position -= 1
+        _summed(reader)
+    return reader.spanned(t.Formal("accented", (t.Word(head.text[1:]), COMMANDS["{"](reader))), head.start)
 
 
 def read_symbol(reader: LatexReader) -> str:
@@ -120,8 +133,9 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
         return Drawn(token.text), False
     if token.text in _DOTLESS:
         return Drawn(_DOTLESS[token.text]), False
-    opening = reader.token
-    inside = reader.pass_sign("{")
+    opening, inside = reader.token, 0
+    while reader.pass_sign("{"):
+        inside += 1
     if not begins_name(reader.token):
         raise reader.error(f"“{token.text}” stands before something that is no letter")
     with reader.deeper():
@@ -132,7 +146,8 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
     if inside:
         if token.text in _VECTORS and reader.sees_sign("("):
             _close_before(reader)
-        reader.expect("}", opening)
+        for _ in range(inside):
+            reader.expect("}", opening)
     return _with_accent(drawn, token.text), vector or token.text in _VECTORS
 
 

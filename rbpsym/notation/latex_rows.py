@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.latex_asides import without_asides
-from rbpsym.notation.latex_tokens import COLUMN, CONDITION, END_COLUMN, NEXT, PUNCTUATION, Token
+from rbpsym.notation.latex_tokens import COLUMN, CONDITION, CONDITIONS, END_COLUMN, NEXT, PUNCTUATION, Token
 from rbpsym.notation.source import Source
 
 OPEN = "?"  # the text of a row token where a sum or product may go on
@@ -41,6 +41,7 @@ class _Layout:
         self.related = False  # was there a relation sign since the last parting?
         self.stated = False  # and one that is no arrow?
         self.parted = 0  # relations side by side in this row
+        self.beside = 0  # up to where a remark stands beside a row that the next one goes on with
         texts = [token.text for token in tokens]
         self.braced = texts.count(r"\{") == texts.count(r"\}")  # else one opens several rows
         self.steps = [self._step(token) for token in tokens]
@@ -69,6 +70,8 @@ class _Layout:
 
     def _kept(self, k: int, token: Token) -> Token | None:
         """The token, a token that parts two relations, or None where it only forms the page."""
+        if k < self.beside:
+            return None
         if token.text in PUNCTUATION and token.kind == "sign":
             return self._punctuation(k, token)
         rule = _RULES.get(token.text if token.kind == "sign" or token.text == ARROW else token.kind)
@@ -154,6 +157,8 @@ class _Layout:
         before, behind, last = self._near(k, -1), self._near(k, 1), k
         while self.all[last + 1].kind == "gap":
             last += 1
+        if self.all[last + 1].text == "&":
+            return None
         if before.text in PUNCTUATION:
             return replace(token, kind="row", text=GAP)
         if before.text in _SIGNS or behind.text in (*_JOINING, *RELATIONS, *_HELD, *PUNCTUATION):
@@ -181,12 +186,23 @@ class _Layout:
         if self._cell_before(k):
             return None  # an empty cell
         remark = behind is not None and behind.kind == "text" and self.related and not self._relates(k)
+        if remark and (end := self._remark_behind(k)):
+            self.beside = end
+            return None
         if remark or (before is not None and before.kind == "text" and not self.related and self._relates(k)):
             return self._part(token, "")
         used = any(self.all[place].text == "&" for place in self._row_before(k))
         if self.related and self._relates(k) and (used or not _SIGNS.intersection(near)):
             return self._part(token, "")
         return None if {"+", "-"}.intersection(near) and (self.related or self._relates(k)) else token
+
+    def _remark_behind(self, k: int) -> int:
+        """Where the row ends, if nothing but words that are no condition follows in it, and the next row goes on; else 0."""
+        end = next(place for place in range(k, len(self.all)) if self.all[place].kind in ("row", "end"))
+        words = [token for token in self.all[k + 1 : end] if not _is_blank(token)]
+        goes_on = self._near(end, 1) if all(token.kind == "text" for token in words) else None
+        said = any(CONDITIONS.search(token.text) for token in words)
+        return end if goes_on is not None and _is_relation(goes_on) and not said else 0
 
     def _cell_before(self, k: int) -> bool:
         """Is the cell empty that ends here?"""

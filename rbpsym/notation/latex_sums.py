@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_formal import over_an_index
-from rbpsym.notation.latex_grammar import argument, multiplied
-from rbpsym.notation.latex_names import read_name
+from rbpsym.notation.latex_grammar import argument, multiplied, term_of
+from rbpsym.notation.latex_names import begins_name, read_name
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.symbol_table import LatexReader, begins
 
 MOST_TERMS = 12
-_COUNTED = re.compile(r"_\s*\{\s*([a-z])\s*=\s*(\d)\s*\}\s*\^\s*(?:\{\s*(\d+)\s*\}|(\d))")
+_COUNTED = re.compile(r"_\s*\{\s*([a-z])\s*=\s*(\d)\s*\}\s*\^\s*(?:\{\s*(?:\1\s*=\s*)?(\d+)\s*\}|(\d))")
 
 
 @begins(r"\sum")
@@ -21,6 +21,8 @@ def _sum(reader: LatexReader) -> t.Node:
     """A sum over an index; without one, ΣF is a name."""
     first, sign = reader.position, reader.take()
     if not reader.sees_sign("_", "^"):
+        if not begins_name(reader.token):
+            return over_an_index(reader, "sum", sign.start)
         reader.position = first
         return reader.spanned(read_name(reader), sign.start)
     begin = reader.position
@@ -28,9 +30,11 @@ def _sum(reader: LatexReader) -> t.Node:
     braces, index = reader.pass_sign("{"), reader.take()
     whole = not (braces and reader.pass_sign("=")) or reader.take().text == "1"
     whole = whole and (not braces or reader.pass_sign("}"))
+    if [reader.ahead(k).text for k in range(4)] == ["^", "{", index.text, "="]:  # up to i = N
+        reader.tokens = (*reader.tokens[: reader.position + 2], *reader.tokens[reader.position + 4 :])
     upper = argument(reader) if whole and reader.pass_sign("^") else None
     if index.kind == "letter" and whole and isinstance(upper, (t.Sym, type(None))):
-        return reader.spanned(t.Sum(multiplied(reader), index.text), sign.start)
+        return reader.spanned(t.Sum(term_of(reader), index.text), sign.start)
     reader.position = begin
     return _written_out(reader, sign) or over_an_index(reader, "sum", sign.start)
 

@@ -26,7 +26,7 @@ FUNCTION_WORDS = {
 }  # fmt: skip
 _SYSTEMS = "array|aligned|alignedat|gathered|split|cases"  # what one brace may open for all rows
 _SILENT = (
-    r"\\(?:,|:|!|>)|\^\s*\{\s*\}"
+    r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
     r"|tiny|small|normalsize|large|Large|LARGE|huge|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
@@ -38,11 +38,13 @@ _SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|L
 _INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
 _DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
 _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
-    rf"{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}\s*,?\s*(?:\d*{_INDEX}(?:\s*[-+]\s*\w)?|\d+)"
+    rf"{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*{_INDEX}(?:\s*[-+]\s*\w)?|\d+))?"
     r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
 _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
-    rf"(?<=[\s,~(])(?:\\text(?:rm)?\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}\s*)?\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
+    r"(?<=[\s,~(:;])"
+    rf"(?:\\(?:text(?:rm)?|mbox)\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}(?:\s|\\[,:; ])*)?"
+    rf"\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
     r"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end))"
 )
 _ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
@@ -64,9 +66,9 @@ _PATTERNS = (
     rf"|(?P<gap>{_GAP})"
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
-    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dif|partial)(?![A-Za-z]))"
-    r"|(?P<text>\\(?:text|textrm|mbox)\s*\{[^{}$]*\$(?:[^{}]|\{[^{}]*\})*\}"
-    r"|\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
+    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))"
+    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq)\s*\{[^{}$]*\$(?:[^{}]|\{[^{}]*\})*\}"
+    r"|\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
     rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
     rf"|{_UPRIGHT}(?:\s|~|\\ )*+[A-Za-z]++(?:(?:\s|~|\\ |/)+[A-Za-z]++)*+(?!\())"
     r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"
@@ -74,7 +76,7 @@ _PATTERNS = (
     rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
     rf"|(?P<degree>{_DEGREE})"
     rf"|(?P<plain>(?<![A-Za-z\\])(?:{'|'.join(FUNCTION_WORDS)})(?=\s*(?:\(|\\left|\\[a-z])))"
-    r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
+    r"|(?P<command>\\(?:v[abu]\*|[A-Za-z]+|[|{}]))"
     r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!])"
 )
@@ -88,7 +90,9 @@ _ALIASES = {
     r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
     "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
     r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
-    r"\va": r"\vec", r"\vu": r"\hat", r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
+    r"\va": r"\vec", r"\vu": r"\hat",
+    r"\vb*": r"\boldsymbol", r"\va*": r"\vec", r"\vu*": r"\hat", r"\land": r"\wedge",
+    r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
     r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
     r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
     r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'",
@@ -165,7 +169,10 @@ def _tokens(source: Source) -> Iterator[Token]:
             position += 1
             continue
         if found.lastgroup not in ("blank", "silent", "each"):
+            apart = found[0].startswith(r"\qq{")
+            yield from [Token("gap", r"\quad", found.start(), found.start())] * apart
             yield _token(source, found)
+            yield from [Token("gap", r"\quad", found.end(), found.end())] * apart
         position = found.end()
 
 

@@ -123,7 +123,7 @@ Question = tuple[str, str, Token]  # what is asked, what to write instead, at wh
 @dataclass(slots=True)
 class LatexReader(Cursor[Token]):
     """A cursor with the symbols; `integrals` counts the integrals that wait for their dx; `path` is what
-    stood behind the d in a numerator.
+    stood behind the d in a numerator, `over` the variable of the last integral.
 
     `bars` tells if a plain | would close. `script` says what to choose at the places that can be read in
     two ways (False at those behind its end), `met` their errors, `cost` how unusual what was chosen is.
@@ -136,6 +136,7 @@ class LatexReader(Cursor[Token]):
     met: list[Question] = field(default_factory=list)
     cost: int = 0
     path: Node | None = None
+    over: str = ""
 
     def decide(self, what: str, instead: str, *, yes: int = 0, no: int = 0) -> bool:
         """Which of two readings to take here; each costs what it is unusual.

@@ -15,6 +15,7 @@ from rbpsym.errors import Place, ReadError
 from rbpsym.verify.paper_marks import NOTE, NOTE_END, SPAN, Marked, blank, comment, display, noted
 from rbpsym.verify.paper_typst import of_typst
 
+_DATA = re.compile(r"data:[\w/+.-]{1,99};base64,[\w+/=]*+")  # a picture within the text
 Lines = list[tuple[int, str]]  # the number of each line in its file, and the line
 
 SINGLE = ("equation", "multline", "displaymath", "math", "dmath", "empheq")
@@ -64,7 +65,7 @@ _CLOSED = {"[": r"\]", "(": r"\)"}
 
 
 def _of_markdown(text: str) -> str:
-    return re.sub(r"(?<!\\)%", r"\\%", Marked(text).rewritten(_MARKDOWN, _markdown_piece))
+    return re.sub(r"(?<!\\)%", r"\\%", Marked(_DATA.sub("", text)).rewritten(_MARKDOWN, _markdown_piece))
 
 
 def _markdown_piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:

@@ -23,6 +23,7 @@ _HEAD = re.compile(
     r"|\\(?:long\s*+\\)?def\s*+(\\[A-Za-z]++)(\((?:#\d,?)++\)|(?:#\d)*+)\s*+(?=\{)"
     r"|\\DeclareMathOperator\*?\s*+\{\s*+(\\[A-Za-z]++)\s*+\}\s*+(?=\{)"
 )
+_NAMED = re.compile(r"\\?[a-z]+\s*:(?!=)")  # fill: red, which only says how it looks
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax)(?![A-Za-z])")
 
@@ -189,6 +190,7 @@ def _in_parentheses(latex: str, start: int, count: int) -> tuple[list[str], int]
             begin = one.end()
         if depth == 0:
             break
+    found = [one for one in found if not _NAMED.match(one)]
     if latex[start : start + 1] != "(" or depth or len(found) != count:
         raise ReadError(f"a macro is called with {count} argument{'s' * (count != 1)} in parentheses")
     return found, begin

@@ -24,6 +24,7 @@ _INPUT = re.compile(
     r"\\(?:(?:sub)?(?:import|includefrom|inputfrom)\*?\s*+\{(?P<folder>[^{}\n]*+)\}\s*+\{(?P<part>[^{}\n]*+)\}"
     r"|(?:input|include|subfile|subfileinclude)(?![A-Za-z])\s*+(?:\{(?P<name>[^{}\n]*+)\}|(?P<word>[\w./-]++)))"
 )
+_HEAD_INPUT = re.compile(r"\\input(?![A-Za-z])\s*+(?:\{([\w./-]++)\}|([\w./-]++))")
 _PACKAGE = re.compile(r"\\(?:usepackage|RequirePackage|documentclass|LoadClass)\s*+(?:\[[^\]]{0,999}+\]\s*+)?\{([^{}\n]*+)\}")
 _IMPORT = re.compile(r"\\usepackage\{([^{}\n]+\.typ)\}")
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*+)%(?:[ \t]*rbpsym:(.*)|.*)")
@@ -107,10 +108,15 @@ class _Line:
 
 def files_above(folder: Path, names: Iterable[str]) -> list[Path]:
     """The files of these names (or patterns) beside a text, and above it up to the folder of the run: the nearest last."""
-    run, folder = Path.cwd(), folder.resolve()
-    above = [one for one in folder.parents if one.is_relative_to(run)] if folder.is_relative_to(run) else []
+    folder = folder.resolve()
+    above = [one for one in folder.parents if one.is_relative_to(run_of(folder))]
     found = (one for place in (*reversed(above), folder) for name in names for one in sorted(place.glob(name)))
     return [one for one in found if is_inside(one, one.parent)]
+
+
+def run_of(folder: Path) -> Path:
+    """The folder of the run, if the folder is below it; else the folder itself."""
+    return Path.cwd() if folder.is_relative_to(Path.cwd()) else folder
 
 
 def is_inside(path: Path, folder: Path) -> bool:
@@ -141,7 +147,8 @@ class _Files:
                 line = _COMMENT.sub(r"\1", line)
             line = line if line.strip() or not raw.strip() else COMMENTED
             if ending == ".typ":
-                self.imported += [path.parent / name for name in _IMPORT.findall(line)]
+                root = run_of(self.folder)
+                self.imported += [(root if name[0] == "/" else path.parent) / name.lstrip("/") for name in _IMPORT.findall(line)]
             for found in _INPUT.finditer(line) if "\\" in line else ():
                 yield _Line(line[begin : found.start()], file, number, said)
                 said = ()
@@ -164,10 +171,12 @@ class _Files:
             found |= {other: self._definitions(other) for other in named if is_inside(other, one.parent)}
         for whole in self._wholes(path, text):
             found[whole] = self._definitions(whole).partition(_BEGIN)[0]
+            put_in = (whole.parent / f"{name[1] or name[2]}.tex" for name in _HEAD_INPUT.finditer(found[whole]))
+            found |= {one: self._definitions(one) for one in put_in if is_inside(one, whole.parent)}
             waiting.append((whole.parent, found[whole]))
         while self.imported and len(found) < MAX_FILES:
             one = self.imported.pop()
-            if one not in found and is_inside(one, self.folder):
+            if one not in found and is_inside(one, run_of(self.folder)):
                 found[one] = ""
                 found[one] = "\n".join(line.text for line in self.lines(one, ()))
         while waiting and len(found) < MAX_FILES:

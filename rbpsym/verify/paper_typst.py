@@ -8,6 +8,7 @@ from rbpsym.notation.typst_reader import typst_to_latex
 from rbpsym.verify.paper_marks import Marked, blank, comment, display
 
 _LET = (
+    r"#let[ \t]++(?P<code_let>[A-Za-z]{2,})\((?P<code_given>[\w ,:]*+)\)[ \t]*+=[ \t]*+\{[^{}]{0,400}\n[ \t]*+(?P<shown>\w++)[ \t]*+\n[ \t]*+\}|"
     r"#let[ \t]++(?P<let>[A-Za-z]{2,})(?:\((?P<given>[\w ,]*+)\))?[ \t]*+=[ \t]*+"
     r"(?:(?P<drawn>\[?)\$(?P<body>[^$\n]{1,500})\$\]?|(?:(?:math\.)?op\()?[ \t]*+\"(?P<word>[^\"\\\n{}]{1,40})\"[^\n]*+)"
 )
@@ -22,12 +23,17 @@ _CLOSING = r"(?<!\\)\$"
 
 def of_typst(text: str) -> str:
     """The text as LaTeX."""
-    own = frozenset(found["let"] for found in re.finditer(_LET, text))
+    own = frozenset(found["let"] or found["code_let"] for found in re.finditer(_LET, text))
     return Marked(text).rewritten(_OPENING, lambda text, found: _piece(text, found, own))
 
 
 def _piece(text: Marked, found: re.Match[str], own: frozenset[str]) -> tuple[str, int]:
     told, start = found.groupdict(), found.end()
+    if told["code_let"]:
+        given = [name.strip() for name in told["code_given"].split(",") if ":" not in name]
+        body = f"#{given.index(told['shown']) + 1}" if told["shown"] in given else ""
+        made = rf"\def\{told['code_let']}({','.join(f'#{number}' for number in range(1, len(given) + 1))}){{{body}}}"
+        return made + blank(found[0]) if body else blank(found[0]), start
     if told["let"]:
         return _definition(told, own), start
     if told["import"]:

@@ -68,6 +68,19 @@ SAME = [
     (r"a = \ln \cos^2 x", r"a = \ln(\cos^2 x)"),
     (r"\log_a x = b", r"\frac{\ln x}{\ln a} = b"),
     (r"a = \num{8.3e-5} b + \num{-3} + \num{.5}", "a = 0.000083 b - 3 + 0.5"),
+    (r"a = b \qq{so} k = g", r"a = b, k = g"),
+    (r"a = b \qquad m=0,1,2,\dots \\ k = g", "a=b, k=g"),
+    (r"a = b\:\:\mbox{for}\:\:\: i=1,2,\cdots,n.", "a = b"),
+    (r"a &= b\quad&\text{(junction)}\\ k &= g\quad&\text{(loop)}", "a=b, k=g"),
+    (r"a &= b&&\text{the force}\\ &= k", "a=b=k"),
+    (r"a = b.......... (2)\\ k = g", "a=b, k=g"),
+    (r"\vb*{r} = \va*{F} + \vec{{r}}", r"\vec r = \vec F + \vec r"),
+    (r"\vec r \wedge \vec F = \vec r \land \vec F", r"\vec r \times \vec F = \vec r \times \vec F"),
+    (r"x = \exp^{-kT} + g2\theta m", r"x = \exp(-kT) + g \cdot 2\theta m"),
+    (r"\int_0^T \abs{x}^2 \dd{x} = k", r"\int_0^T |x|^2 dx = k"),
+    (r"\int_a^b kx dx = \left[\frac{1}{2}kx^2\right]_a^b", r"\int_a^b kx dx = [\frac12 kx^2]_{x=a}^{x=b}"),
+    (r"m[x^2]_{x=a}^{x=b} = k", r"m \cdot [x^2]_{x=a}^{x=b} = k"),
+    (r"\sum_{i=1}^{i=N} -m = k", r"\sum_{i=1}^{N} (-m) = k"),
     (r"a^b(T)^k = a^b T^k", "a^b (T)^k = a^b T^k"),
     (r"\left[x^2\right]_{x = 0} = a", r"\left. x^2 \right|_{x = 0} = a"),
 ]  # fmt: skip
@@ -133,6 +146,10 @@ FORMAL = {  # read whole, without a value
     r"x \propto U(x)": "∝(x, U)",
     r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s²)",
     r"L = \SI{-8.3e-5}{m}": "L = measured(−0.000083, m)",
+    r"T = F h(\hat y) + \overline{v^2}": "T = Fh + accented(bar, v²)",
+    r"\frac{d}{dt} a b = \sum \frac12 m v^2": "d/dt(several(ab)) = sum(½mv²)",
+    r"\vec v = \omega\times\vec r + \int\mathrm{d}^3 r\, k": "v⃗ = crossed(ω, r⃗) + ∫k ddifferential(r, 3)",
+    r"\lim_{v<<c} K = \lim_{\delta t\to 0} x": "limit(K, ≪(v, c)) = limit(x, δt → 0)",
     r"U(x) - U(y) = -W(x)": "value(U, x) − value(U, y) = −W",
     r"E[X^2] = F(t + \Delta t)": "Evalue(X²) = value(F, t + Δt)",
     r"a = \binom{n}{k}": "a = binomial(n, k)",
@@ -159,6 +176,13 @@ def test_what_has_no_value_is_read_whole_and_said_where_a_value_is_wanted(latex)
 def test_what_is_upright_or_primed_is_no_product():
     (tree,) = latex_ways(r"v = a^{\prime 2} + 3{\rm\ m/s}", ANY, whole=True).trees
     assert to_text(tree) == "v = a′² + 3 m/s"
+
+
+@pytest.mark.parametrize(("latex", "told"), [
+    (r"a = \omega^2(t) R + r^2(z) (\Delta V)^2", "a = ω²R + r²(ΔV)²"), (r"T = h(\hat k) + x^2(y + z)", "T = h k̂ + x²(y + z)"),
+])  # fmt: skip
+def test_a_square_of_a_function_is_no_product_with_what_it_depends_on(latex, told):
+    assert to_text(latex_ways(latex, ANY, whole=True).trees[0]) == told
 
 
 @pytest.mark.parametrize("latex", [r"S = \int_0^1 p dq - H dt", r"x = a + f|_0^1", r"x = \int_0^1 r dr~e^{-r^2}"])
