@@ -8,7 +8,8 @@ from rbpsym.notation.typst_reader import typst_to_latex
 from rbpsym.verify.paper_marks import Marked, blank, comment, display
 
 _LET = (
-    r"#let[ \t]++(?P<code_let>[A-Za-z]{2,})\((?P<code_given>[\w ,:]*+)\)[ \t]*+=[ \t]*+\{[^{}]{0,400}\n[ \t]*+(?P<shown>\w++)[ \t]*+\n[ \t]*+\}|"
+    r"#let[ \t]++(?P<code_let>[A-Za-z]{2,})\((?P<code_given>[\w ,:]*+)\)[ \t]*+=[ \t]*+"
+    r"\{[^{}]{0,400}\n[ \t]*+(?P<shown>\w++)[ \t]*+\n[ \t]*+\}|"
     r"#let[ \t]++(?P<let>[A-Za-z]{2,})(?:\((?P<given>[\w ,]*+)\))?[ \t]*+=[ \t]*+"
     r"(?:(?P<drawn>\[?)\$(?P<body>[^$\n]{1,500})\$\]?|(?:(?:math\.)?op\()?[ \t]*+\"(?P<word>[^\"\\\n{}]{1,40})\"[^\n]*+)"
 )
