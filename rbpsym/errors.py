@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(Frozen):
     """A position in a source: file, line and column (from 1), the line's text, caret width."""
 
     file: str = ""

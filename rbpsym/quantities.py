@@ -6,11 +6,10 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import DimensionError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 
-@dataclass(frozen=True, slots=True)
-class Dimension:
+class Dimension(Frozen):
     """Exponents of mass, length and time."""
 
     mass: Fraction | int = 0
@@ -99,8 +98,7 @@ def dimension_named(name: str) -> Dimension:
     raise DimensionError(f"unknown dimension “{name}”", instead=hint)
 
 
-@dataclass(frozen=True, slots=True)
-class Quantity:
+class Quantity(Frozen):
     """A named quantity of a problem.
 
     `sign` is "positive", "nonnegative", "nonzero" or "real". `glyph` overrides how the name

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from importlib import import_module
 
+from rbpsym.frozen import Frozen
+
 LOOKS = "rbpsym.document.looks"
 
 
-class Shown:
+class Shown(Frozen):
     """What Jupyter shows as a page and not as source text."""
-
-    __slots__ = ()
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """HTML with MathML, LaTeX and plain text, by media type."""

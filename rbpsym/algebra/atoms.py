@@ -12,12 +12,11 @@ from typing import Any
 from zlib import crc32
 
 from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.letters import LETTERS
 
 
-@dataclass(frozen=True, slots=True)
-class Atom:
+class Atom(Frozen):
     """kind: "symbol" (arg: name), "cos"/"sin" (arg: Poly of the angle), "root" (arg: Scalar),
     or the name of a function (arg: Scalar)."""
 

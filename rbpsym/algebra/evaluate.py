@@ -17,14 +17,13 @@ from rbpsym.algebra.integration import definite
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift, symbol
 from rbpsym.algebra.vector import EX, EY, Space
 from rbpsym.errors import ReadError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation import tree as t
 
 Value = Scalar | Space
 
 
-@dataclass(frozen=True)
-class Scope:
+class Scope(Frozen):
     """Meanings of names.
 
     scalars, vectors: values of defined quantities. rates: time derivative of each generator

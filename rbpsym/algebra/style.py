@@ -9,7 +9,7 @@ from typing import Any
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import Monomial, Poly
 from rbpsym.algebra.scalar import Scalar, name_of
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantities import Dimension
 
 Key = tuple[Any, ...]  # what is sorted by
@@ -21,8 +21,7 @@ def _open(sum_: Poly) -> int:
     return 0
 
 
-@dataclass(frozen=True)
-class Style:
+class Style(Frozen):
     """Order of factors: `rank` sorts parameters, `moving` are names that vary with time.
 
     With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²). With

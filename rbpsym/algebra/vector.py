@@ -16,7 +16,7 @@ from rbpsym.algebra.calculus import rate_along, substitute
 from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift, total
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 QUARTER = PI * Fraction(1, 2)
 
@@ -207,8 +207,7 @@ ORIGIN = Vector({})
 EX, EY = polar(UNITY, NOTHING), polar(UNITY, QUARTER)
 
 
-@dataclass(frozen=True, slots=True)
-class Space:
+class Space(Frozen):
     """A vector of space: its part in the plane of motion and its component along k."""
 
     plane: Vector = ORIGIN

@@ -19,7 +19,7 @@ from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.solutions import SMALL, given
@@ -32,8 +32,7 @@ from rbpsym.quantity.path import even, first_push, inward, sense, work_by_energy
 from rbpsym.quantity.problem import ProblemWorld
 
 
-@dataclass(frozen=True)
-class Found:
+class Found(Frozen):
     """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
     it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
@@ -59,8 +58,7 @@ class Found:
     about: tuple[str, str | None] | None = None
 
 
-@dataclass(frozen=True)
-class Answer:
+class Answer(Frozen):
     """The answer to a question: one value, or the components along x and y of a vector, as they are and as they are
     printed; `holds`: of what they are functions; the conditions under which they hold; the steps from which they follow.
 

@@ -19,7 +19,7 @@ from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import whichever
 from rbpsym.ask.special import special_problem
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
@@ -31,8 +31,7 @@ OF_TIME = re.compile(r"as (?:a )?functions? of (?:the )?(?:t|time)$")
 OF_COURSE = re.compile("|".join((*MANNERS, r"(?:greatest|largest|maximum) speed of \w+$")))
 
 
-@dataclass(frozen=True, slots=True)
-class Refused:
+class Refused(Frozen):
     """A question of a problem file without an answer, and the sentence that says why."""
 
     text: str

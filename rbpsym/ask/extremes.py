@@ -10,14 +10,13 @@ from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_me
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import neat
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand
 
 ENDS = ("at the lower end", "at the upper end")
 
 
-@dataclass(frozen=True, slots=True)
-class Extreme:
+class Extreme(Frozen):
     """A greatest (least) value, where `asked` is met; of the whole range, or of a neighbourhood.
 
     place: where, None at infinity. value: None if the function has no bound there. where: "" for a place inside the range,

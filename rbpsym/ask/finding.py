@@ -11,14 +11,13 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.rules import RULES
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict, all_of
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import ZERO, Node
 
 
-@dataclass(frozen=True, slots=True)
-class Finding:
+class Finding(Frozen):
     """symbol: what was asked for ("" for a plain value). values: of it, each with what it asks for beyond `valid`.
 
     relation: how the symbol stands to the one value: "=", "<", ">", "<=", ">=", "between" two, or "approaches". says: a

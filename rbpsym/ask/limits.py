@@ -28,7 +28,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError, Undecided
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.elimination import short
 
 SMALL = "epsilon_"  # what goes to zero from above
@@ -36,8 +36,7 @@ LENGTH = 5  # terms of a series
 MOST_PRODUCTS = 20_000
 
 
-@dataclass(frozen=True, slots=True)
-class Leading:
+class Leading(Frozen):
     """coefficient × ε^order, ε > 0 being the distance from the place, or one over the size of what goes to infinity; `image`:
     the value as a function of ε where `power` is 1, of √ε where it is 2; `there`: so the quantity itself."""
 
@@ -86,8 +85,7 @@ def squeezed(value: Scalar, name: str, to: Scalar | None, given: Assumptions, si
     return None
 
 
-@dataclass(frozen=True, slots=True)
-class Series:
+class Series(Frozen):
     """Σ terms[k] ε^(start + k), as far as the terms go."""
 
     start: int

@@ -17,7 +17,7 @@ from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import assuming
@@ -45,8 +45,7 @@ class NotMet(StatementError):
     """A moment does not come at any of the numbers that were tried."""
 
 
-@dataclass(frozen=True)
-class Moment:
+class Moment(Frozen):
     """A state in a phase: its place among the phases, what is true there, how it is met: at the "start", at the "event" with
     which `phase` would begin, at "rest", at a "time"; the `courses` of the coordinates that lead there,
     those of `is_small` oscillations or of the motion; whether it `is_open` that
@@ -62,8 +61,7 @@ class Moment:
     watched: tuple[str, Scalar, Scalar] | None = None
 
 
-@dataclass(frozen=True)
-class Asked:
+class Asked(Frozen):
     """A problem that is asked, its phases worked out when a question needs them; `known`: the mechanics, if it was made."""
 
     problem: Problem

@@ -11,7 +11,7 @@ from rbpsym.algebra import value as value_of
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -35,8 +35,7 @@ STEPS, MOST = 10, 1000  # places of a range without a step, and at most
 NEAR, LEAST = 1e-9, 3
 
 
-@dataclass(frozen=True, slots=True)
-class Given:
+class Given(Frozen):
     """Numbers in SI units by name, one or more of each; to how many significant figures they are given at least."""
 
     values: Mapping[str, tuple[float, ...]]

@@ -9,14 +9,13 @@ from __future__ import annotations
 import re
 
 from rbpsym.errors import ReadError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.quantity.moments import JUMPS
 
 LONGEST = 400  # characters of a question
 
 
-@dataclass(frozen=True, slots=True)
-class When:
+class When(Frozen):
     """A moment or place of the motion: its kind, a key of `moments.MOMENTS`, and the words that say which."""
 
     kind: str
@@ -24,8 +23,7 @@ class When:
     text: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Question:
+class Question(Frozen):
     """What is asked: the words of a quantity, when (None: all along), since when a change or work is counted, in which
     phase, as a function of what (“state”: of places and speeds), in which `manner` it moves (values of MANNERS); whether
     the direction of the vector is asked for."""

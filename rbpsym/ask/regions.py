@@ -9,13 +9,12 @@ from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 
 
-@dataclass(frozen=True, slots=True)
-class Region:
+class Region(Frozen):
     """lower < name < upper, where `asked` is met; None means that the range alone bounds it.
 
     otherwise: 1 or -1 where it holds everywhere or nowhere if what is asked is not met; loose: what of it is such that it

@@ -22,7 +22,7 @@ from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, StatementError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import field, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
 from rbpsym.mechanics.friction import slips, spare
@@ -39,7 +39,6 @@ class NeverThere(StatementError):
     """A coordinate does not come to a place in this phase."""
 
 
-@dataclass(frozen=True)
 class Scene(ProblemWorld):
     """One phase of the motion of a problem that is asked, and what was found for the quantities that a question names.
 

@@ -13,7 +13,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
@@ -21,8 +21,7 @@ from rbpsym.mechanics.stability import essential
 from rbpsym.statement.source import did_you_mean
 
 
-@dataclass(frozen=True)
-class Wanted:
+class Wanted(Frozen):
     """values: all positive (`equal`: zero) where `given`; `along`: all along the range of a coordinate.
 
     closed: zero is enough; end: at this place of the way it is enough if the last value vanishes (it arrives at rest).

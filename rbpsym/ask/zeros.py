@@ -17,7 +17,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import neat, rooted, sign_along
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.rest import turns_within
@@ -27,8 +27,7 @@ SENSES = {"positive": 1, "negative": -1, "zero": 0}
 Place = tuple[Scalar, tuple[Demand, ...]]
 
 
-@dataclass(frozen=True, slots=True)
-class Zero:
+class Zero(Frozen):
     """Where a function vanishes (`is_pole`: has no value); it lies in the range if `asked` is met."""
 
     place: Scalar
@@ -36,16 +35,14 @@ class Zero:
     is_pole: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Crossing:
+class Crossing(Frozen):
     """The only zero of an `equation` without a closed solution: it is monotone, in the `sense`, and its ends differ in sign."""
 
     equation: Scalar
     sense: int
 
 
-@dataclass(frozen=True, slots=True)
-class Zeros:
+class Zeros(Frozen):
     """All zeros and poles in the range, from the lowest where their order is decided; `open_`: factors that may vanish
     elsewhere too."""
 
@@ -274,8 +271,7 @@ def sign_beside(value: Scalar, name: str, place: Scalar | None, side: int, given
 # --- signs between zeros
 
 
-@dataclass(frozen=True, slots=True)
-class Table:
+class Table(Frozen):
     """The signs of a function between its zeros and poles, of which one more sign than zeros is known where `is_whole`."""
 
     zeros: Zeros

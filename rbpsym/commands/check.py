@@ -12,7 +12,7 @@ import click
 from rbpsym.commands.arguments import FILE, FOLDER, ShelfName
 from rbpsym.commands.progress import Progress
 from rbpsym.commands.solve import verdict_of
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 
 if TYPE_CHECKING:
     from rbpsym.derivation.step import Derivation
@@ -25,8 +25,7 @@ FINE, DOUBTFUL, BAD_INPUT = 0, 1, 2
 Names = tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class CheckRun:
+class CheckRun(Frozen):
     """What a run found: results in order, and remarks on labels of a text."""
 
     results: list[Result] = field(default_factory=list)

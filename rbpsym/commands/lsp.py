@@ -13,7 +13,7 @@ from urllib.parse import unquote, urlparse
 import click
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 
 Message = dict[str, Any]
 ERROR, WARNING = 1, 2
@@ -25,8 +25,7 @@ ABILITIES = {
 MOST_BYTES = 8 * 1024 * 1024
 
 
-@dataclass(frozen=True)
-class Server:
+class Server(Frozen):
     """One editor: its open texts, and what was found in them last."""
 
     out: IO[bytes]

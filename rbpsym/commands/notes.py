@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, output_option
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 if TYPE_CHECKING:
     from rbpsym.commands.watching import KeptDerivations
@@ -18,8 +18,7 @@ FORMATS = ("pdf", "html", "tex", "beamer", "ipynb", "md", "docx", "typ")
 ENGINES = ("typst", "pdflatex")
 
 
-@dataclass(frozen=True, slots=True)
-class NotesWish:
+class NotesWish(Frozen):
     """What is to be written: formats, language, level of detail, whether plots and the simulation are wanted."""
 
     formats: tuple[str, ...]

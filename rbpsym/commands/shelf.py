@@ -10,15 +10,14 @@ from typing import TYPE_CHECKING
 import click
 
 from rbpsym.errors import ReadError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.library import course_files, not_found, problem_files, worksheet_files
 
 if TYPE_CHECKING:
     from rbpsym.statement.model import Problem
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(Frozen):
     """A problem, a course or a worksheet: how it is called and where its file is."""
 
     kind: str

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rbpsym.commands.arguments import name_argument
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 if TYPE_CHECKING:
     from rbpsym.derivation.step import Step
@@ -135,8 +135,7 @@ def _dotted(values: Mapping[str, str] | None, order: int = 1) -> dict[str, str]:
     return {f"{name}_{'d' * order}ot": value for name, value in (values or {}).items()}
 
 
-@dataclass(frozen=True, slots=True)
-class InLetters:
+class InLetters(Frozen):
     """How the infix text of an answer is printed: with the letters of the problem."""
 
     problem: Problem

@@ -13,7 +13,7 @@ from rbpsym.commands.shelf import stated
 from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 
@@ -76,8 +76,7 @@ WORDS: Mapping[str, Any] = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
-class KeptDerivations:
+class KeptDerivations(Frozen):
     """The derivations of files, by path."""
 
     simulation: bool

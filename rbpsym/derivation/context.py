@@ -15,7 +15,7 @@ from rbpsym.derivation.facts import Fact
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Condition
 from rbpsym.notation.tree import Add, Bracket, Delta, Deriv, Integral, Limit, Node, PathIntegral, Sym, walk
@@ -24,8 +24,7 @@ from rbpsym.notation.tree import Add, Bracket, Delta, Deriv, Integral, Limit, No
 INNER: Mapping[type[Node], str] = {Deriv: "of", Bracket: "arg", Limit: "arg", Integral: "integrand"}
 
 
-@dataclass(frozen=True)
-class Context:
+class Context(Frozen):
     """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
 
     `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name. `introduced`: by which step or

@@ -15,22 +15,20 @@ from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.errors import NoNumber
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import number
 
 TINY = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
+class Row(Frozen):
     """A value that vanishes, and the premises that say so."""
 
     value: Scalar
     sources: frozenset[str]
 
 
-@dataclass(frozen=True, slots=True)
-class Pivot:
+class Pivot(Frozen):
     """name = value, by an equation in which the coefficient of the name is `divisor`; `row`: the equation as it was told."""
 
     name: str
@@ -47,8 +45,7 @@ class Notes(Protocol):
         """Notes a premise."""
 
 
-@dataclass(frozen=True)
-class Known:
+class Known(Frozen):
     """Pivots in the order in which they are put in; squares of speeds."""
 
     pivots: tuple[Pivot, ...]

@@ -13,11 +13,10 @@ from functools import lru_cache, reduce
 
 from rbpsym.algebra import NOTHING, ONE, UNITY, Poly, Scalar, atoms, function, lift, symbol, total
 from rbpsym.errors import Undecided
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 
-@dataclass(frozen=True, slots=True)
-class Series:
+class Series(Frozen):
     """value + ε slope."""
 
     value: Scalar
@@ -81,8 +80,7 @@ def part(value: Scalar, name: str) -> Scalar:
     return Scalar(found) if value.den is ONE else Scalar(found) / Scalar(value.den)
 
 
-@dataclass(frozen=True, slots=True)
-class Nearby:
+class Nearby(Frozen):
     """The equations of motion to first order: Σ M α + C ν + K η for displacements η, speeds ν, accelerations α of the
     independent coordinates (`mass`, `drag`, `pull`); `rest` what is left of them, and of the conditions that tie
     coordinates, at rest in the place; `ties` the slopes of these conditions, all of which have to vanish."""

@@ -18,15 +18,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rbpsym.algebra import Scalar
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
 
 MOTION = "law.motion"
 PARTS = {"force": ("x", "y"), "torque": ("rotation",)}
 
 
-@dataclass(frozen=True, slots=True)
-class Fact:
+class Fact(Frozen):
     """kind: "law", "start", "range", "shape" or "def"; subject: the body, coordinate or letter; rows: values that vanish."""
 
     id: str

@@ -13,7 +13,7 @@ from rbpsym.algebra import NOTHING, depends_on, derivative, is_zero, substitute,
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import PROVED
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.events import vanishes_before, ways_of
 from rbpsym.mechanics.study import Study
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from rbpsym.derivation.context import Context
 
 
-@dataclass(frozen=True)
-class Said:
+class Said(Frozen):
     """What a sentence is about: a system, the step that it tells or those that it sums up, what their letters mean."""
 
     study: Study | None = None

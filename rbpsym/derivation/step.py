@@ -8,7 +8,7 @@ from dataclasses import KW_ONLY
 from typing import Any
 
 from rbpsym.equality.verdict import PROVED, Verdict
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
 from rbpsym.showing import Shown
@@ -18,29 +18,25 @@ BRIEF, STANDARD, FULL = 1, 2, 3
 FACTS = ("law.", "start.", "range.", "shape.", "def.")  # how the ids of facts begin (`facts.Fact`)
 
 
-@dataclass(frozen=True, slots=True)
-class StepRef:
+class StepRef(Frozen):
     """A mention of another step ("from (7)") as an argument of a phrase."""
 
     id: str
 
 
-@dataclass(frozen=True, slots=True)
-class BodyRef:
+class BodyRef(Frozen):
     """A mention of a body as an argument of a phrase ("the rod")."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class QuestionRef:
+class QuestionRef(Frozen):
     """A mention of a question that the problem asks, as an argument of a phrase."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class PhraseRef:
+class PhraseRef(Frozen):
     """A phrase as an argument of another phrase."""
 
     key: str
@@ -53,15 +49,13 @@ def bodies_named(names: Iterable[str]) -> PhraseRef:
     return PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)})
 
 
-@dataclass(frozen=True, slots=True)
-class Certificate:
+class Certificate(Frozen):
     """What was checked for a step, by which checkers, with what outcome."""
 
     checks: tuple[str, ...]
     verdict: Verdict
 
 
-@dataclass(frozen=True, slots=True)
 class Step(Shown):
     """One step.
 
@@ -93,8 +87,7 @@ class Step(Shown):
         return tuple(id for id in (*self.premises, *self.cites) if not id.startswith(FACTS))
 
 
-@dataclass(frozen=True, slots=True)
-class Skipped:
+class Skipped(Frozen):
     """A method that does not apply, with the reason as a phrase."""
 
     method: str
@@ -102,7 +95,6 @@ class Skipped:
     slots: Mapping[str, Any] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
 class Derivation(Shown):
     """The steps of a problem in reading order; ids are unique, premises come before.
 
@@ -165,8 +157,7 @@ class Derivation(Shown):
         }
 
 
-@dataclass(frozen=True)
-class DerivedPhase:
+class DerivedPhase(Frozen):
     """A later phase: its name, the steps from the end of the one before to its start, its own derivation; `letters` of the
     former, as in a derivation."""
 
@@ -177,7 +168,6 @@ class DerivedPhase:
     letters: Any = field(default=None, compare=False, repr=False)
 
 
-@dataclass(frozen=True)
 class Excerpt(Shown):
     """Some steps of a derivation, by their ids."""
 
@@ -185,7 +175,6 @@ class Excerpt(Shown):
     ids: tuple[str, ...]
 
 
-@dataclass(frozen=True)
 class Lesson(Shown):
     """Steps that belong to no single problem: the general theory, or a comparison of two problems.
 
@@ -201,7 +190,6 @@ class Lesson(Shown):
     title: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
 class DerivedCourse(Shown):
     """A course with the derivations of its problems by name, and its lessons part by part.
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from rbpsym.algebra import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, space_derivative, symbol, value
 from rbpsym.algebra.calculus import substitute
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation import tree as t
 
 XI, ETA = symbol("xi"), symbol("eta")
@@ -152,8 +152,7 @@ PARTICLES = _particles()
 FORCES = _forces()
 
 
-@dataclass(frozen=True)
-class TheoryContext:
+class TheoryContext(Frozen):
     """The same questions as `Context`, asked of an arbitrary body."""
 
     body: object = by_moments

@@ -24,7 +24,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.derivation.told import READERS
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError, Undecided
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import field
 from rbpsym.mechanics.system import Condition
 from rbpsym.notation import tree as t
 
@@ -58,7 +58,6 @@ class Granted:
         return getattr(view.whole, name)
 
 
-@dataclass(frozen=True)
 class View(Context):
     """A context as one step sees it. `order`: ids that it may use; `used`: those that it did use. `is_hasty`: what is
     not proved at once need not be refuted."""

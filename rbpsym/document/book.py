@@ -19,13 +19,12 @@ from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers.html import Around, font, style, write_html
 from rbpsym.document.writers.page import shell
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.letters import without_accents
 
 
-@dataclass(frozen=True)
-class Chapter:
+class Chapter(Frozen):
     """A problem of the library: its name, topic and derivation."""
 
     name: str
@@ -134,8 +133,7 @@ SITE = Around(HOME)
 Link = tuple[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class Card:
+class Card(Frozen):
     """An entry of the index page; `drawing` is an SVG or empty."""
 
     name: str

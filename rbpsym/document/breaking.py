@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from rbpsym.document.cutting import INDENT, flat, opened, packed, pieces, terms, width
 from rbpsym.document.model import Block, Display, Emph, Inlines, Math, Paragraph, Ref, Strong, Table, Text
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows
@@ -21,8 +21,7 @@ from rbpsym.notation.tree import Node, rows
 EMPTY = b.Row(())
 
 
-@dataclass(frozen=True, slots=True)
-class DisplayLine:
+class DisplayLine(Frozen):
     """One line of a display: what stands before and after the alignment mark.
 
     An `indent`ed line goes on with the sum of the line above and begins with its sign.

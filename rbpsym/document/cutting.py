@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import boxes as b
 
 # --- how wide a formula is, in em: estimates from the boxes that `notation.layout` makes of the display tree
@@ -182,8 +182,7 @@ def fenced_together(items: tuple[b.Box, ...], depth: int) -> tuple[b.Row, int]:
     return b.Row((*sign, *frames[0])), depth - closed + left
 
 
-@dataclass(frozen=True)
-class Half:
+class Half(Frozen):
     """One of a pair of parentheses that was cut: where it opens or closes."""
 
     fence: b.Fence

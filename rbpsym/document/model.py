@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from rbpsym.document.figures.scene import Scene
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.tree import Node
 from rbpsym.showing import Shown
@@ -18,22 +18,19 @@ class DocumentError(RbpsymError):
     """A document that can't be written: a reference without a target, a phrase without a slot."""
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(Frozen):
     """Plain words; writers escape them."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Math:
+class Math(Frozen):
     """A formula within a sentence."""
 
     node: Node
 
 
-@dataclass(frozen=True, slots=True)
-class Ref:
+class Ref(Frozen):
     """The number of the block or section labelled `label`; `numbered` fills in `mark`.
 
     With `page`, formats that have pages print the page where it stands.
@@ -44,15 +41,13 @@ class Ref:
     page: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Emph:
+class Emph(Frozen):
     """Italic words."""
 
     inlines: Inlines
 
 
-@dataclass(frozen=True, slots=True)
-class Strong:
+class Strong(Frozen):
     """Bold words."""
 
     inlines: Inlines
@@ -67,15 +62,13 @@ def words(text: str) -> Inlines:
     return (Text(text),) if text else ()
 
 
-@dataclass(frozen=True, slots=True)
-class Paragraph:
+class Paragraph(Frozen):
     """A paragraph of prose."""
 
     inlines: Inlines
 
 
-@dataclass(frozen=True, slots=True)
-class Display:
+class Display(Frozen):
     """A formula on lines of its own: a chain, a system or an expression.
 
     `reason` is printed beside it (or below where there is no room); a boxed one is a result, and so is one that
@@ -100,8 +93,7 @@ class Display:
         return self.repeats.mark if self.repeats else f"({self.number})" if self.number else ""
 
 
-@dataclass(frozen=True, slots=True)
-class Table:
+class Table(Frozen):
     """Rows of inlines under a header; `align` has one of "lcr" for each column, or "p"
     for a narrow one of words that wrap."""
 
@@ -118,8 +110,7 @@ class Table:
         return self.align.ljust(len(self.header), "l")
 
 
-@dataclass(frozen=True, slots=True)
-class FigureBlock:
+class FigureBlock(Frozen):
     """Scenes side by side with a caption; `alt` says what is seen."""
 
     scenes: tuple[Scene, ...]
@@ -129,16 +120,14 @@ class FigureBlock:
     number: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class ItemList:
+class ItemList(Frozen):
     """A list with bullets or, if `ordered`, numbers."""
 
     items: tuple[Inlines, ...]
     ordered: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Callout:
+class Callout(Frozen):
     """A framed remark; `kind` is “result”, “why”, “note” or “check”."""
 
     kind: str
@@ -149,8 +138,7 @@ class Callout:
 Block = Paragraph | Display | Table | FigureBlock | ItemList | Callout
 
 
-@dataclass(frozen=True, slots=True)
-class Section:
+class Section(Frozen):
     """A part (level 0, unnumbered), section (1), subsection (2) or unnumbered heading (3).
 
     `notation` is that of the document if None.
@@ -164,8 +152,7 @@ class Section:
     notation: Notation | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Live:
+class Live(Frozen):
     """A problem that the document speaks of, for formats that run: its TOML text.
 
     The labels of its parts begin with `prefix`; what follows in the label of a formula is the id of its step.
@@ -176,7 +163,6 @@ class Live:
     prefix: str = ""
 
 
-@dataclass(frozen=True, slots=True)
 class Document(Shown):
     """A whole text. `notation` is handed to the formula printers as it is.
 

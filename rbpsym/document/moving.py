@@ -13,7 +13,7 @@ from typing import Any
 from rbpsym.algebra import Scalar
 from rbpsym.document.pose import fitted, shortest
 from rbpsym.errors import NoNumber, NotApplicable
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.compiled import entries_of
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
@@ -69,8 +69,7 @@ class Defined(dict[str, float]):
         return self[name]
 
 
-@dataclass(frozen=True)
-class Moving:
+class Moving(Frozen):
     """A system with numbers for its parameters: its state at the start, how that changes, and all numbers of a state."""
 
     study: Study

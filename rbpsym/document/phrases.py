@@ -21,14 +21,13 @@ from pathlib import Path
 from string import Formatter
 
 from rbpsym.document import model as d
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation.tree import Node, Word, walk
 
 # --- the grammar of a language, as its phrases file tells it under [grammar]: number, gender, contractions
 
 
-@dataclass(frozen=True)
-class Grammar:
+class Grammar(Frozen):
     """How words change beside others.
 
     `singular` are the numbers that take the form `one`; nouns with one of the `feminine` endings are feminine,

@@ -13,15 +13,14 @@ from rbpsym.document.model import Document, FigureBlock
 from rbpsym.document.numbering import parts
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.glyphs import Notation
 
 ROW, GAP = 16.0, 0.5  # cm
 RESOLUTION = 200.0  # dots an inch of a PNG
 
 
-@dataclass(frozen=True, slots=True)
-class Picture:
+class Picture(Frozen):
     """A figure as a file; `number` is that of its caption, the size in cm is known of a PNG."""
 
     number: str

@@ -9,7 +9,7 @@ from functools import cached_property
 from rbpsym.algebra import Scalar, Vector, derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.numbers import bound, number, sample
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
@@ -25,8 +25,7 @@ ROUNDS = 30
 FLAT = 1e-9  # of a row: less is nothing new
 
 
-@dataclass(frozen=True, eq=False)
-class DrawnPose:
+class DrawnPose(Frozen, eq=False):
     """A study with the numbers of the pose in which it is drawn; `given` replaces some of them."""
 
     study: Study

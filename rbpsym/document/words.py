@@ -11,15 +11,14 @@ from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
 from rbpsym.document.questions import question
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation, spaced
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
 
 
-@dataclass(frozen=True)
-class Words:
+class Words(Frozen):
     """How a document speaks of a problem: its language, what labels are there, the bodies' names.
 
     `prefix` keeps labels of several problems in one document apart; `shown` are the ids of the

@@ -6,14 +6,13 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 
 from rbpsym.algebra import Scalar, names_in
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 
 Range = tuple[Scalar | None, Scalar | None]
 SIGNS = ("positive", "nonnegative", "nonzero", "real")
 
 
-@dataclass(frozen=True)
-class Assumptions:
+class Assumptions(Frozen):
     """signs: name → "positive", "nonnegative", "nonzero" or "real" (also for names not listed).
 
     ranges: name → (lower, upper), an open interval; a bound may hold other names (θ₀ < θ), None

@@ -8,14 +8,13 @@ from fractions import Fraction
 from rbpsym.algebra import NOTHING, PI, UNIT, UNITY, Monomial, Poly, Scalar, atoms, cosine, generator_of, lift, sine
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import MINUS, PLUS, ZERO
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 
 Bound = Scalar | None
 IsNonnegative = Callable[[Scalar], bool]
 
 
-@dataclass(frozen=True, slots=True)
-class Bounds:
+class Bounds(Frozen):
     """An interval; `lower_in` and `upper_in` say whether an end may be reached."""
 
     lower: Bound = None

@@ -15,13 +15,12 @@ from math import gcd, lcm, log2
 from rbpsym.algebra import ONE, PI_TERM, UNIT, Monomial, Poly, Scalar, atoms
 from rbpsym.equality import enclosure
 from rbpsym.equality.points import Point, all_atoms
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 SLACK = 1.0001  # the logarithms below are floats
 
 
-@dataclass(frozen=True, slots=True)
-class Size:
+class Size(Frozen):
     """Binary logarithms of the bounds u and l."""
 
     above: float

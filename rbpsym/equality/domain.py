@@ -17,13 +17,12 @@ from rbpsym.equality.points import Point
 from rbpsym.equality.signs import SignResult, sign
 from rbpsym.equality.verdict import Obligation
 from rbpsym.errors import Undecided
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 
 
-@dataclass(frozen=True, slots=True)
-class Condition:
+class Condition(Frozen):
     """`node` (of the given value) op 0, op being "!=", ">=" or ">"; `between`: for all values of a name between two others."""
 
     node: Node

@@ -12,7 +12,7 @@ from functools import lru_cache
 from math import isqrt
 
 from rbpsym.algebra.ring import backend
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 BITS = 256
 _ONE = 1 << BITS
@@ -25,8 +25,7 @@ class Outside(ArithmeticError):
     """A value that does not exist, or that cannot be enclosed (division by an interval with 0)."""
 
 
-@dataclass(frozen=True, slots=True)
-class Enclosure:
+class Enclosure(Frozen):
     """A real number known to lie between two fractions."""
 
     lower: Fraction
@@ -159,7 +158,7 @@ def asin(number: Number) -> Number:
     if number == 0:
         return Fraction(0)
     if number in (1, -1):
-        return pi() * Fraction(number) * Fraction(1, 2)
+        return pi() * number * Fraction(1, 2)
     return atan(number * reciprocal(root(1 - number * number)))
 
 

@@ -16,13 +16,12 @@ from rbpsym.algebra.normal import turn, turned
 from rbpsym.equality import enclosure as e
 from rbpsym.equality.assumptions import Assumptions, Range
 from rbpsym.equality.enclosure import Number, Outside
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 
 Turn = tuple[Number, Number]
 
 
-@dataclass(frozen=True)
-class Point:
+class Point(Frozen):
     """numbers: value of each plain name. angles: (cos, sin) of name/parts for each angle name."""
 
     numbers: Mapping[str, Fraction]

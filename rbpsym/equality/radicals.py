@@ -20,7 +20,7 @@ from rbpsym.equality.points import all_atoms
 from rbpsym.equality.reading import Constraint, Reading
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError, Undecided
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 MOST_CASES = 64
 Signs = dict[Poly, int]
@@ -130,8 +130,7 @@ if TYPE_CHECKING:
 HALF = Fraction(1, 2)
 
 
-@dataclass(frozen=True, slots=True)
-class Denested:
+class Denested(Frozen):
     """`image` is the root of one factor (with the coefficient); `others` are left to be taken."""
 
     image: Poly

@@ -21,13 +21,12 @@ from rbpsym.equality.factoring import Factors, cleared, divisor, primes, reduced
 from rbpsym.equality.inverses import inverse_image, turn_of_inverse
 from rbpsym.equality.signs import sign
 from rbpsym.errors import Undecided
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, Walker, field
 
 Turn = tuple[Poly, Poly]
 
 
-@dataclass(frozen=True)
-class Constraint:
+class Constraint(Frozen):
     """sign × Π factorᵏ ≥ 0, from a root; or > 0, from a logarithm (`is_strict`)."""
 
     sign: int
@@ -39,8 +38,7 @@ class Constraint:
         return [factor for factor, k in self.factors.items() if k % 2]
 
 
-@dataclass
-class Reading:
+class Reading(Walker):
     """One way of reading, in one case of signs.
 
     case: the signs (1, -1) of factors whose sign is not known. Signs that are missing are taken

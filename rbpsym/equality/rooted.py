@@ -12,11 +12,10 @@ from rbpsym.algebra.roots import side_of, simplified_root, tidied, with_image, w
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 
-@dataclass(frozen=True, slots=True)
-class Senses:
+class Senses(Frozen):
     """The sense of sums under assumptions, for `Style.sense`."""
 
     given: Assumptions

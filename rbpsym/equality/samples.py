@@ -15,7 +15,7 @@ from rbpsym.algebra import ONE, Coefficient, Monomial, Poly, Scalar, atoms
 from rbpsym.algebra.elliptic import FUNCTIONS
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import MINUS, NONZERO, PLUS, times
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 
 FEW, MANY = 6, 24  # points at which something within a question is looked at, and the whole question
 CANDIDATES = 96
@@ -24,8 +24,7 @@ Values = tuple[float, ...]
 T = TypeVar("T")
 
 
-@dataclass(frozen=True)
-class Samples:
+class Samples(Frozen):
     """Values of generators at points (told by numbers) that satisfy the assumptions as far as such are found."""
 
     assumptions: Assumptions

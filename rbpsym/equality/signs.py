@@ -18,7 +18,7 @@ from rbpsym.equality.factoring import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS,
 from rbpsym.equality.samples import MANY, Samples, samples_of
 from rbpsym.equality.sign_rules import QUICK, RULES, Rule
 from rbpsym.errors import LimitError, Undecided
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, Walker, field
 
 MOST_STUDIES, FEW_STUDIES = 600, 150
 DEEPEST = 40
@@ -26,8 +26,7 @@ MOST_PRODUCTS = 20_000  # of terms, for one question
 LONG = 2000  # a polynomial of √LONG terms costs as much as two short ones
 
 
-@dataclass(frozen=True, slots=True)
-class SignResult:
+class SignResult(Frozen):
     """mask: the signs that the value may have (see `masks`)."""
 
     mask: int
@@ -76,8 +75,7 @@ def _sign(value: Scalar, assumptions: Assumptions, factoring: bool) -> SignResul
     return SignResult(mask, study.reasons.get(value.num, "") if NAMES[mask] else "")
 
 
-@dataclass
-class Study:
+class Study(Walker):
     """One question about a sign: what has been found so far, and how much may still be tried."""
 
     assumptions: Assumptions

@@ -7,7 +7,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.tree import Node
 from rbpsym.showing import Shown
 
@@ -26,8 +26,7 @@ class Kind(StrEnum):
 PROVED, REFUTED, UNDECIDED = Kind.PROVED, Kind.REFUTED, Kind.UNDECIDED
 
 
-@dataclass(frozen=True, slots=True)
-class Obligation:
+class Obligation(Frozen):
     """A condition without which the claim has no meaning, such as x != 0 after a division by x.
 
     `relation` shows it; `why` says what discharges it ("" if nothing does).
@@ -42,8 +41,7 @@ class Obligation:
         return bool(self.why)
 
 
-@dataclass(frozen=True, slots=True)
-class Witness:
+class Witness(Frozen):
     """A point at which both sides were computed.
 
     numbers: values of names. points: (angle, cosine, sine), the angle as text ("theta/2").
@@ -63,7 +61,6 @@ class Witness:
         return f"at {', '.join(parts) or 'every point'}{whose}: left = {self.left}, right = {self.right}"
 
 
-@dataclass(frozen=True, slots=True)
 class Verdict(Shown):
     """The outcome. `how` names the procedure, `reason` says why it is UNDECIDED."""
 

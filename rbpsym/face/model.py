@@ -29,7 +29,7 @@ from rbpsym.face.parts import (
 )
 from rbpsym.face.reading import CLOCK, name_of, tree_of
 from rbpsym.face.writing import Alphabet, alphabet
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics import compiled, energy, motion, numbers, oscillation, placing
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -54,8 +54,7 @@ def model(statement: Problem | Study) -> SymbolicModel:
     return SymbolicModel(statement if isinstance(statement, Study) else Study(statement))
 
 
-@dataclass(frozen=True, repr=False)
-class SymbolicModel:
+class SymbolicModel(Frozen):
     """A problem and what follows from it. Coordinates are functions of t, as dynamicsymbols makes them; parameters are
     symbols with their signs; x points to the right, y upwards, counter-clockwise is positive."""
 

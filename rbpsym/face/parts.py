@@ -13,7 +13,7 @@ from rbpsym.document.notes import notation_of
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.face.late import mechanics, sympy
 from rbpsym.face.writing import alphabet
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation.latex import to_latex
@@ -22,8 +22,7 @@ from rbpsym.solve import shown
 # --- the steps of a derivation as sympy's relations, with their LaTeX, premises, verdicts and obligations
 
 
-@dataclass(frozen=True)
-class StepRelation:
+class StepRelation(Frozen):
     """A step: the `relations` that it asserts, in order; `latex` as the notes print it; the ids of the steps and facts
     from which it follows; what became of its check; what must hold for it to have a meaning, as relations."""
 
@@ -64,8 +63,7 @@ def relations_of(derivation: Derivation) -> Iterator[StepRelation]:
 # --- the answer of a model to a question, in sympy
 
 
-@dataclass(frozen=True)
-class SymbolicAnswer:
+class SymbolicAnswer(Frozen):
     """`value`: an expression, or the components along x and y of a vector as a column; `valid_where`: relations that must
     hold; `steps`: ids of the steps from which it follows; `latex` as the notes print it."""
 
@@ -124,8 +122,7 @@ def space(study: Study, written: Callable[[Scalar], Any]) -> Space:
 # ---
 
 
-@dataclass(frozen=True)
-class Halves:
+class Halves(Frozen):
     """What belongs to the motion of the centre of mass, and what to the turning about it; `on` each body apart."""
 
     translational: sympy.Expr
@@ -138,8 +135,7 @@ class Halves:
         return self.translational + self.rotational
 
 
-@dataclass(frozen=True)
-class AngularMomentum:
+class AngularMomentum(Frozen):
     """The component along z of an angular momentum: R × P of the centre of mass, and I_cm ω."""
 
     orbital: sympy.Expr
@@ -151,8 +147,7 @@ class AngularMomentum:
         return self.orbital + self.spin
 
 
-@dataclass(frozen=True)
-class Linearization:
+class Linearization(Frozen):
     """M δq̈ + C δq̇ + K δq = 0 about a place of rest, up to second order. `at` holds the coordinates that are not arbitrary;
     stable is None if it is not decided."""
 

@@ -16,7 +16,7 @@ from rbpsym.equality.dimensions import Unsettled, require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError, StatementError
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, SIGNS, is_sympy, name_of, tree_of
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Node, names
@@ -124,8 +124,7 @@ def problem(name: str, **sections: Any) -> Problem:
     return made
 
 
-@dataclass(frozen=True)
-class _Found:
+class _Found(Frozen):
     """What stands in a statement: expressions with their slots; symbols and functions of the time by name, each with
     its first place."""
 

@@ -14,15 +14,14 @@ from rbpsym.algebra import Scalar, names_in
 from rbpsym.derivation.context import Context
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, RELATIONS, SIGNS
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 
 CLASSES = {op: name for name, op in RELATIONS.items()}
 
 
-@dataclass(frozen=True)
-class Alphabet:
+class Alphabet(Frozen):
     """What the names in a formula are in sympy.
 
     constants: symbols by name. coordinates, moving: names of what depends on the time (the second without derivatives

@@ -9,13 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
 from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.kernel.claim import Claim, sides
 from rbpsym.notation import tree as t
 
 
-@dataclass(frozen=True, slots=True)
-class Known:
+class Known(Frozen):
     """An equation that may be used: by its name, at the time `when` ("t" or "0"); `by`: what shows that `claim.given` holds."""
 
     name: str
@@ -29,16 +28,14 @@ class Known:
         return not self.by and not (self.name[0] == "g" and self.name[1:].isdigit())
 
 
-@dataclass(frozen=True, slots=True)
-class Multiples:
+class Multiples(Frozen):
     """left - right = Σ factor × (left - right of a known equation) + Σ factor × (sin² + cos² - 1 of an angle)."""
 
     known: tuple[tuple[t.Node, Known], ...] = ()
     circles: tuple[tuple[t.Node, t.Node], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Have:
+class Have(Frozen):
     """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral",
     "sign" and "gap" (a sine, a difference that ranges keep positive), "nonzero" and "positive" (± left is a positive
     formula and one that is not negative).
@@ -59,8 +56,7 @@ class Have:
     parts: tuple[t.Node, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Proof:
+class Proof(Frozen):
     """What is shown on the way, then the claim.
 
     like: for a rate, the formula that is derived, and why it is the same; factor: what is divided by; parts: what is
@@ -74,8 +70,7 @@ class Proof:
     parts: tuple[t.Node, ...] = ()
 
 
-@dataclass(frozen=True)
-class Lemma:
+class Lemma(Frozen):
     """A claim, the premises that its proof names, and the proof."""
 
     name: str
@@ -87,8 +82,7 @@ class Lemma:
 Sums = dict[int, Scalar]  # how often each of the known equations is in one
 
 
-@dataclass(frozen=True)
-class Row:
+class Row(Frozen):
     """A value, and what it is: the goal (or nothing) and Σ multiples × known values."""
 
     value: Scalar
@@ -102,8 +96,7 @@ class Row:
         return Row(wound(self.value - factor * other.value), sums)
 
 
-@dataclass(frozen=True)
-class Pivot:
+class Pivot(Frozen):
     """An atom to a power, which a row gives, and its coefficient there."""
 
     atom: int

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Lemma, Proof
 from rbpsym.kernel.claim import Claim, Said
 from rbpsym.kernel.claims import Source
@@ -19,8 +19,7 @@ from rbpsym.kernel.rocq import Terms, Writer, identifier
 from rbpsym.notation import tree as t
 
 
-@dataclass(frozen=True)
-class Written:
+class Written(Frozen):
     """lemmas: those of each step, by its id; refused: why a step has none; unused: premises that no proof named."""
 
     source: Source

@@ -7,13 +7,12 @@ from fractions import Fraction
 
 from rbpsym.algebra import Monomial, Poly, Scalar, atoms, factors
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 
 
-@dataclass(frozen=True, slots=True)
-class Claim:
+class Claim(Frozen):
     """What is said of all times of the motion, if the claims in `given` hold at that time.
 
     kind: "equal"; "rate" (right is the rate of left); "start" (equal at the start); "more" (left > right); "differ";
@@ -28,8 +27,7 @@ class Claim:
     place: t.Node = t.ZERO
 
 
-@dataclass(frozen=True, slots=True)
-class Said:
+class Said(Frozen):
     """What a step or a fact says: the definitions of the letters that it introduces, and what it asserts."""
 
     definitions: tuple[Claim, ...] = ()

@@ -12,7 +12,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import facts_of
 from rbpsym.derivation.step import Derivation
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.kernel.certify import Written, lemma_of, named
 from rbpsym.kernel.claim import Claim, Said, tree_of
 from rbpsym.kernel.claims import Source
@@ -29,8 +29,7 @@ NO_COQC = "there is no coqc (apt: coq libcoq-coquelicot)"
 KINDS = {"=": "equal", "<": "more", ">": "more"}
 
 
-@dataclass(frozen=True)
-class Filed:
+class Filed(Frozen):
     """A formula that waits for coqc, by its place among all."""
 
     ground: Ground
@@ -38,8 +37,7 @@ class Filed:
     latex: str
 
 
-@dataclass(frozen=True)
-class Notary:
+class Notary(Frozen):
     """Takes formulas that are proved, and says of all together what coqc says. folder: where that is kept."""
 
     folder: Path | None = None

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.kernel.certify import Written, text
 from rbpsym.kernel.rocq import REFUSED
 from rbpsym.verify.claims_run import digest
@@ -31,8 +31,7 @@ AXIOMS = frozenset((  # of the real numbers, and that functions are equal that h
 ))  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Report:
+class Report(Frozen):
     """refused: why a step is not certified, by its id; axioms: what the accepted lemmas rest on; None: no coqc."""
 
     steps: int

@@ -7,14 +7,13 @@ from fractions import Fraction
 from itertools import product
 
 from rbpsym.algebra import UNITY, Coefficient, Monomial, Poly, Scalar, inverse, times
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.kernel.certificates import partner, wound
 
 MOST_TERMS = 60
 
 
-@dataclass(frozen=True, slots=True)
-class Sum:
+class Sum(Frozen):
     """sign × value = Σ above + Σ factor × square² + Σ factor × (1 ± wave).
 
     above: terms that are positive; squares: (factor that is not negative, what is squared); waves: (factor that is

@@ -9,7 +9,7 @@ from functools import reduce
 from typing import Any
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, Walker, field, replace
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.components import START
@@ -20,8 +20,7 @@ TOKEN = re.compile(r"\s*(:=|=>|<>|->|[A-Za-z_][\w']*|\d+|[-+*/^()<>=:,])")
 Read = tuple[Any, ...]
 
 
-@dataclass
-class Reader:
+class Reader(Walker):
     """Reads one proposition or term by descent, by Rocq's precedences, into nested tuples."""
 
     words: list[str]
@@ -117,8 +116,7 @@ def _relation(text: str) -> Read:
 # --- what is to be read
 
 
-@dataclass(frozen=True)
-class Meant:
+class Meant(Frozen):
     """What a claim is to be read as, from its trees. `time`: the moment; `bound`: what integrals and slopes bind, by the
     `depth` at which they do."""
 

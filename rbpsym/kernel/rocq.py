@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Have, Known, Lemma, Multiples, Proof
 from rbpsym.kernel.claim import Claim, is_along_time, tree_of
 from rbpsym.kernel.claims import TIME, Source
@@ -27,8 +27,7 @@ def identifier(name: str) -> str:
     return f"{word}_" if word.rstrip("_") in RESERVED else word
 
 
-@dataclass(frozen=True)
-class Terms:
+class Terms(Frozen):
     """How letters are written: `moving` are functions of time; `time` is the moment; `bound` what stands for others.
 
     `integrals`: the integral that a letter of ours stands for. `speeds`: the speed of each coordinate.
@@ -124,8 +123,7 @@ REFUSED = "not accepted: "
 RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "differ": "{left} <> {right}"}
 
 
-@dataclass(frozen=True)
-class Writer:
+class Writer(Frozen):
     """How one problem is written."""
 
     source: Source

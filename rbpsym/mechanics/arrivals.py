@@ -15,7 +15,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of, sign_along
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead
@@ -28,8 +28,7 @@ from rbpsym.statement.model import Phase
 from rbpsym.statement.scope import CLOCK
 
 
-@dataclass(frozen=True)
-class State:
+class State(Frozen):
     """Time since the start of the phase (None: no closed form), coordinates and speeds of all that the problem has; the
     conditions under which the motion comes there."""
 

@@ -7,7 +7,7 @@ from types import MappingProxyType
 from rbpsym.algebra import Scalar, apart, at_most, kept, substitute
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import replace
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS
 from rbpsym.mechanics.events import Losses
@@ -45,7 +45,6 @@ def _is_lost(study: Study) -> bool:
         return True
 
 
-@dataclass(frozen=True)
 class StartStudy(Study):
     """All coordinates are free in its system; of the motion, only its start is known (`instant`)."""
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import EX, EY, UNITY, Scalar, Vector, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import couples, curve_gaps, holding_forces, meeting, meshing_force, normal_forces, taken
 from rbpsym.mechanics.geometry import Geometry, pair
@@ -18,8 +18,7 @@ from rbpsym.statement.curves import toucher
 from rbpsym.statement.model import Element, Line, PointRef
 
 
-@dataclass(frozen=True, slots=True)
-class AngleJoin:
+class AngleJoin(Frozen):
     """angle(second) - angle(first) = offset; first None means the ground; offset None: as it starts."""
 
     first: str | None
@@ -27,8 +26,7 @@ class AngleJoin:
     offset: Scalar | None
 
 
-@dataclass(frozen=True, slots=True)
-class Touch:
+class Touch(Frozen):
     """A point that lies on a line."""
 
     point: PointRef
@@ -40,8 +38,7 @@ def _none(element: Element, geometry: Geometry | None = None) -> tuple:
     return ()
 
 
-@dataclass(frozen=True, slots=True)
-class Joint:
+class Joint(Frozen):
     """A kind of constraint: its forces, and what it asks for.
 
     `joins`: points that coincide; `angles` that are tied; `touches`: points on fixed lines;

@@ -27,15 +27,14 @@ from rbpsym.algebra import (
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import tidy
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, opposed, rotated
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Curve, Element, PointRef
 
 
-@dataclass(frozen=True, slots=True)
-class Meeting:
+class Meeting(Frozen):
     """`place` of contact, `normal` there, `gap` (vanishes while they touch); `on` touches `by`."""
 
     place: Vector

@@ -12,7 +12,7 @@ from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, names_in, short, 
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics import slipping, solutions
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_linear, solve_matrix
 from rbpsym.mechanics.forms import Form, driven_form
@@ -23,8 +23,7 @@ from rbpsym.mechanics.solutions import Course, Given
 from rbpsym.mechanics.study import Study
 
 
-@dataclass(frozen=True, slots=True)
-class Linear:
+class Linear(Frozen):
     """Accelerations h - K q of coordinates `names`, h functions of the time alone; what is declared or shown of the stiffness
     K: that no mode runs away (`is_stable`)."""
 

@@ -14,7 +14,7 @@ from rbpsym.equality.assumptions import Assumptions, behind
 from rbpsym.equality.domain import IMPLIED
 from rbpsym.equality.rooted import neat, root_of
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential, open_factors
 from rbpsym.notation.machine import to_machine
@@ -23,8 +23,7 @@ FAILS = {">": ("negative", "zero", "nonpositive"), ">=": ("negative",), "!=": ("
 WAYS = {"positive": 1, "negative": -1}
 
 
-@dataclass(frozen=True, slots=True)
-class Demand:
+class Demand(Frozen):
     """`value` op 0, op being ">", ">=" or "!="."""
 
     value: Scalar

@@ -15,7 +15,7 @@ from math import prod
 from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, substitute, total
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.errors import LimitError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.elimination import CONSTANT, Matrix, Row, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.mechanics.unsolvable import asking, contradictory, indistinct, is_nonzero, massless, unheld
@@ -27,8 +27,7 @@ FEW_PRODUCTS = 60_000
 LARGEST_REACTION = 10_000  # products to multiply out: beyond, nobody reads the formula
 
 
-@dataclass(frozen=True)
-class Dynamics:
+class Dynamics(Frozen):
     """M q̈ = f (in coordinates and speeds); accelerations and reactions solved from it.
 
     `accelerations` is None where a coupled block is too large for closed formulas. `reactions`

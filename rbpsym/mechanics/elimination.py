@@ -11,11 +11,10 @@ from collections.abc import Mapping, Sequence
 
 from rbpsym.algebra import NOTHING, ONE, UNITY, Scalar, derivative, is_zero, short, substitute, symbol
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 
-@dataclass(frozen=True, slots=True)
-class Solution:
+class Solution(Frozen):
     """values of the unknowns that are determined; `free` ones that are not; `left` the rows
     without unknowns that remain (they must vanish if the system is consistent)."""
 

@@ -13,7 +13,7 @@ from fractions import Fraction
 from rbpsym.algebra import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, short, substitute
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
@@ -26,8 +26,7 @@ from rbpsym.statement.paths import tensions
 TURNS = range(-4, 5)
 
 
-@dataclass(frozen=True, slots=True)
-class Loss:
+class Loss(Frozen):
     """`force` vanishes where `factor` does, under the conditions `valid`; `at` are the places in closed form."""
 
     force: str
@@ -37,8 +36,7 @@ class Loss:
     valid: tuple[Demand, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Losses:
+class Losses(Frozen):
     """The losses that come first; whether there is no other, and why that is not decided (complete: None); `open_` are
     those of which it is not decided whether they happen."""
 
@@ -48,8 +46,7 @@ class Losses:
     open_: tuple[Loss, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Way:
+class Way(Frozen):
     """How one coordinate moves from its start: in a sense, with the square of its speed; `asked`: where it does so."""
 
     name: str

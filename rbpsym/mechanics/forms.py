@@ -10,15 +10,14 @@ from rbpsym.algebra.calculus import depends_on, derivative, names_in, root, subs
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.elimination import short
 
 if TYPE_CHECKING:
     from rbpsym.mechanics.solutions import Given
 
 
-@dataclass(frozen=True, slots=True)
-class Form:
+class Form(Frozen):
     """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive; or `law`, another
     function of q̇; or -q̇ times a function of the time, `drawn`, as of what is drawn in or let out while it turns."""
 
@@ -81,8 +80,7 @@ def driven_form(form: Form) -> Form | None:
     return replace(form, constant=substitute(constant, {"t": NOTHING}), drive=drive, frequency=frequency)
 
 
-@dataclass(frozen=True, slots=True)
-class PowerLaw:
+class PowerLaw(Frozen):
     """u = |q̇| = way q̇ changes as u̇ = factor u^power, from its `begun` size."""
 
     power: int | Fraction

@@ -9,7 +9,7 @@ from rbpsym.algebra import NOTHING, Scalar, short, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
@@ -74,8 +74,7 @@ def spare(element: Element, value: Callable[[str], Scalar]) -> tuple[Scalar, ...
     return most - value(element["friction"]), most + value(element["friction"])
 
 
-@dataclass(frozen=True, slots=True)
-class FrictionNeed:
+class FrictionNeed(Frozen):
     """Static friction keeps a contact from slipping as long as |ratio| = |f|/N ≤ the coefficient.
 
     `ratio` is f/N as a function of the state (of the position alone, where the speed is known), N being the sum of

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from rbpsym.algebra import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NoNumber, StatementError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import BodyState, Pose, at_point
@@ -70,8 +70,7 @@ def below(parts: list[Scalar]) -> Scalar:
 TINY = 1e-9
 
 
-@dataclass(frozen=True)
-class Geometry:
+class Geometry(Frozen):
     """Positions of points, poses of bodies, sample numbers; states of motion where they are known.
 
     `unsaid` are coordinates of which nothing says where they are: their sample numbers tell nothing.

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol, time_derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces, slip_speed
 from rbpsym.mechanics.demands import Demand
@@ -23,8 +23,7 @@ from rbpsym.statement.model import Element, PointRef
 Values = Mapping[str, Scalar]
 
 
-@dataclass(frozen=True)
-class Struck:
+class Struck(Frozen):
     """Speeds of all coordinates just after; impulses by the name of their unknown (where determined); what is `asked` for
     contacts to push and for friction to do as it is said, by the name of the contact."""
 
@@ -33,8 +32,7 @@ class Struck:
     asked: Mapping[str, tuple[Demand, ...]]
 
 
-@dataclass(frozen=True)
-class Moment:
+class Moment(Frozen):
     """The systems before and after, at one configuration."""
 
     before: System

@@ -6,14 +6,13 @@ from collections.abc import Iterable
 
 from rbpsym.algebra import NOTHING, UNITY, Scalar, cosine, sine, tidy
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Body, MassElement, PlacedShape, Shape
 from rbpsym.statement.solids import integrate_ranges
 
 
-@dataclass(frozen=True, slots=True)
-class Inertia:
+class Inertia(Frozen):
     """mass; centre of mass (x, y) in the body frame; moment of inertia about the centre of mass.
 
     `about_origin` is ∫ dm r² about the origin of the body frame, None if the moment is given.
@@ -50,8 +49,7 @@ def _about_center(mass: Scalar, first: tuple[Scalar, Scalar], second: Scalar) ->
 POWERS = ((), ("x",), ("y",), ("r", "r"))
 
 
-@dataclass(frozen=True, slots=True)
-class Moments:
+class Moments(Frozen):
     """∫dm, ∫x dm, ∫y dm, ∫r² dm in the body frame."""
 
     zeroth: Scalar

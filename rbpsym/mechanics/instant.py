@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.elimination import Solution, solve_linear
 from rbpsym.mechanics.system import Condition, System
@@ -21,8 +21,7 @@ from rbpsym.statement.model import Problem
 Values = Mapping[str, Scalar]
 
 
-@dataclass(frozen=True)
-class Instant:
+class Instant(Frozen):
     """The start of a motion in which every coordinate is free.
 
     `places` and `speeds` of all coordinates; `sought`: the speeds that follow from the conditions; `rates`,

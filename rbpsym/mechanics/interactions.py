@@ -12,7 +12,7 @@ from fractions import Fraction
 from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.geometry import no_direction, pair
 from rbpsym.mechanics.resistance import Resisted, resisted
 from rbpsym.mechanics.system import BodyState, Force, opposed, rotated
@@ -22,8 +22,7 @@ from rbpsym.statement.model import Element, PointRef
 HALF = Fraction(1, 2)
 
 
-@dataclass(frozen=True)
-class Setting:
+class Setting(Frozen):
     """What a law may look at: positions and velocities of points, states of bodies, signs (`sign`: at the start), the names
     of unknown forces."""
 
@@ -36,8 +35,7 @@ class Setting:
     is_constant: Callable[[Scalar], bool]
 
 
-@dataclass(frozen=True, slots=True)
-class Law:
+class Law(Frozen):
     """forces(element, setting); potential(element, setting) is None where there is none; `taken`: what is positive
     where the formula of the force holds."""
 

@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import combinations
 
 from rbpsym.algebra import EX, EY, NOTHING, ORIGIN, Scalar, Vector, cartesian, depends_on, is_zero, short, substitute
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.arrivals import State, at_start
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
@@ -26,8 +26,7 @@ from rbpsym.mechanics.system import Force, System, by_letters
 from rbpsym.statement.model import Element
 
 
-@dataclass(frozen=True)
-class Jump:
+class Jump(Frozen):
     """after - before = given, of a set of bodies: angular momenta about `where` if `is_turning`, else momenta along it.
 
     `label` names the place or the axis, "" where nothing does; `silent` are the unknown impulses from outside, none of which
@@ -162,8 +161,7 @@ def _is_connected(subset: tuple[str, ...], links: Collection[tuple[str, str]]) -
     return len(reached) == len(subset)
 
 
-@dataclass(frozen=True)
-class Kept:
+class Kept(Frozen):
     """L of a set of bodies about a fixed point, `label` "" where that has no name: of the outer forces `silent` ones have no
     torque about it, those that `cancel` have torques whose sum vanishes on the motion."""
 

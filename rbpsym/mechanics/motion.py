@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from rbpsym.algebra import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.dynamics import Dynamics, torque_about_center
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.mechanics.energy import is_conserved
@@ -141,8 +141,7 @@ def _replaced(poly: Poly, index: int, square: Scalar) -> Scalar | None:
     return total
 
 
-@dataclass(frozen=True, slots=True)
-class Work:
+class Work(Frozen):
     """One half of a force's work on a body.
 
     `parts`: integrand by coordinate (only those that are not identically zero); `value`: the
@@ -153,8 +152,7 @@ class Work:
     value: Scalar | None
 
 
-@dataclass(frozen=True, slots=True)
-class ForceWork:
+class ForceWork(Frozen):
     """Both halves of the work of one force on one body."""
 
     force: str

@@ -12,15 +12,14 @@ from fractions import Fraction
 from rbpsym.algebra import NOTHING, Scalar, derivative, function, is_zero, names_in, root, short, substitute, without_even_roots
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.oscillation import Equilibrium, where_stable
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study
 
 
-@dataclass(frozen=True, slots=True)
-class Orbit:
+class Orbit(Frozen):
     """Where a coordinate stays on a steady motion, the square of the frequency about it, and what that asks for."""
 
     place: Scalar
@@ -76,8 +75,7 @@ def orbits(study: Study, name: str) -> list[Orbit]:
 TIMES = (Fraction(1), Fraction(2), Fraction(1, 2), Fraction(4))  # n, with a small whole 4/n
 
 
-@dataclass(frozen=True, slots=True)
-class Swing:
+class Swing(Frozen):
     """The place of rest, the squares of ϑ and of the modulus k, 2/n, and what they ask of the parameters."""
 
     rest: Scalar

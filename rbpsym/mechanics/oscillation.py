@@ -22,7 +22,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of, rooted
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_rows
@@ -38,8 +38,7 @@ DAMPERS = ("damper", "rotary-damper")
 Powers = tuple[Scalar, ...]  # coefficients of a polynomial in λ, that of the highest power first
 
 
-@dataclass(frozen=True, slots=True)
-class Linear:
+class Linear(Frozen):
     """M, C and K; the irreducible `factors` of det(M λ² + C λ + K) without λ itself, which is one `zeros` times;
     `tied`: what the displacements of tied coordinates are per displacement of each independent one."""
 
@@ -153,8 +152,7 @@ def hurwitz(powers: Sequence[Scalar], size: int) -> Matrix:
 # --- what is proved of the stability
 
 
-@dataclass(frozen=True, slots=True)
-class Nature:
+class Nature(Frozen):
     """What is `proved` of a position of rest: "asymptotic" (all roots have negative real parts, but for displacements
     along which every place is one of rest), "minimum" (of the energy, of which nothing is gained), "unstable" (a root
     with a positive real part), or "open"; and what has to be positive for the first, as far as that is not certain."""
@@ -201,8 +199,7 @@ def gains_nothing(system: System, dynamics: Dynamics, assumptions: Assumptions) 
     return is_zero(force - substitute(force, {speed: -symbol(speed)}))
 
 
-@dataclass(frozen=True, slots=True)
-class Equilibrium:
+class Equilibrium(Frozen):
     """A position of rest: `at` the coordinates that are not arbitrary; `frequencies_squared` of the
     normal modes that have a closed form, the slowest first (none where speeds damp the motion); `nature` what is
     proved of its stability; where that is open, it is stable `where` this is positive and unstable where it is

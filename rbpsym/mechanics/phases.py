@@ -15,7 +15,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import NotApplicable, StatementError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle
@@ -60,8 +60,7 @@ def _runs(node: Node) -> bool:
     return depends_on(scalar(node), CLOCK)
 
 
-@dataclass(frozen=True)
-class HandOver:
+class HandOver(Frozen):
     """How a phase begins: the state that ended the one before, the speeds after, the impulses, the energy lost in the
     blow (if there `is_blow`), and that which was taken on the way before (None where a force has no potential); what is
     `asked` of coefficients of restitution, so that no energy is gained, and for contacts to be `held`, by their names; the
@@ -78,8 +77,7 @@ class HandOver:
     phase: Phase | None = None
 
 
-@dataclass(frozen=True)
-class Stage:
+class Stage(Frozen):
     """A phase with its mechanics; `began` is None for the first. `clock` is the time from the start of the first
     phase to its beginning, None where that has no closed form."""
 

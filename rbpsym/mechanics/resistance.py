@@ -12,7 +12,7 @@ from collections.abc import Callable
 from rbpsym.algebra import UNITY, Scalar, Vector, depends_on, is_zero, root, substitute, symbol, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import pair
 from rbpsym.statement.model import Element, PointRef
 
@@ -20,8 +20,7 @@ SENSES = {"ccw": 1, "cw": -1}
 LETTERS = {"resistance": "v", "resisting-couple": "omega"}
 
 
-@dataclass(frozen=True, slots=True)
-class Resisted:
+class Resisted(Frozen):
     """What is resisted: its `rate` along a direction (None for a couple), the sense that it has to keep (0: any will do), and
     the force or couple `push` along the direction, which is negative where the rate is positive."""
 

@@ -10,7 +10,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant
@@ -25,8 +25,7 @@ MOST_TURNS = 8
 LONGEST = 400  # terms: signs of what is longer are not looked for
 
 
-@dataclass(frozen=True, slots=True)
-class Rest:
+class Rest(Frozen):
     """Places, each with what is asked of the parameters there; whether these are all (None: not decided, with the
     reason); the factors of the forces that may vanish elsewhere too."""
 
@@ -234,8 +233,7 @@ def _of_forces(system: System, dynamics: Dynamics, at: At, given: Assumptions) -
 OPPOSITE = {"positive": "negative", "negative": "positive"}
 
 
-@dataclass(frozen=True, slots=True)
-class Balance:
+class Balance(Frozen):
     """The one coordinate, the generalized `force` along it at rest and its derivative (the `slope`).
 
     `stable`: whether the slope is negative (positive: False) throughout the range, None if its sign

@@ -9,7 +9,7 @@ from math import gcd
 from rbpsym.algebra import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import normal
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.elimination import short
 
 HALF = Fraction(1, 2)
@@ -228,8 +228,7 @@ def _principal(value: Scalar) -> Scalar:
 Spread = Callable[[str, Scalar, Scalar | None], Sequence[Scalar]]
 
 
-@dataclass(frozen=True)
-class Places:
+class Places(Frozen):
     """Assignments of names at which all values vanish; `open_` are factors that may vanish elsewhere too."""
 
     found: list[dict[str, Scalar]] = field(default_factory=list)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from rbpsym.algebra import Scalar
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Losses, pushes
 from rbpsym.mechanics.friction import FrictionNeed
@@ -15,8 +15,7 @@ from rbpsym.statement.model import Element
 LARGEST = 400  # terms: conditions on what is longer are left as they stand
 
 
-@dataclass(frozen=True, slots=True)
-class Side:
+class Side(Frozen):
     """A one-sided force with its `value` on the motion, and what becomes of it: it is "kept" (up to where the force `until`
     is lost), "lost", or not negative under the conditions `valid` only ("asked"; "open": whether they are met on the way
     is not decided, though the value is a function of the position alone)."""

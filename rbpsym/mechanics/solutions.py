@@ -18,7 +18,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.forms import Form, form_of, power_law, raised
@@ -35,8 +35,7 @@ SURE = {"positive": (WEAK,), "negative": (STRONG,), "zero": (CRITICAL,)}
 STEADY, SMALL = "steady", "small"
 
 
-@dataclass(frozen=True, slots=True)
-class Course:
+class Course(Frozen):
     """A coordinate as a function of the time since the start, in `letters` that stand for these values; where that is so:
     the demands `valid`, and `where` a parameter has a value. `steady`: what is left of a driven motion at last."""
 
@@ -57,8 +56,7 @@ class Course:
         return without_even_roots(derivative(self.whole, "t"))
 
 
-@dataclass(frozen=True, slots=True)
-class Given:
+class Given(Frozen):
     """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics, the coordinate;
     what it asks for; a `mark` of its letters. A sum of coordinates has no name."""
 

@@ -11,15 +11,14 @@ from __future__ import annotations
 from rbpsym.algebra import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol, tidy
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry, no_direction
 from rbpsym.mechanics.system import Force
 from rbpsym.statement.model import Element, Turn
 from rbpsym.statement.paths import runs, tensions
 
 
-@dataclass(frozen=True, slots=True)
-class Segment:
+class Segment(Frozen):
     """A straight piece: `along` the unit vector from `start` (leaving `first`) to `end` (at `second`)."""
 
     first: Turn

@@ -23,7 +23,7 @@ from rbpsym.algebra import (
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve
@@ -39,8 +39,7 @@ from rbpsym.statement.model import Problem
 MOST_PRODUCTS = 600_000  # of terms, for the equations of motion: forty times as many as the longest of the library takes
 
 
-@dataclass(frozen=True)
-class Study:
+class Study(Frozen):
     """A problem with its mechanics."""
 
     problem: Problem

@@ -7,22 +7,20 @@ from typing import Any
 
 from rbpsym.algebra import NOTHING, ORIGIN, QUARTER, Scalar, Scope, Vector, kept, substitute, time_derivative
 from rbpsym.algebra.vector import vector_sum
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.paths import tensions
 
 
-@dataclass(frozen=True, slots=True)
-class Pose:
+class Pose(Frozen):
     """Where the frame of a body is: position of its origin, angle of its x' axis from +x."""
 
     origin: Vector
     angle: Scalar
 
 
-@dataclass(frozen=True, slots=True)
-class BodyState:
+class BodyState(Frozen):
     """A body in motion. All vectors in space; angles, ω and α counter-clockwise positive."""
 
     name: str
@@ -45,8 +43,7 @@ class BodyState:
         return self.inertia.moment
 
 
-@dataclass(frozen=True, slots=True)
-class Force:
+class Force(Frozen):
     """A force, a couple, or both, on one body.
 
     `name` is that of the interaction or constraint; `by` is the body that exerts it, or
@@ -85,8 +82,7 @@ def opposed(
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Condition:
+class Condition(Frozen):
     """One scalar geometric condition `value = 0` of a constraint."""
 
     constraint: str
@@ -94,8 +90,7 @@ class Condition:
     what: str = ""
 
 
-@dataclass(frozen=True)
-class System:
+class System(Frozen):
     """A problem with kinematics and forces worked out.
 
     `coordinates` are the independent ones, `dependent` what the constraints make of the

@@ -8,7 +8,7 @@ from rbpsym.algebra import Scalar, Scope, depends_on, is_zero, substitute, time_
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, integrated, rate_conditions, solve_explicitly
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
@@ -20,8 +20,7 @@ from rbpsym.statement.model import Problem
 Rates = dict[int, Condition]  # conditions on the speeds by their place among all of them
 
 
-@dataclass(frozen=True)
-class Tied:
+class Tied(Frozen):
     """`solved`: names in terms of the others; `implicit`: conditions that stay as equations;
     `speeds`: conditions on the speeds that are no rates; `conditions`: all on the position."""
 

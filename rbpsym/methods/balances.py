@@ -15,7 +15,7 @@ from rbpsym.algebra.normal import without_even_roots
 from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.derivation.step import PhraseRef
 from rbpsym.errors import LimitError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import normal
@@ -25,8 +25,7 @@ from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.notation import tree as t
 
 
-@dataclass(frozen=True)
-class Balance:
+class Balance(Frozen):
     """left = right; `kind` "fixed", "center", "moving", "crossing" (torques) or "force".
 
     `label` names the point or the direction; `unknowns` are the accelerations and force
@@ -182,8 +181,7 @@ def _directions(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Ve
 MOST_CANDIDATES, MOST_EXTRA, LONGEST = 28, 3, 6
 
 
-@dataclass(frozen=True)
-class Plan:
+class Plan(Frozen):
     """The balances, and the unknowns that they determine together."""
 
     balances: tuple[Balance, ...]

@@ -10,14 +10,13 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from rbpsym.algebra import is_zero
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.study import Study
 from rbpsym.methods.balances import LONGEST, MOST_CANDIDATES, MOST_EXTRA, Balance, all_balances, may_close, plan
 
 
-@dataclass(frozen=True)
-class Road:
+class Road(Frozen):
     """`first` is the balance with which it begins; None for `kind` "bodies" (Newton's and Euler's equations of each) and
     "energy" (that of the whole). `lines` are its equations, `stay` and `drop` the unknown forces that are in them and not."""
 

@@ -13,7 +13,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.interactions import stretch
 from rbpsym.mechanics.motion import ForceWork, Work
@@ -26,8 +26,7 @@ from rbpsym.statement.model import Element
 LONGEST = 40  # nodes of an integrand that a reader takes in
 
 
-@dataclass(frozen=True)
-class Spring:
+class Spring(Frozen):
     """A spring that acts on one body: its stiffness, how far its ends are apart, its natural length."""
 
     element: Element

@@ -11,7 +11,7 @@ from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, short
 from rbpsym.derivation.chapters.inertia import turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics import energy, motion
 from rbpsym.mechanics.system import Force
 from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started, steady
@@ -21,8 +21,7 @@ FAR_SHORTER = 0.5
 MOST_AT_THE_BOARD = 2  # bodies; with more of them it is a matter for full detail
 
 
-@dataclass(frozen=True)
-class Parts:
+class Parts(Frozen):
     """The ideal forces between two bodies by name, and the known works on each body."""
 
     inner: Mapping[str, Force]

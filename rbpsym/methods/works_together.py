@@ -11,7 +11,7 @@ from rbpsym.algebra import NOTHING, ONE, PLAIN, Coefficient, Monomial, Poly, Sca
 from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, StepRef
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.motion import ForceWork, Work
@@ -23,8 +23,7 @@ FEWEST = 2  # ideal forces: for a single one the two works are told already
 LONGEST = 70  # nodes of the integral by components, which is left out where it is longer
 
 
-@dataclass(frozen=True)
-class Together:
+class Together(Frozen):
     """The body, its one coordinate, the ideal forces that do work on it, and the works of all others."""
 
     name: str

@@ -9,15 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import fields
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 
-@dataclass(frozen=True, slots=True)
-class Box:
+class Box(Frozen):
     """A part of a page."""
 
 
-@dataclass(frozen=True, slots=True)
 class Letter(Box):
     """A letter or word; `style` is italic, upright, script or number."""
 
@@ -25,14 +23,12 @@ class Letter(Box):
     style: str = "italic"
 
 
-@dataclass(frozen=True, slots=True)
 class Phrase(Box):
     """Words of prose inside a formula, with spaces around."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
 class Operator(Box):
     """A sign: kind "binary" (+ − · ×), "prefix" (−), "relation" (=), "mark" (, / |)."""
 
@@ -40,24 +36,20 @@ class Operator(Box):
     kind: str = "binary"
 
 
-@dataclass(frozen=True, slots=True)
 class Big(Box):
     """A large operator: ∫ or ∑."""
 
     sign: str
 
 
-@dataclass(frozen=True, slots=True)
 class Space(Box):
     """A thin space."""
 
 
-@dataclass(frozen=True, slots=True)
 class Times(Box):
     """The invisible sign between factors that stand side by side."""
 
 
-@dataclass(frozen=True, slots=True)
 class Accent(Box):
     """A sign over a box: vec, bold, hat, bar, tilde, check, dot, ddot, dddot."""
 
@@ -65,14 +57,12 @@ class Accent(Box):
     body: Box
 
 
-@dataclass(frozen=True, slots=True)
 class Prime(Box):
     """One or more primes, as a superscript."""
 
     count: int
 
 
-@dataclass(frozen=True, slots=True)
 class Script(Box):
     """A base with a subscript, superscript or both."""
 
@@ -81,7 +71,6 @@ class Script(Box):
     sup: Box | None = None
 
 
-@dataclass(frozen=True, slots=True)
 class Under(Box):
     """An operator word with something under it (lim)."""
 
@@ -89,7 +78,6 @@ class Under(Box):
     under: Box
 
 
-@dataclass(frozen=True, slots=True)
 class Fraction(Box):
     """A fraction with a bar."""
 
@@ -97,14 +85,12 @@ class Fraction(Box):
     den: Box
 
 
-@dataclass(frozen=True, slots=True)
 class Radical(Box):
     """A square root."""
 
     body: Box
 
 
-@dataclass(frozen=True, slots=True)
 class Fence(Box):
     """A body between delimiters ( [ | or none (""); `tall` if they must grow."""
 
@@ -114,14 +100,12 @@ class Fence(Box):
     tall: bool = False
 
 
-@dataclass(frozen=True, slots=True)
 class Function(Box):
     """The name of a function, upright."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
 class Applied(Box):
     """A function head (perhaps with a power) before its argument."""
 
@@ -129,14 +113,12 @@ class Applied(Box):
     arg: Box
 
 
-@dataclass(frozen=True, slots=True)
 class Row(Box):
     """Boxes side by side."""
 
     items: tuple[Box, ...]
 
 
-@dataclass(frozen=True, slots=True)
 class Rows(Box):
     """Aligned rows: each a left part and a right part that begins with its relation sign."""
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation.letters import NAME_OF_LETTER, SAME_LETTER, letter_named
 
 ACCENTS = ("hat", "bar", "tilde", "check")
@@ -22,8 +22,7 @@ _AXES = frozenset("xyz")
 _NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
-class Glyph:
+class Glyph(Frozen):
     """A drawn name. `style` is "italic", "upright", "script" or "number"; `subs` are glyphs."""
 
     base: str
@@ -35,8 +34,7 @@ class Glyph:
     prefix: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Notation:
+class Notation(Frozen):
     """How formulas are printed.
 
     `aliases` draws one name as another (`theta_dot` as `omega`); `vector` is "arrow" or

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 
 from rbpsym.errors import Place, RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_grammar import expression
 from rbpsym.notation.infix_names import FUNCTIONS, InfixReader, tokenize
@@ -58,8 +58,7 @@ def read_relation(
     return reader.source.bounded(replace(found, span=(0, len(text))), len(text))
 
 
-@dataclass(frozen=True, slots=True)
-class Ways:
+class Ways(Frozen):
     """The trees that a text can be read as, the usual one first, and the error of the first place that is not clear.
 
     parted: for each tree, what was chosen at the places that decide what is multiplied and what divided.

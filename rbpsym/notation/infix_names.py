@@ -10,7 +10,7 @@ from fractions import Fraction
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.letters import names_of_letter
 from rbpsym.notation.source import Cursor, Source, refused
@@ -40,8 +40,7 @@ _TAIL = re.compile(r"[₀-₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ
 _DIGITS = re.compile(r"[0-9]+(?![0-9.,])")
 
 
-@dataclass(frozen=True, slots=True)
-class InfixToken:
+class InfixToken(Frozen):
     """A token: `kind` is number, name, raised (², as an integer), operator or end.
 
     `names` are the names that a typed letter may stand for; `spaced` says if a blank was before.
@@ -188,7 +187,6 @@ FUNCTIONS: Mapping[str, Callable[[t.Node], t.Node]] = MappingProxyType({
 })  # fmt: skip
 
 
-@dataclass(slots=True)
 class InfixReader(Cursor[InfixToken]):
     """A cursor with the symbols, functions and aliases of a problem.
 

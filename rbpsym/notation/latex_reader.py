@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 
 from rbpsym.errors import Place, RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import latex_calculus, latex_formal, latex_functions, latex_packages, latex_sums
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
@@ -27,8 +27,7 @@ MOST_READINGS, MOST_TOKENS = 128, 12_000  # readings, and tokens read in all of 
 Read = Callable[[LatexReader], t.Node]
 
 
-@dataclass(frozen=True, slots=True)
-class Reading:
+class Reading(Frozen):
     """A formula as it was read with some choices: the tree or the error, the questions met, how unusual it is."""
 
     script: tuple[bool, ...]

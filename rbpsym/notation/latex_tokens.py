@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from rbpsym.errors import LimitError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.hyperbolic import HYPERBOLIC
 from rbpsym.notation.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.notation.source import Source, refused
@@ -116,8 +116,7 @@ _ENVIRONMENTS = frozenset({
 })  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(Frozen):
     """A token: `kind` is letter (with its character), digit, text, command, sign, row, ..."""
 
     kind: str

@@ -205,8 +205,7 @@ class Printer:
 
     def parts(self, box: b.Box) -> dict[str, object]:
         """The parts of a box by name, boxes printed."""
-        held = {name: getattr(box, name) for name in box.__slots__}
-        return {name: self(part) if isinstance(part, b.Box) else part for name, part in held.items()}
+        return {name: self(part) if isinstance(part, b.Box) else part for name, part in vars(box).items()}
 
     def formula(self, node: Node, notation: Notation) -> str:
         """The print of a formula."""

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction as Rational
 
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation
 
 
-@dataclass(frozen=True, slots=True)
-class Style:
+class Style(Frozen):
     """`mode` is "display" (fractions with bars), "inline" (exponents: 3/2) or "text" (one line)."""
 
     notation: Notation = DEFAULT

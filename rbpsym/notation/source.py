@@ -8,13 +8,12 @@ from contextlib import contextmanager
 from typing import Generic, Protocol, TypeVar
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, Walker, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import check_degree, check_exponent, check_size
 
 
-@dataclass(frozen=True, slots=True)
-class Source:
+class Source(Frozen):
     """The text being read and the place in a file where it begins."""
 
     text: str
@@ -97,8 +96,7 @@ class _Source(Protocol):
 T = TypeVar("T", bound=_Token)
 
 
-@dataclass(slots=True)
-class Cursor(Generic[T]):
+class Cursor(Walker, Generic[T]):
     """Tokens read from left to right."""
 
     source: _Source

@@ -11,7 +11,7 @@ from fractions import Fraction as Rational
 from types import MappingProxyType
 from typing import Any
 
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, letter_name
 from rbpsym.notation.setting import plain_fraction, signed
@@ -47,8 +47,7 @@ WORDS: Mapping[str, str] = MappingProxyType({
 })  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Voice:
+class Voice(Frozen):
     """The notation and the words of a language."""
 
     notation: Notation = DEFAULT

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, glyph
 from rbpsym.notation.latex_tokens import Token, tokenize
@@ -13,8 +13,7 @@ from rbpsym.notation.source import Cursor, Source
 from rbpsym.notation.tree import Node
 
 
-@dataclass(frozen=True, slots=True)
-class Drawn:
+class Drawn(Frozen):
     """What a reader sees of a name; subscripts are one label without commas and braces."""
 
     base: str
@@ -26,8 +25,7 @@ class Drawn:
     prefix: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class SymbolTable:
+class SymbolTable(Frozen):
     """Names by their drawn form, and names by a row of tokens (`spellings`).
 
     `faults` counts where the dimensions of a formula do not fit; by it a reader chooses between two readings
@@ -120,7 +118,6 @@ def spelling(tokens: Iterable[Token]) -> tuple[str, ...]:
 Question = tuple[str, str, Token]  # what is asked, what to write instead, at which token
 
 
-@dataclass(slots=True)
 class LatexReader(Cursor[Token]):
     """A cursor with the symbols; `integrals` counts the integrals that wait for their dx; `path` is what
     stood behind the d in a numerator, `over` the variable of the last integral.

@@ -13,67 +13,58 @@ from dataclasses import fields
 from fractions import Fraction
 from functools import cache
 
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import field, replace
 from rbpsym.showing import Shown
 
 
-@dataclass(frozen=True, slots=True)
 class Node(Shown):
     """A formula or a part of one."""
 
     span: tuple[int, int] | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@dataclass(frozen=True, slots=True)
 class Num(Node):
     """An exact rational number."""
 
     value: Fraction | int
 
 
-@dataclass(frozen=True, slots=True)
 class Sym(Node):
     """A scalar quantity, by its name in the problem (`theta`, `ell`, `theta_dot`, `I_rod`)."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
 class Vec(Node):
     """A vector quantity, by name: printed with an arrow (or in bold)."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
 class Unit(Node):
     """A Cartesian unit vector: axis "x", "y" or "z", printed î, ĵ, k̂."""
 
     axis: str
 
 
-@dataclass(frozen=True, slots=True)
 class Add(Node):
     """A sum in the author's order; a subtracted term is `Neg(term)`."""
 
     terms: tuple[Node, ...]
 
 
-@dataclass(frozen=True, slots=True)
 class Neg(Node):
     """Minus the argument."""
 
     arg: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Mul(Node):
     """A product, printed by juxtaposition in the author's order (a vector may be one factor)."""
 
     factors: tuple[Node, ...]
 
 
-@dataclass(frozen=True, slots=True)
 class Div(Node):
     """A fraction with a bar."""
 
@@ -81,7 +72,6 @@ class Div(Node):
     den: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Pow(Node):
     """A power; the exponent is any tree (usually `Num`)."""
 
@@ -89,14 +79,12 @@ class Pow(Node):
     exponent: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Sqrt(Node):
     """The non-negative square root."""
 
     arg: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Fn(Node):
     """A function of one argument: sin cos tan cot sec csc asin acos atan exp ln."""
 
@@ -104,14 +92,12 @@ class Fn(Node):
     arg: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Abs(Node):
     """Absolute value of a scalar, magnitude of a vector."""
 
     arg: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Group(Node):
     """Delimiters that the author wants to see: kind "(" or "[" (printers add needed ones alone)."""
 
@@ -119,7 +105,6 @@ class Group(Node):
     kind: str = "("
 
 
-@dataclass(frozen=True, slots=True)
 class Cross(Node):
     """Vector product."""
 
@@ -127,7 +112,6 @@ class Cross(Node):
     right: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Dot(Node):
     """Scalar product."""
 
@@ -135,7 +119,6 @@ class Dot(Node):
     right: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Deriv(Node):
     """A derivative written as a fraction, d^n(of)/d(wrt)^n; `wrt` is "t" for the time."""
 
@@ -145,7 +128,6 @@ class Deriv(Node):
     partial: bool = False
 
 
-@dataclass(frozen=True, slots=True)
 class Integral(Node):
     """A definite integral of `integrand` over the coordinate `var` (printed ∫_lower^upper f dvar)."""
 
@@ -155,7 +137,6 @@ class Integral(Node):
     upper: Node
 
 
-@dataclass(frozen=True, slots=True)
 class BodyIntegral(Node):
     """∫ integrand dm over the region of the body named `body`."""
 
@@ -163,7 +144,6 @@ class BodyIntegral(Node):
     body: str = "Omega"
 
 
-@dataclass(frozen=True, slots=True)
 class PathIntegral(Node):
     """∫ of a force along a path: `product` is "dot" (∫F·dR) or "times" (∫τ dφ); `path` is R or φ."""
 
@@ -172,7 +152,6 @@ class PathIntegral(Node):
     product: str = "dot"
 
 
-@dataclass(frozen=True, slots=True)
 class Sum(Node):
     """The sum of `term` over all particles, numbered by the symbol `index`; printed ∑_index."""
 
@@ -180,7 +159,6 @@ class Sum(Node):
     index: str = "i"
 
 
-@dataclass(frozen=True, slots=True)
 class Bracket(Node):
     """[f] taken between two values of `var`: f(upper) - f(lower)."""
 
@@ -190,14 +168,12 @@ class Bracket(Node):
     upper: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Delta(Node):
     """The change of a quantity between start and now, printed Δ."""
 
     arg: Node
 
 
-@dataclass(frozen=True, slots=True)
 class At(Node):
     """A quantity at a given condition, printed f|_{cond}."""
 
@@ -205,7 +181,6 @@ class At(Node):
     condition: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Limit(Node):
     """The limit of `arg` as the symbol `var` tends to `to`."""
 
@@ -214,14 +189,12 @@ class Limit(Node):
     to: Node
 
 
-@dataclass(frozen=True, slots=True)
 class Word(Node):
     """An upright word inside a formula ("const", "and"); has no value."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
 class Formal(Node):
     """What is read and has no value that is computed, such as a matrix, a list, or a differential; `kind` says what."""
 
@@ -229,7 +202,6 @@ class Formal(Node):
     parts: tuple[Node, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
 class Chain(Node):
     """items[0] ops[0] items[1] ops[1] ...; ops are "=", "<", ">", "<=", ">=", "!=", "~" (≈), "->".
 
@@ -240,7 +212,6 @@ class Chain(Node):
     ops: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
 class System(Node):
     """Several relations shown under each other (an aligned block), all asserted, perhaps under conditions."""
 

@@ -12,7 +12,7 @@ from itertools import groupby
 import numpy as np
 
 from rbpsym.algebra import ONE, Poly, Scalar, atoms, elliptic
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 FUNCTIONS: Mapping[str, Callable[[np.ndarray], np.ndarray]] = {
     "symbol": np.positive,  # a name that is defined by a formula
@@ -30,8 +30,7 @@ FUNCTIONS: Mapping[str, Callable[[np.ndarray], np.ndarray]] = {
 CONSTANTS = {"pi": math.pi}
 
 
-@dataclass(frozen=True)
-class Ratios:
+class Ratios(Frozen):
     """Quotients of sums of products: the rows and powers of all factors, where each product and each sum begins."""
 
     rows: np.ndarray
@@ -65,8 +64,7 @@ def ratios(values: Iterable[Scalar | Poly], places: Mapping[int, int]) -> Ratios
     return Ratios(rows, exponents, firsts[0], firsts[1], np.array(coefficients, dtype=float)[:, None])
 
 
-@dataclass(frozen=True)
-class Formulas:
+class Formulas(Frozen):
     """A function from numbers by name to an array of values.
 
     Numbers may be arrays of one length; then each value is one. A value is nan where there is none: the root of

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 if TYPE_CHECKING:
     from scipy.integrate import DenseOutput, OdeSolution
@@ -18,16 +18,14 @@ Rate = Callable[[float, np.ndarray], np.ndarray]
 SMALL = 1e-9  # what counts as nothing before an event
 
 
-@dataclass(frozen=True)
-class Event:
+class Event(Frozen):
     """A number of time and state that is watched for changes of its sign; the motion ends after so many of them."""
 
     value: Callable[[float, np.ndarray], float]
     most: float = 1
 
 
-@dataclass(frozen=True)
-class Path:
+class Path(Frozen):
     """A motion: the times at the ends of the steps, the times of each event, the state at any time between."""
 
     times: tuple[float, ...]

@@ -9,12 +9,11 @@ from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Vector, depends_on, fu
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import StatementError, Undecided
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.quantities import Dimension
 
 
-@dataclass(frozen=True, slots=True)
-class Bound:
+class Bound(Frozen):
     """The meaning of a symbol.
 
     scalar, vector: its value; a quantity along the axis has both. kind: "value", "constant" (some
@@ -68,8 +67,7 @@ def number(value: Scalar, told: str = "") -> Bound:
     return Bound(value, told=told)
 
 
-@dataclass(frozen=True)
-class Motion:
+class Motion(Frozen):
     """What is true of the motion: how values are seen at three depths.
 
     scope: rates and start values; moved: accelerations and unknown forces replaced; squares: of the

@@ -20,7 +20,7 @@ from rbpsym.equality.domain import Condition
 from rbpsym.equality.points import Point
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
@@ -147,8 +147,7 @@ def work_by_energy(power: Scalar, motion: Motion) -> Scalar | None:
     return None if done is None else done + share * (symbol(speed) ** 2 - start[speed] ** 2) / 2
 
 
-@dataclass(frozen=True)
-class Path:
+class Path(Frozen):
     """The way from the start until the motion first comes to rest, along some coordinates.
 
     at: names that are given as functions of others.

@@ -11,7 +11,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.points import names_of
 from rbpsym.errors import RbpsymError, StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import pair, position
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
@@ -34,8 +34,7 @@ SYSTEM = ("system", "the system", "pendulum")
 KINDS = {"a constant": "constant", "unknown": "unknown", "defined here": "defined here"}
 
 
-@dataclass(frozen=True)
-class ProblemWorld:
+class ProblemWorld(Frozen):
     """A problem, its phrases resolved; `answers`: what is found for a phrase that is none of its own, a question."""
 
     study: Study

@@ -11,15 +11,14 @@ from rbpsym.derivation.step import Certificate, Derivation, Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import ZERO
 from rbpsym.quantities import Quantity
 
 
-@dataclass(frozen=True)
-class Made:
+class Made(Frozen):
     """key and slots of its phrase; `about`: what it says, so that it is said once in a text."""
 
     key: str
@@ -37,8 +36,7 @@ BALANCES = ("conservation", "work", "asked")  # rules of results that relate qua
 CAUSED = ("solution", "first_integral")  # those of how the system moves
 
 
-@dataclass(frozen=True)
-class Result:
+class Result(Frozen):
     """A boxed step that gives a quantity: its name as it is printed, its value."""
 
     step: Step

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation.tree import ONE, ZERO, Fn, Node, Num, add, mul, neg
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
@@ -184,8 +184,7 @@ def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
 # --- composites
 
 
-@dataclass(frozen=True)
-class _Part:
+class _Part(Frozen):
     """A part of a composite, before the mass of the whole is shared out."""
 
     table: Table

@@ -10,7 +10,7 @@ from os import PathLike
 from pathlib import Path
 
 from rbpsym.errors import Place, ReadError, StatementError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.statement.checks import check_marks
 from rbpsym.statement.library import course_files
 from rbpsym.statement.loader import load_table
@@ -22,8 +22,7 @@ DETAILS = ("brief", "standard", "full")
 COMPARED = ("oscillation", "acceleration", "speed")
 
 
-@dataclass(frozen=True, slots=True)
-class CoursePart:
+class CoursePart(Frozen):
     """One part of a course.
 
     kind: "theory" (name: which one), "problem" (name or file), "comparison" (first and second
@@ -58,8 +57,7 @@ class CoursePart:
         return StatementError(what, instead=instead, place=self.places.get(key))
 
 
-@dataclass(frozen=True, slots=True)
-class Course:
+class Course(Frozen):
     """A course: titles by language, source, notation, and parts in order; `claims`: what its own texts are bound to."""
 
     name: str

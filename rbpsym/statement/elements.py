@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.statement.kinds import ElementKind, Field, K, known_names
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
@@ -13,8 +13,7 @@ from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 
 
-@dataclass(frozen=True)
-class Surroundings:
+class Surroundings(Frozen):
     """What a field may refer to."""
 
     scope: Scope

@@ -11,12 +11,11 @@ from itertools import starmap
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.quantities import DIMENSIONS, Dimension
 
 
-@dataclass(frozen=True, slots=True)
-class Field:
+class Field(Frozen):
     """One key of a kind.
 
     `kind` is "expression", "pair", "point", "points" (two), "line", "body", "bodies" (any
@@ -40,8 +39,7 @@ class Field:
     variables: tuple[tuple[str, Dimension], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class ElementKind:
+class ElementKind(Frozen):
     """A kind of shape, interaction or constraint: name, meaning, keys, other names for it.
 
     `unknowns` are the forces and couples that a constraint brings in: templates over the
@@ -55,8 +53,7 @@ class ElementKind:
     unknowns: tuple[tuple[str, Dimension], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class ElementText:
+class ElementText(Frozen):
     """A mass element as infix text in the sizes of the shape (see `model.MassElement`)."""
 
     ranges: tuple[tuple[str, str, str], ...]
@@ -66,7 +63,6 @@ class ElementText:
     kind: str = "surface"
 
 
-@dataclass(frozen=True, slots=True)
 class ShapeKind(ElementKind):
     """A shape as data: how its mass is spread, its size and its points, all as infix text.
 

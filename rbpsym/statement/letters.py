@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import chain, count
 
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.glyphs import ACCENTS, DOTS, Notation, notation_for
 from rbpsym.notation.symbol_table import Drawn, drawn_glyph
 from rbpsym.statement.checks import unknowns_of
@@ -18,8 +18,7 @@ from rbpsym.statement.model import Problem
 _SPECIAL = (*ACCENTS, *DOTS, "prime")
 
 
-@dataclass(frozen=True)
-class Letters:
+class Letters(Frozen):
     """The names of a problem's quantities and of its things, and how the quantities are drawn."""
 
     quantities: frozenset[str]

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rbpsym.errors import Place, StatementError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation.tree import ZERO, Node
 from rbpsym.quantities import TIME, Dimension, Quantity
 from rbpsym.showing import Shown
@@ -19,8 +19,7 @@ from rbpsym.showing import Shown
 Pair = tuple[Node, Node]
 
 
-@dataclass(frozen=True, slots=True)
-class Coordinate:
+class Coordinate(Frozen):
     """A generalized coordinate: its quantity, start value, start speed and range (or None)."""
 
     quantity: Quantity
@@ -36,8 +35,7 @@ class Coordinate:
         return self.quantity.name
 
 
-@dataclass(frozen=True, slots=True)
-class PointRef:
+class PointRef(Frozen):
     """A point of a body (`body`, `point`), a point (`local`) in a body's frame, or a fixed one.
 
     For a fixed point `body` is None and `at` holds its place in space; `label` is how the
@@ -50,8 +48,7 @@ class PointRef:
     at: Pair | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+class Line(Frozen):
     """The straight line a x + b y = c, fixed in space (`label` as written)."""
 
     label: str
@@ -60,8 +57,7 @@ class Line:
     c: Node
 
 
-@dataclass(frozen=True, slots=True)
-class Curve:
+class Curve(Frozen):
     """The smooth fixed curve of the points (x, y), functions of `name`: of a coordinate, or of the `axis` "x" or "y"."""
 
     label: str
@@ -71,8 +67,7 @@ class Curve:
     axis: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Turn:
+class Turn(Frozen):
     """A place on the path of a string: a point (radius 0), or a circle that it runs round.
 
     `sense` is 1 if it runs counter-clockwise round the circle, -1 if clockwise, 0 for a point.
@@ -90,8 +85,7 @@ class Turn:
         return self.center.body
 
 
-@dataclass(frozen=True, slots=True)
-class Range:
+class Range(Frozen):
     """One variable of a mass element with its bounds (the inner ones may depend on outer ones)."""
 
     variable: str
@@ -99,8 +93,7 @@ class Range:
     upper: Node
 
 
-@dataclass(frozen=True, slots=True)
-class MassElement:
+class MassElement(Frozen):
     """How a shape's mass is spread: dm = density × measure × d(variables).
 
     `x`, `y` (body frame) and `measure` are trees in the variables; `distance_squared` is the
@@ -119,8 +112,7 @@ class MassElement:
     sign: int = 1
 
 
-@dataclass(frozen=True, slots=True)
-class Shape:
+class Shape(Frozen):
     """A shape in its own frame: its mass elements, named points and outline for drawing.
 
     The elements of a composite are those of its parts, put into its frame (a part of kind
@@ -137,8 +129,7 @@ class Shape:
     parts: tuple[PlacedShape, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class PlacedShape:
+class PlacedShape(Frozen):
     """A part of a composite: a shape with its mass, origin and angle in the composite's frame.
 
     With a `count` it is there so many times, two or more, turned about `hub` by equal angles; its mass is that of one.
@@ -154,8 +145,7 @@ class PlacedShape:
     hub: Pair = (ZERO, ZERO)
 
 
-@dataclass(frozen=True, slots=True)
-class Body:
+class Body(Frozen):
     """A rigid body; `placed` = (name of a point, its position in space), None if constraints say.
 
     `mass` is the total mass, None if it is the integral of the author's own density (for the
@@ -177,8 +167,7 @@ class Body:
         return self.shape.points
 
 
-@dataclass(frozen=True, slots=True)
-class Element:
+class Element(Frozen):
     """An interaction or a constraint: `kind` is a key of its registry, `values` its fields.
 
     Values by field kind: "expression" Node; "pair" (Node, Node); "point" PointRef; "points"
@@ -210,8 +199,7 @@ class Element:
         return self.values[key]
 
 
-@dataclass(frozen=True, slots=True)
-class Phase:
+class Phase(Frozen):
     """A part of the motion after the first: what begins it, what strikes then, the problem that then holds.
 
     `event` is a key of `phases.EVENTS`, `subject` the constraint or impulse that it is about, or the coordinate
@@ -234,7 +222,6 @@ class Phase:
         return next(closes, None) if self.event == "begins" else None
 
 
-@dataclass(frozen=True, slots=True)
 class Problem(Shown):
     """A whole statement. `notation` maps names to the glyph names that print them.
 

@@ -10,18 +10,16 @@ import re
 from collections.abc import Iterator
 
 from rbpsym.errors import Place, StatementError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 
 
-@dataclass(frozen=True, slots=True)
-class OwnFormula:
+class OwnFormula(Frozen):
     """A formula in a sentence, as it is written."""
 
     latex: str
 
 
-@dataclass(frozen=True, slots=True)
-class Sentence:
+class Sentence(Frozen):
     """Words and formulas in turn, and the ids of the claims to which they are bound; `display`: its claim's formula alone."""
 
     pieces: tuple[str | OwnFormula, ...]

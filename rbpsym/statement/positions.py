@@ -12,7 +12,7 @@ import tomllib
 from collections.abc import Iterable
 
 from rbpsym.errors import Place
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Walker, field
 
 Path = tuple[str | int, ...]
 Key = list[tuple[str, int, int]]  # the parts of a dotted key, each with its offset and width
@@ -39,8 +39,7 @@ def place_at(file: str, text: str, offset: int, width: int = 1) -> Place:
     return Place(file, line, offset - start + 1, content, max(1, min(width, len(content) - offset + start)))
 
 
-@dataclass
-class PositionIndex:
+class PositionIndex(Walker):
     """Offsets of keys (start, width), of values (start, end) and of the characters of strings."""
 
     text: str

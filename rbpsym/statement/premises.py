@@ -12,7 +12,7 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 from rbpsym.quantities import Quantity
@@ -30,8 +30,7 @@ LEFT_OPEN = "of a sign that the declared signs and ranges leave open"
 BY_FORM = {1: "positive", 0: "zero", -1: "negative"}
 
 
-@dataclass(frozen=True)
-class Declared:
+class Declared(Frozen):
     """Signs by name, and the bounds of open ranges."""
 
     signs: Mapping[str, str] = field(default_factory=dict)

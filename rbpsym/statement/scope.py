@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import written_otherwise
 from rbpsym.notation.tree import Add, Node, Num, Sym, walk
@@ -22,8 +22,7 @@ ORIGIN: Pair = (Num(0), Num(0))
 CLOCK = "t"
 
 
-@dataclass(frozen=True)
-class Scope:
+class Scope(Frozen):
     """The quantities of a problem: dimensions of its parameters and coordinates, and what is `given` of their signs.
 
     `variables` are names that only one expression knows (s in a rod's density, x and y in a

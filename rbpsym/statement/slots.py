@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.statement.bodies import VARIABLE_DIMENSIONS
 from rbpsym.statement.constraints import CONSTRAINTS
@@ -21,8 +21,7 @@ AXES = {"x": LENGTH, "y": LENGTH}
 QUANTITIES = ("coordinates", "parameters")
 
 
-@dataclass(frozen=True)
-class Slot:
+class Slot(Frozen):
     """What a place asks for: a dimension (times that of the quantity `of`), and the variables that only it has."""
 
     dimension: Dimension = LENGTH

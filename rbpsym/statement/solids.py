@@ -10,7 +10,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.errors import StatementError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation import tree
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.tree import ZERO, Fn, Node, Num, Sym, add, div, mul, neg
@@ -94,8 +94,7 @@ _VARIABLE_NAMES = {
 }
 
 
-@dataclass(frozen=True)
-class Material:
+class Material(Frozen):
     """What fills a shape: a mass spread evenly, or the author's own density; with a mass this gives its proportions alone."""
 
     mass: Node | None = None

@@ -15,13 +15,12 @@ from typing import Any
 from unicodedata import category
 
 from rbpsym.errors import Place, RbpsymError, StatementError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.hints import other_word
 from rbpsym.statement.positions import Path, PositionIndex, place_at
 
 
-@dataclass(frozen=True)
-class Source:
+class Source(Frozen):
     """Where a statement comes from: the name of its file, and its positions if it has a text."""
 
     file: str = ""
@@ -51,8 +50,7 @@ class Source:
         return Place(": ".join(part for part in (self.file, dotted) if part))
 
 
-@dataclass(frozen=True)
-class SourceItem:
+class SourceItem(Frozen):
     """A value of a statement with its path."""
 
     source: Source
@@ -73,8 +71,7 @@ class SourceItem:
         return [SourceItem(self.source, (*self.path, i), part) for i, part in enumerate(self.value)]
 
 
-@dataclass(frozen=True)
-class Table:
+class Table(Frozen):
     """A table of a statement with its path."""
 
     source: Source

@@ -14,7 +14,7 @@ from math import pi
 from types import MappingProxyType
 
 from rbpsym.errors import Place, ReadError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.quantities import Dimension
 
 # --- units in words, as siunitx has them, and written close together: metres per second squared, \per\second, ms^-1
@@ -63,8 +63,7 @@ Powers = tuple[tuple[str, Fraction], ...]
 MOST_POWER, LONGEST = 12, 120
 
 
-@dataclass(frozen=True, slots=True)
-class UnitOf:
+class UnitOf(Frozen):
     """`factor` times the SI unit with these powers of base units.
 
     “rad” and “cycle” are counted as bases, so that hertz and radians per second can be told apart;

@@ -21,7 +21,7 @@ from rbpsym.equality.points import Point, angle_name, angle_parts, points
 from rbpsym.equality.series import Series
 from rbpsym.equality.verdict import Verdict, Witness, refuted, undecided
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import Path, path_of, sense
@@ -32,8 +32,7 @@ Gap = tuple[Scalar, Scalar]
 Known = Mapping[str, Scalar]
 
 
-@dataclass(frozen=True)
-class Course:
+class Course(Frozen):
     """A motion, or a place of it: from where it starts (`begins`), how it goes on (`rates`), and what is known of other names."""
 
     begins: Known
@@ -47,8 +46,7 @@ class Course:
         return [substitute(value, self.begins) for value in inner]
 
 
-@dataclass(frozen=True)
-class Moving:
+class Moving(Frozen):
     """A course at one point of the parameters; `state`: the series of what moves, as far as they are known."""
 
     course: Course

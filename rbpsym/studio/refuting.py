@@ -16,7 +16,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import relations
@@ -26,8 +26,7 @@ REASONS = ("several", "near", "passing", "place", "rest", "no_state", "nowhere")
 CONTRARY = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
-@dataclass(frozen=True)
-class Refuter:
+class Refuter(Frozen):
     """What refutes the lines of one phase: its steps, what their letters mean, and the steps about how it begins."""
 
     context: Context

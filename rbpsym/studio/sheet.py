@@ -19,7 +19,7 @@ from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.notes import notation_of
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.errors import RbpsymError, ReadError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.infix import read_relation
@@ -37,8 +37,7 @@ IN_STATES, ORDERS = (checks.identity, checks.on_motion, checks.along_motion), ("
 INEQUALITY, PRINTED = re.compile(r"[<>≤≥]"), re.compile(r"[\\']")
 
 
-@dataclass(frozen=True)
-class Sheet:
+class Sheet(Frozen):
     """The steps of one phase; ids begin with `prefix`."""
 
     derivation: Derivation

@@ -6,14 +6,13 @@ import operator
 from collections.abc import Callable, Iterable, Iterator
 
 from rbpsym.algebra import Scalar, Space, Value, is_zero, names_in
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 
 Valued = Callable[[t.Node], Value | None]
 
 
-@dataclass(frozen=True, slots=True)
-class Slip:
+class Slip(Frozen):
     """The kind of a slip (a phrase “tutor.slip.KIND”), the part in which it is, how many of so many terms are right, and by
     what number the part is too large."""
 

@@ -19,7 +19,7 @@ from rbpsym.document.telling import Teller
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex
@@ -52,8 +52,7 @@ PRINCIPLES: Mapping[str, str] = {  # by the rule of a step: what is asked of it 
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Judged:
+class Judged(Frozen):
     """A line with its verdict, what is said of it, the id of the step that it is (else ""), and its principle (else "")."""
 
     line: str
@@ -63,8 +62,7 @@ class Judged:
     principle: str = ""
 
 
-@dataclass(frozen=True)
-class Tutor:
+class Tutor(Frozen):
     """The tutor of one derivation. Lines are LaTeX, or typed plainly: `theta_ddot = -3*g/(4*ell)*cos(theta)`."""
 
     derivation: Derivation

@@ -12,7 +12,7 @@ from pathlib import Path
 from threading import Lock
 
 from rbpsym.document.files import write_whole
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.teaching.executor import Crew, Journal, run
 from rbpsym.teaching.formats import Options, exporter
 from rbpsym.teaching.model import Student, Worksheet
@@ -23,8 +23,7 @@ PART = 16  # papers that one process makes before it tells
 TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
 
 
-@dataclass(frozen=True, slots=True)
-class Order:
+class Order(Frozen):
     """What is to be made of each student's worksheet, and where.
 
     `fingerprint` is that of the worksheet here: a worker elsewhere that has another file of that name must not make papers.
@@ -45,8 +44,7 @@ class Order:
         return Options(self.key or self.solution, self.engine, self.solution, plan.derivations)
 
 
-@dataclass(frozen=True, slots=True)
-class StudentPaper:
+class StudentPaper(Frozen):
     """A student of an order."""
 
     order: Order

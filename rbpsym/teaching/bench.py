@@ -12,7 +12,7 @@ from rbpsym.document.model import Inlines
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
@@ -34,8 +34,7 @@ GRAVITY = 9.81  # m/s²: sets the pace of what moves under its weight
 T = TypeVar("T")
 
 
-@dataclass(frozen=True)
-class ProblemBench:
+class ProblemBench(Frozen):
     """One problem of a worksheet. `targets` by id; `scenery` is where a student's numbers come from."""
 
     derivation: Derivation
@@ -81,8 +80,7 @@ class ProblemBench:
         return tuple(by_id[id] for id in sorted(kept, key=order.index))
 
 
-@dataclass(frozen=True)
-class ItemSetting:
+class ItemSetting(Frozen):
     """One student's item in the making: words, numbers, draws, and the values of the prepared task."""
 
     said: Words
@@ -102,8 +100,7 @@ class ItemSetting:
 Make = Callable[[ItemSetting], Item | None]
 
 
-@dataclass(frozen=True)
-class Prepared:
+class Prepared(Frozen):
     """A task of which only numbers and the order of things are open.
 
     `values` are evaluated at each student's numbers; `make` gives the item, or None if these numbers do not do

@@ -14,15 +14,14 @@ from hashlib import sha256
 from typing import TypeVar
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"  # Crockford's: no I, L, O, U
 READ_AS = str.maketrans("ILO", "110")
 BITS, LETTERS, CHECKS = 60, 12, 2
 
 
-@dataclass(frozen=True, slots=True)
-class FormCode:
+class FormCode(Frozen):
     """worksheet: name of its file or problem; language of the paper; seed of its variant."""
 
     worksheet: str

@@ -19,7 +19,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import FIRST_POINTS, find_witness, scalars_equal
 from rbpsym.equality.dimensions import dimension_of
 from rbpsym.errors import LimitError, RbpsymError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import Dimension
@@ -37,8 +37,7 @@ MOST_PRODUCTS = 400_000  # products of terms for one wrong value; the library's 
 LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
 
 
-@dataclass(frozen=True)
-class Wrong:
+class Wrong(Frozen):
     """A study with a misconception at one site of a problem."""
 
     misconception: Misconception
@@ -46,8 +45,7 @@ class Wrong:
     study: Study
 
 
-@dataclass(frozen=True, slots=True)
-class Distractor:
+class Distractor(Frozen):
     """A wrong value with the slip that makes it; `along` its value as a function of the position alone, if known."""
 
     slip: Slip
@@ -57,8 +55,7 @@ class Distractor:
     study: Study
 
 
-@dataclass(frozen=True)
-class Pool:
+class Pool(Frozen):
     """The wrong studies of a problem, each made once; what a target makes of them."""
 
     derivation: Derivation

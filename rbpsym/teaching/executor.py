@@ -20,7 +20,7 @@ from types import TracebackType
 from typing import Any, BinaryIO
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 # --- the journal of a long run: what is done, one line a job, so that an interrupt loses nothing
 # The first line says what the run is about; a journal of another run is put aside, not mixed in. A line
@@ -127,8 +127,7 @@ class Interrupted(RbpsymError):
     exit_code = 130
 
 
-@dataclass(frozen=True, slots=True)
-class Crew:
+class Crew(Frozen):
     """Who works: processes of this machine (`processes`; 0: as many as there are cores), or a cluster."""
 
     address: str = ""

@@ -10,12 +10,11 @@ from importlib import import_module
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.teaching.model import Worksheet
 
 
-@dataclass(frozen=True, slots=True)
-class Options:
+class Options(Frozen):
     """key: write keys too; solution: and the worked solutions, from `derivations` (by problem);
     engine: what makes PDF ("typst" or "pdflatex")."""
 
@@ -25,8 +24,7 @@ class Options:
     derivations: Mapping[str, Derivation] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Exported:
+class Exported(Frozen):
     """files: content by path within the output folder; left_out: a sentence for each thing that the
     format can't carry (never dropped silently)."""
 

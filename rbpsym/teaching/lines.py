@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import STANDARD, Step
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import tree as t
 from rbpsym.notation.places import Path, put
 from rbpsym.teaching.bench import ProblemBench
@@ -70,8 +70,7 @@ def _ancestors(by_id: Mapping[str, Step], id: str) -> Iterator[str]:
 # --- what may be blanked
 
 
-@dataclass(frozen=True, slots=True)
-class Gap:
+class Gap(Frozen):
     """A part of a statement that may be left out: the path to it, and what stands there, its sign with it.
 
     `along` is the direction that stands behind the sign of a vector, and stays.

@@ -16,7 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.document.model import Block, Inlines
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.tree import Node, Sym
 from rbpsym.quantities import NUMBER, Dimension
@@ -36,8 +36,7 @@ def blank(number: int) -> Sym:
     return Sym(blank_name(number))
 
 
-@dataclass(frozen=True, slots=True)
-class Measure:
+class Measure(Frozen):
     """A number as it is printed: exact value in `unit` ("m/s^2", "deg", "" for a pure number).
 
     `digits` counts the significant figures: 2.50 m is Measure(Fraction(5, 2), "m", 3).
@@ -48,8 +47,7 @@ class Measure:
     digits: int = 3
 
 
-@dataclass(frozen=True, slots=True)
-class Tolerance:
+class Tolerance(Frozen):
     """When a number counts as right: within `relative` of the exact value; `digits` are asked for,
     from `digits - fewer` to `digits + more` of them are accepted; fewer cost half of their share where they say less."""
 
@@ -59,8 +57,7 @@ class Tolerance:
     more: int = 1
 
 
-@dataclass(frozen=True, slots=True)
-class AskedQuantity:
+class AskedQuantity(Frozen):
     """The quantity that an item asks for, and where its derivation shows it.
 
     quantity: id within the problem ("acceleration.theta", "work.T.N_w.ladder"); name: its symbol as
@@ -75,8 +72,7 @@ class AskedQuantity:
     step: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Slip:
+class Slip(Frozen):
     """A misconception at work in one problem: `name` is a key of `misconceptions.MISCONCEPTIONS`.
 
     `slots` fill the phrase of its feedback (`slip_feedback`); `first_wrong` is the id of the first step
@@ -96,8 +92,7 @@ class Slip:
         return f"misconception.{self.name}.feedback"
 
 
-@dataclass(frozen=True, slots=True)
-class Anticipated:
+class Anticipated(Frozen):
     """A wrong answer that a slip leads to: as a formula, as a number at the student's numbers, or both.
 
     Each was REFUTED against the key and against the others of its item, has the dimension of the
@@ -109,8 +104,7 @@ class Anticipated:
     number: Measure | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Criterion:
+class Criterion(Frozen):
     """A line of a rubric: what earns `points`; `formula` is the relation that it looks for, if one."""
 
     points: Fraction
@@ -118,8 +112,7 @@ class Criterion:
     formula: Node | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class FollowOn:
+class FollowOn(Frozen):
     """How an answer follows from an earlier one, for error carried forward.
 
     `formula` gives the answer (in SI units, angles in radians) where the symbol `name` stands for
@@ -137,8 +130,7 @@ class FollowOn:
 # --- keys
 
 
-@dataclass(frozen=True, slots=True)
-class FormulaKey:
+class FormulaKey(Frozen):
     """A formula in the quantities `names` (with the problem's assumptions and on its constraints).
 
     `left` is the left side that stands printed before the answer. `anticipated`: known wrong answers.
@@ -151,8 +143,7 @@ class FormulaKey:
     follows: tuple[FollowOn, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class NumberKey:
+class NumberKey(Frozen):
     """A number with unit. `measure` is the key as it is printed, `exact` the value in SI units
     (angles in radians); `formula` the value as a formula, `given` the numbers that go into it, by name.
 
@@ -170,8 +161,7 @@ class NumberKey:
     follows: tuple[FollowOn, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Option:
+class Option(Frozen):
     """One of the answers to choose from, with the slip that makes it (None for the right one).
 
     `content` is what is printed; `formula` the same as a tree where it is a formula, `number` where it is a number.
@@ -183,16 +173,14 @@ class Option:
     number: Measure | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class ChoiceKey:
+class ChoiceKey(Frozen):
     """Options in the order in which they are printed; `right` is the place of the right one (from 0)."""
 
     options: tuple[Option, ...]
     right: int
 
 
-@dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(Frozen):
     """A step to be put in order, or a line of a derivation: its step's id, what it says, and why."""
 
     id: str
@@ -200,8 +188,7 @@ class Piece:
     reason: Inlines = ()
 
 
-@dataclass(frozen=True, slots=True)
-class OrderKey:
+class OrderKey(Frozen):
     """Pieces as printed (shuffled). `before` holds pairs of places (i, j) from 0: the piece i must come
     before the piece j; every order that keeps them is right. `sample` is one right order of places."""
 
@@ -217,8 +204,7 @@ class OrderKey:
         return all(place[i] < place[j] for i, j in self.before)
 
 
-@dataclass(frozen=True, slots=True)
-class SlipKey:
+class SlipKey(Frozen):
     """Lines of a derivation in which the one at place `wrong` (from 0) is the slip; later lines carry it on.
 
     `corrected` is what that line should say, `slip` the misconception that made it.
@@ -233,8 +219,7 @@ class SlipKey:
 SIGNS = ("+", "-", "0")
 
 
-@dataclass(frozen=True, slots=True)
-class SignRow:
+class SignRow(Frozen):
     """A force on a body: the signs ("+", "-", "0") of its works W_T and W_θ over the motion.
 
     `cancels` names the group of rows whose works cancel in the sum ("" if they don't).
@@ -248,15 +233,13 @@ class SignRow:
     cancels: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class SignsKey:
+class SignsKey(Frozen):
     """The table of signs; `rows` in the printed order."""
 
     rows: tuple[SignRow, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Blank:
+class Blank(Frozen):
     """The answer to one blank, numbered from 1 as it is printed; `anticipated` as in `FormulaKey`."""
 
     number: int
@@ -266,16 +249,14 @@ class Blank:
     anticipated: tuple[Anticipated, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class BlanksKey:
+class BlanksKey(Frozen):
     """All blanks of a fill-in item. `names`: quantities that an answer may hold."""
 
     blanks: tuple[Blank, ...]
     names: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class ComparisonKey:
+class ComparisonKey(Frozen):
     """Which of two variants is greater in what is asked: options as printed, `right` the place from 0.
 
     `options` are "first", "second", "same" in words. `reasons` is the rubric for the why.
@@ -285,8 +266,7 @@ class ComparisonKey:
     right: int
 
 
-@dataclass(frozen=True, slots=True)
-class ExplanationKey:
+class ExplanationKey(Frozen):
     """An open question: `sample` is an answer that gets all points; the item's rubric says what for."""
 
     sample: tuple[Block, ...]
@@ -298,8 +278,7 @@ Key = FormulaKey | NumberKey | ChoiceKey | OrderKey | SlipKey | SignsKey | Blank
 # --- items and worksheets
 
 
-@dataclass(frozen=True, slots=True)
-class Item:
+class Item(Frozen):
     """One task: `id` is unique on the worksheet ("1", "2", ...), `kind` one of KINDS.
 
     prompt: what is printed; key: the answer; solution: the way to it, at the student's numbers;
@@ -319,8 +298,7 @@ class Item:
     space: Fraction = Fraction(2)
 
 
-@dataclass(frozen=True, slots=True)
-class Part:
+class Part(Frozen):
     """The tasks about one problem: its statement with a figure, the student's numbers, the items.
 
     `place` holds the coordinate (by name) at which the motion is looked at, where something is asked along it.
@@ -335,16 +313,14 @@ class Part:
     place: Mapping[str, Measure] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Student:
+class Student(Frozen):
     """Who works on it: a key that is unique in the roster, and the name to print."""
 
     id: str
     name: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Worksheet:
+class Worksheet(Frozen):
     """One student's paper with its key. `code` is the form code, printed on the paper."""
 
     name: str

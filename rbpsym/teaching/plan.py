@@ -20,7 +20,7 @@ from rbpsym.document.model import Block, Paragraph, words
 from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError, ReadError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.library import course_files, find_problem, not_found, problem_files, worksheet_files
 from rbpsym.statement.loader import load_problem, load_table
@@ -43,8 +43,7 @@ from rbpsym.teaching.wording import languages
 SPARE = 2  # tasks that are prepared beyond the number wanted, to draw from
 
 
-@dataclass(frozen=True)
-class PlannedPart:
+class PlannedPart(Frozen):
     """One problem of a plan: its bench, its numbers, and the prepared tasks of each wish."""
 
     bench: ProblemBench
@@ -71,8 +70,7 @@ class PlannedPart:
         return self.statements[said.language]
 
 
-@dataclass(frozen=True)
-class WorksheetPlan:
+class WorksheetPlan(Frozen):
     """A worksheet with everything worked out that does not depend on the student."""
 
     sheet: Sheet

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
@@ -28,8 +28,7 @@ DIGITS = 3
 LESS, MORE = Fraction(7, 10), Fraction(14, 10)  # how far from the example
 
 
-@dataclass(frozen=True, slots=True)
-class NumberRange:
+class NumberRange(Frozen):
     """The numbers low, low + step, ... up to high, in `unit`, printed with so many figures."""
 
     low: Fraction
@@ -157,8 +156,7 @@ MOST_NUMBERS, MOST_DIGITS = 100_000, 6
 NOISE = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
-class Named:
+class Named(Frozen):
     """What a problem says of a number: its dimension, its sign, and between which values (in SI units) it lies."""
 
     name: str

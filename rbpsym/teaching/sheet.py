@@ -10,7 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, table_of
 from rbpsym.statement.model import Problem
@@ -29,8 +29,7 @@ LEVELS = (0, 1, 2, 3)
 MOST_ITEMS, MOST_POINTS = 40, 1000
 
 
-@dataclass(frozen=True)
-class SheetPart:
+class SheetPart(Frozen):
     """One [[problem]] of a worksheet: the problem, the wishes for its numbers, and its tasks."""
 
     problem: Problem
@@ -43,8 +42,7 @@ class SheetPart:
         return error if self.at is None else self.at.error(error.what, error.instead)
 
 
-@dataclass(frozen=True)
-class Sheet:
+class Sheet(Frozen):
     """A worksheet as its author wrote it. `text` stands for all that it is made of, its problems included."""
 
     name: str

@@ -13,7 +13,7 @@ from fractions import Fraction
 from rbpsym.algebra import Scalar, calculus, is_zero
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER
@@ -40,8 +40,7 @@ def _measure_near(start: float, ahead: float, is_angle: bool) -> Measure:
     return Measure(Fraction(round((start + ahead) / float(step))) * step, "m")
 
 
-@dataclass(frozen=True, slots=True)
-class Situation:
+class Situation(Frozen):
     """given: the printed numbers of the constants; place: the printed coordinate where it is looked at
     (None if nothing is asked along a way); numbers: all in SI units, for evaluation."""
 
@@ -50,8 +49,7 @@ class Situation:
     numbers: Mapping[str, float]
 
 
-@dataclass(frozen=True)
-class Scenery:
+class Scenery(Frozen):
     """What numbers a problem takes: ranges of its constants, the coordinate along which it is followed.
 
     `ranges` of the coordinate itself may be wished for by its name. `still` and `along` are evaluated values that

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from rbpsym.algebra import Scalar, Value, short, value
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 
@@ -19,8 +19,7 @@ COMMON = 3  # parts of a formula that stands everywhere, as the weight M g does:
 PROSE = (t.Integral, t.BodyIntegral, t.PathIntegral, t.Word, t.Vec, t.Unit, t.Delta, t.Sum)
 
 
-@dataclass(frozen=True, slots=True)
-class Content:
+class Content(Frozen):
     """What a task prints, what it wants to be found, what as a number, and of what it wants the sign.
 
     A formula that is printed may well be asked for as a number: that is how a lesson goes on.

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from rbpsym.errors import Place, RbpsymError, ReadError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.statement.files import text_in
 from rbpsym.teaching.model import Student
 
@@ -119,8 +119,7 @@ _POINTS = re.compile(r"(?:q|question|item|task|pregunta|p)?[\s_.:-]*(\d+)[\s_.:-
 _ITEM = re.compile(r"(?:q|question|item|task|pregunta|p)?[\s_.:-]*(\d+(?:\.\d+)?)\.?", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
-class AnswerRow:
+class AnswerRow(Frozen):
     """The answers of one student by item; `line` of the file, `name` that of the class list, points `decided` by the teacher."""
 
     student: str
@@ -131,8 +130,7 @@ class AnswerRow:
     decided: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class AnswerTable:
+class AnswerTable(Frozen):
     """All rows, in the order of the file, and the columns that were passed over."""
 
     rows: tuple[AnswerRow, ...]

@@ -19,7 +19,7 @@ from rbpsym.derivation.chapters.inertia import turns_about
 from rbpsym.derivation.step import BodyRef, Derivation, QuestionRef
 from rbpsym.equality.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import along_motion
@@ -29,8 +29,7 @@ from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
 
 
-@dataclass(frozen=True, slots=True)
-class RootReading:
+class RootReading(Frozen):
     """The number that is asked for, where it is not the value itself: v from v², T from ϑ²."""
 
     left: t.Node
@@ -40,8 +39,7 @@ class RootReading:
     unit_name: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Target:
+class Target(Frozen):
     """A quantity to be asked for.
 
     id is unique in the problem and begins with the kind, a key of `KINDS`; `left` its symbol; `of(study)` its

@@ -16,7 +16,7 @@ from rbpsym.equality.points import names_of
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Kind, Verdict, all_of, refuted
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.text import to_text
@@ -147,8 +147,7 @@ CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", 
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
 
 
-@dataclass(frozen=True)
-class Checker:
+class Checker(Frozen):
     """Claims of one file, decided in their order.
 
     world: finds the world of a setting. memory: what claims of a setting defined. draws: with MathML.

@@ -14,7 +14,7 @@ from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.decide import PLAIN, cross_difference, scalars_equal
 from rbpsym.equality.points import all_atoms
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_tokens import tokenize
 from rbpsym.notation.letters import NAME_OF_LETTER
@@ -24,8 +24,7 @@ from rbpsym.quantity.bound import Bound, Motion, World
 from rbpsym.verify.claims_model import Meaning, Setting
 
 
-@dataclass(frozen=True, slots=True)
-class Glossary:
+class Glossary(Frozen):
     """The table for the reader, and for each printed symbol (its name, has it an arrow?)."""
 
     table: SymbolTable
@@ -116,8 +115,7 @@ def _spelled_name(latex: str) -> str:
     return "_".join("prime" if word == "'" else word for word in words) or "symbol"
 
 
-@dataclass(frozen=True)
-class Ground:
+class Ground(Frozen):
     """Names of printed symbols with their bounds; what is defined on the way is kept in `defined`."""
 
     world: World
@@ -219,8 +217,7 @@ HOW = {
 }
 
 
-@dataclass(frozen=True)
-class Question:
+class Question(Frozen):
     """Two values, and how deep one may look for their equality."""
 
     ground: Ground

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from enum import StrEnum
 
 from rbpsym.errors import Place
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation.tree import Node
 
 
@@ -30,24 +30,21 @@ EXPECTATIONS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Printed:
+class Printed(Frozen):
     """A LaTeX text as it is printed, and where it stands in the claims file."""
 
     latex: str
     place: Place | None = field(default=None, compare=False)
 
 
-@dataclass(frozen=True, slots=True)
-class Meaning:
+class Meaning(Frozen):
     """The phrase that says what a printed symbol means."""
 
     phrase: str
     place: Place | None = field(default=None, compare=False)
 
 
-@dataclass(frozen=True, slots=True)
-class Setting:
+class Setting(Frozen):
     """What several claims share: a problem (or one phase of it) or a theory, the meanings of symbols, assumptions.
 
     `given` are relations that are assumed, as printed.
@@ -63,8 +60,7 @@ class Setting:
     phase: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Claim:
+class Claim(Frozen):
     """A printed formula with its meaning.
 
     id: stable. number, label, line: its place in the source. says: a sentence in words, of which
@@ -89,8 +85,7 @@ class Claim:
     place: Place | None = field(default=None, compare=False)
 
 
-@dataclass(frozen=True, slots=True)
-class ClaimsFile:
+class ClaimsFile(Frozen):
     """The claims about one source, in its order.
 
     setting: for formulas without a claim, None where several settings are possible. unclaimed: "not computed" if
@@ -108,8 +103,7 @@ class ClaimsFile:
     unclaimed: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Link:
+class Link(Frozen):
     """One relation of a chain with its outcome.
 
     relation: its tree, or its text in a result. how: by what it was proved. detail: the witness,
@@ -126,8 +120,7 @@ class Link:
     fix: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Result:
+class Result(Frozen):
     """What was found out about a claim, or (`kind` "derivation") about a whole derivation.
 
     file and line: in the text; declared: file and line of the claim. right: the outcome of the

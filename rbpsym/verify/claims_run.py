@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from rbpsym.algebra import granted
 from rbpsym.errors import RbpsymError, ReadError, StatementError, WorkSpent
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.notation.tree import Chain, Node
 from rbpsym.quantity.bound import World
 from rbpsym.statement.source import did_you_mean
@@ -55,8 +55,7 @@ def engine() -> str:
     return digest(*(part for path in sorted(_PACKAGE.rglob("*.py")) for part in (path.name, path.read_bytes())))
 
 
-@dataclass(frozen=True)
-class Certificates:
+class Certificates(Frozen):
     """The certificates of a folder; `store` writes them back whole. notary: is told of each formula that is proved, and
     gives what stands in its result for what a prover says."""
 
@@ -163,8 +162,7 @@ def _uses_definition(setting: Setting, latex: str) -> bool:
 THEORIES = ("plane-motion",)
 
 
-@dataclass(frozen=True)
-class Worlds:
+class Worlds(Frozen):
     """Worlds by name, each made once; `folder` is that of the claims file. `closed`: no file outside it is read."""
 
     folder: Path = Path()
@@ -231,7 +229,6 @@ def check_closed(path: Path, folder: Path) -> None:
         raise ReadError(f"“{path.name}” is outside the folder of the text")
 
 
-@dataclass(frozen=True)
 class Remembering(Checker):
     """A checker that asks the certificates first."""
 

@@ -17,7 +17,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.derivation import theory_ground as theory
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantity.bound import Bound, Motion, axial, number, plane
 from rbpsym.statement.source import did_you_mean
 
@@ -52,8 +52,7 @@ def _turning(name: str) -> dict[str, Scalar]:
     return {f"{name}_x": -(OMEGA * symbol(f"{name}_y")), f"{name}_y": OMEGA * symbol(f"{name}_x")}
 
 
-@dataclass(frozen=True)
-class TheoryWorld:
+class TheoryWorld(Frozen):
     """The theory; `fixed_axis`: the body turns about the origin; `particles`: the second road."""
 
     fixed_axis: bool = False

@@ -14,7 +14,7 @@ from rbpsym.derivation.assertions import told
 from rbpsym.derivation.step import BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium
@@ -25,8 +25,7 @@ from rbpsym.statement.course import CoursePart
 from rbpsym.statement.source import did_you_mean
 
 
-@dataclass(frozen=True, slots=True)
-class Compared:
+class Compared(Frozen):
     """One quantity of two problems.
 
     of: which one; names: its symbols in the two; power: 2 if squares are compared; values: what is
@@ -136,8 +135,7 @@ SAID = {
 }
 
 
-@dataclass(frozen=True)
-class _Context:
+class _Context(Frozen):
     """Values of statements in the common parameters of both problems."""
 
     assumptions: Assumptions
@@ -148,8 +146,7 @@ class _Context:
         return value(node, Scope(self.scalars))
 
 
-@dataclass(frozen=True)
-class _Pair:
+class _Pair(Frozen):
     studies: tuple[Study, Study]
     context: _Context
     compared: Compared

@@ -14,7 +14,7 @@ from rbpsym.algebra import Scalar, depends_on, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.places import Path, put, sites
@@ -47,8 +47,7 @@ FACTORS = tuple(Fraction(n, d) for n, d in (
 ))  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Diagnosis:
+class Diagnosis(Frozen):
     """What a refuted relation seems to mean, in words, and the relation that was proved in its place."""
 
     words: str = ""

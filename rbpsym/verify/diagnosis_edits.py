@@ -10,7 +10,7 @@ from functools import partial
 from rbpsym.algebra import NOTHING, Scalar, Space, without_even_roots
 from rbpsym.algebra.present import present
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_grammar import DEGREE
@@ -30,8 +30,7 @@ Change = tuple[t.Node, str]  # what stands in place of a part, and what was chan
 Rule = Callable[[t.Chain], Iterator["Repair"]]
 
 
-@dataclass(frozen=True, slots=True)
-class Repair:
+class Repair(Frozen):
     """A relation with one thing changed, what was changed in words, and with what it is read, if not with what it was."""
 
     relation: t.Chain

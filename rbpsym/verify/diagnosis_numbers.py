@@ -10,7 +10,7 @@ from typing import Any
 from rbpsym.algebra import Scalar, Space, root
 from rbpsym.algebra import value as exact_value
 from rbpsym.errors import NoNumber, RbpsymError
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.numbers import FUNCTIONS as OF_SCALARS
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
@@ -77,8 +77,7 @@ class Numbers(dict):
         return self[name]
 
 
-@dataclass(frozen=True)
-class Sample:
+class Sample(Frozen):
     """A state of the motion, in numbers; `known` are the values of names met so far."""
 
     question: Question

@@ -21,7 +21,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.verdict import PROVED, Verdict, all_of, proved, undecided
 from rbpsym.errors import LimitError, NotApplicable
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
@@ -119,8 +119,7 @@ MOST_PRODUCTS = 2_000_000
 HALF = Fraction(1, 2)
 
 
-@dataclass(frozen=True)
-class Motion:
+class Motion(Frozen):
     """Positions and angles of a system, and their rates with every speed q̇ as a free symbol."""
 
     system: System

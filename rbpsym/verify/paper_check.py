@@ -13,7 +13,7 @@ from difflib import SequenceMatcher
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError, ReadError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Outcome, Printed, Result, Setting
 from rbpsym.verify.claims_run import digest
@@ -27,8 +27,7 @@ LIKENESS = 0.6
 NEAR = 40  # lines
 
 
-@dataclass(frozen=True, slots=True)
-class Pair:
+class Pair(Frozen):
     """A formula of the paper with its claim; one of them may be missing."""
 
     formula: Formula | None
@@ -140,16 +139,14 @@ UNBOUND = "no claim binds its symbols"
 IN_TEXT = "it stands in a sentence, and no claim asks for it"
 
 
-@dataclass(frozen=True)
-class Scope:
+class Scope(Frozen):
     """A claims file with its checker: what formulas are read with that no claim asks for."""
 
     file: ClaimsFile
     checker: Checker
 
 
-@dataclass(frozen=True)
-class PaperChecker:
+class PaperChecker(Frozen):
     """Decides the pairs of a paper: claims by their checkers; the rest, if `judged`, in the scope of their place or file."""
 
     paper: Paper

@@ -15,7 +15,7 @@ from itertools import islice, takewhile
 from pathlib import Path
 
 from rbpsym.errors import ReadError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_ground import glossary
 from rbpsym.verify.claims_loader import HOLDS
@@ -33,16 +33,14 @@ OF_CLAIM: Mapping[str, tuple[str, ...]] = {  # with the words that it may have, 
 _WRITE = "Write “problem = NAME”, “SYMBOL is MEANING”, “claim” or “expect = refuted”."
 
 
-@dataclass(frozen=True, slots=True)
-class Scope:
+class Scope(Frozen):
     """The setting in force from a place of the text on; None where nothing is said."""
 
     offset: int
     setting: Setting | None
 
 
-@dataclass(frozen=True)
-class Beside:
+class Beside(Frozen):
     """What the comments of a text say: the claims with their formulas, and the settings from place to place."""
 
     pairs: tuple[tuple[Formula, Claim], ...]

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from itertools import islice, product
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_reader import latex_ways
@@ -51,8 +51,7 @@ class _Any(dict[Drawn, tuple[str, ...]]):
 ANY = SymbolTable(_Any(), varies=lambda name: True)  # U(x) is hardly a product where nothing is known
 
 
-@dataclass(frozen=True, slots=True)
-class Fit:
+class Fit(Frozen):
     """A problem that ships, the displays that hold in it, and what the symbols of the text mean there."""
 
     problem: str

@@ -9,7 +9,7 @@ from contextlib import suppress
 from itertools import takewhile
 
 from rbpsym.errors import LimitError, RbpsymError, ReadError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
 MOST_FAULTS = 20  # definitions that are never closed
@@ -28,8 +28,7 @@ _COMMAND = re.compile(r"\\[A-Za-z]+")
 _DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax)(?![A-Za-z])")
 
 
-@dataclass(frozen=True, slots=True)
-class Macro:
+class Macro(Frozen):
     """The body of a macro with #1 ... #count, the first of which may have a default; `called`: they stand in parentheses."""
 
     body: str

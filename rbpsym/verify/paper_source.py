@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.statement.files import latin_or_utf8_in
 from rbpsym.verify.paper_formats import LATEX, NOTE, NOTE_END, lines_of
 from rbpsym.verify.paper_macros import site_macros
@@ -36,8 +36,7 @@ COMMENTED = "\f"  # a line that is a comment is white, and ends no paragraph
 Remark = tuple[str, int, str]  # file, line, what is to be said
 
 
-@dataclass(frozen=True, slots=True)
-class Note:
+class Note(Frozen):
     """What a comment of a text says to us, and from where on it is said."""
 
     said: str
@@ -45,8 +44,7 @@ class Note:
     place: Place
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(Frozen):
     """A text; `starts` and `origins` tell from which offset on it is which line of which file.
 
     packages: what its own packages hold, which lie beside it: their macros are those of the text.
@@ -96,8 +94,7 @@ def read_source(path: Path) -> Text:
     return Text(whole, tuple(starts), origins, tuple(notes), tuple(files.remarks), files.packages(path, whole))
 
 
-@dataclass(frozen=True, slots=True)
-class _Line:
+class _Line(Frozen):
     """A line of a file as LaTeX, and what it says to us."""
 
     text: str

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 from pathlib import Path
 
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.verify.paper_formats import ROWED, SINGLE
 from rbpsym.verify.paper_macros import LONGEST, Macro, definitions
 from rbpsym.verify.paper_numbers import COMMANDS, Counters
@@ -42,8 +42,7 @@ _GROWS = re.compile(rf"{_SPACE}(?:{_SIGN}|&(?:{_SPACE}|&)*(?:-|{_SIGN})|-(?![^\\
 _RELATION = re.compile(r"=|<|>|\\(?:leq?|geq?|neq?|approx|simeq|equiv|to|rightarrow)(?![A-Za-z])")
 
 
-@dataclass(frozen=True, slots=True)
-class Formula:
+class Formula(Frozen):
     """A formula of a text: its LaTeX as it stands, number ("" for none), labels, file and line.
 
     block: where the display begins that it is in. fault: why it is no formula, "" if it is one.
@@ -65,8 +64,7 @@ class Formula:
         return bool(_RELATION.search(self.latex))
 
 
-@dataclass(frozen=True, slots=True)
-class Paper:
+class Paper(Frozen):
     """A text with its formulas, macros, and remarks on its labels."""
 
     text: Text

@@ -15,7 +15,7 @@ import numpy as np
 
 from rbpsym.algebra import NOTHING, Scalar, Vector
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import senses
@@ -37,8 +37,7 @@ FAINT = 1e-2  # of the largest value of its kind: what a small quantity is compa
 NOISE = 1e-3  # the same where all of a kind vanish (a body that stays at rest); sample numbers are near 1
 
 
-@dataclass(frozen=True)
-class SimulationReport:
+class SimulationReport(Frozen):
     """Largest relative differences; `errors` by quantity, `drift` of the first integral (None: none).
 
     `momentum_drift`: how far the derived angular momentum about the origins strays from its start
@@ -59,8 +58,7 @@ class SimulationReport:
     gap: float = 0.0
 
 
-@dataclass(frozen=True)
-class Derived:
+class Derived(Frozen):
     """The symbolic results that are put to the test."""
 
     system: System

@@ -12,7 +12,7 @@ from typing import Any
 
 from rbpsym.algebra import Scalar
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.numbers import Values
 from rbpsym.notation.tree import Node, Sym, walk
@@ -21,8 +21,7 @@ from rbpsym.statement.model import Body, PointRef, Problem
 State = list[float]
 
 
-@dataclass(frozen=True, slots=True)
-class Spot:
+class Spot(Frozen):
     """A point of body number `body` relative to its centre of mass, in its frame; body -1: fixed."""
 
     body: int
@@ -30,8 +29,7 @@ class Spot:
     y: float
 
 
-@dataclass(frozen=True, slots=True)
-class Placed:
+class Placed(Frozen):
     """A spot in motion: lever from the centre of mass, place, velocity, acceleration at A = α = 0."""
 
     body: int
@@ -125,8 +123,7 @@ class Mechanism:
         return max((math.hypot(spot.x, spot.y) for spot in spots), default=0.0) or 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class Load:
+class Load(Frozen):
     """Force and torque about the centre of mass on body number `body`, by the element `name`."""
 
     name: str

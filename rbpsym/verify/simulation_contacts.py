@@ -16,7 +16,7 @@ import numpy as np
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import FUNCTIONS, Values
 from rbpsym.notation.tree import neg
 from rbpsym.statement.model import Element, PointRef, Turn
@@ -33,8 +33,7 @@ GROUND_SPOT = Spot(-1, 0.0, 0.0)
 COMPLEX_FUNCTIONS = {kind: getattr(cmath, function.__name__, function) for kind, function in FUNCTIONS.items()}
 
 
-@dataclass(frozen=True, slots=True)
-class Push:
+class Push(Frozen):
     """A unit force (x, y) at a place on body number `body` (-1: the ground, on which nothing is counted)."""
 
     body: int
@@ -87,8 +86,7 @@ def kept_by(
 # --- contacts with lines and circles
 
 
-@dataclass(frozen=True, slots=True)
-class Curve:
+class Curve(Frozen):
     """gap and unit normal (towards what touches) of a curve at a state, and the radius of what touches."""
 
     gap: Callable[[Complex], complex]

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from rbpsym.algebra import derivative
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Element
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State, placed
@@ -18,8 +18,7 @@ from rbpsym.verify.simulation_bodies import Mechanism, Spot, State, placed
 Entries = list[tuple[int, float]]
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
+class Row(Frozen):
     """A condition at a state: value (to vanish), its derivatives by X and by t, and d²/dt² at A = 0."""
 
     value: float
@@ -28,8 +27,7 @@ class Row:
     drift: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
-class Drag:
+class Drag(Frozen):
     """A force `name` in proportion to a multiplier that is no ideal force (kinetic friction μN); `strikes`: in a blow too."""
 
     name: str
@@ -37,8 +35,7 @@ class Drag:
     strikes: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Kept:
+class Kept(Frozen):
     """A scalar condition that the `multiplier` of the force (or couple) `name` keeps.
 
     `is_place`: whether it is one for the position (else for the speeds alone, its value 0).

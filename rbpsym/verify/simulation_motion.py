@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.numeric.integration import Rate, followed
 from rbpsym.verify.simulation_bodies import Law, Load, Mechanism, State
 from rbpsym.verify.simulation_joints import Kept, Row
@@ -19,8 +19,7 @@ from rbpsym.verify.simulation_joints import Kept, Row
 STATES = 20  # that are looked at along a motion
 
 
-@dataclass(frozen=True)
-class Balance:
+class Balance(Frozen):
     """What the equations say at a state: accelerations of the bodies, multipliers, loads, rows."""
 
     gained: np.ndarray

@@ -15,7 +15,7 @@ import numpy as np
 
 from rbpsym.algebra import Scalar
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
@@ -31,8 +31,7 @@ LONGEST = 200.0  # lengths of the usual motion in which an event must have come
 Watch = Callable[[np.ndarray, np.ndarray], float]
 
 
-@dataclass(frozen=True)
-class _End:
+class _End(Frozen):
     """The simulated state at an event: time since the start of the phase, X, V."""
 
     time: float

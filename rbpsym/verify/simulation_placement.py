@@ -14,7 +14,7 @@ import numpy as np
 from rbpsym.algebra import Scalar, derivative, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import Values
 from rbpsym.notation.tree import Node
 from rbpsym.verify.simulation_bodies import Mechanism, State
@@ -54,8 +54,7 @@ class Stated:
         return total
 
 
-@dataclass(frozen=True)
-class Link:
+class Link(Frozen):
     """stated(q) = something of the body, whose value, derivative by X and bias `of` gives."""
 
     stated: Stated
@@ -149,8 +148,7 @@ class Placement:
 RANK = 1e-9
 
 
-@dataclass(frozen=True)
-class Start:
+class Start(Frozen):
     """q, q̇, X, V; `freedom` is the number of independent speeds that the conditions leave."""
 
     q: np.ndarray

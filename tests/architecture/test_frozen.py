@@ -9,24 +9,21 @@ from typing import Any
 
 import pytest
 
-from rbpsym.frozen import dataclass, replace
-
-MAKERS = {"own": dataclass, "standard": dataclasses.dataclass}
+from rbpsym.frozen import Frozen, Walker, replace
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(Frozen):
     """A place, to be pickled."""
 
     x: int
     marks: tuple[str, ...] = ()
 
 
-def kinds(make: Callable[..., Any], **how: bool) -> tuple[Any, Any]:
+def kinds(base: type, make: Callable[[Any], Any]) -> tuple[Any, Any]:
     """A class and one that adds a field to it."""
 
-    @make(**how)
-    class One:
+    @make
+    class One(base):
         """One."""
 
         x: int
@@ -34,7 +31,7 @@ def kinds(make: Callable[..., Any], **how: bool) -> tuple[Any, Any]:
         marks: list[int] = dataclasses.field(default_factory=list, hash=False)
         span: int | None = dataclasses.field(default=None, kw_only=True)
 
-    @make(**how)
+    @make
     class Two(One):
         """Two."""
 
@@ -77,11 +74,31 @@ CALLS: tuple[Callable[[Any, Any], Any], ...] = (
 
 
 @pytest.mark.parametrize("call", CALLS, ids=range(len(CALLS)))
-@pytest.mark.parametrize("slots", [True, False])
-@pytest.mark.parametrize("frozen", [True, False])
-def test_it_is_what_the_standard_library_makes(call: Callable[[Any, Any], Any], slots: bool, frozen: bool) -> None:
-    own, standard = (shown(call, *kinds(make, slots=slots, frozen=frozen)) for make in MAKERS.values())
-    assert own == standard
+def test_it_is_what_the_standard_library_makes(call: Callable[[Any, Any], Any]) -> None:
+    standard = kinds(object, dataclasses.dataclass(frozen=True))
+    assert shown(call, *kinds(Frozen, lambda cls: cls)) == shown(call, *standard)
+
+
+def test_what_is_equal_to_itself_alone() -> None:
+    class Own(Frozen, eq=False):
+        """Own."""
+
+        x: int
+
+    first, second = Own(1), Own(1)
+    assert first == first != second and len({first, second}) == 2
+
+
+def test_walkers_remember() -> None:
+    class Own(Walker):
+        """Own."""
+
+        x: int
+        seen: list[int] = dataclasses.field(default_factory=list)
+
+    own = Own(1)
+    own.x, own.seen[:] = 2, [3]
+    assert (own.x, own.seen, Own(1).seen) == (2, [3], [])
 
 
 def test_it_can_be_sent_to_another_process() -> None:

@@ -24,7 +24,7 @@ from rbpsym.derivation.chapters.places import (
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, PhraseRef
 from rbpsym.equality.signs import sign
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, rim_of
 from rbpsym.mechanics.pushing import ways_kept, ways_taken
@@ -178,8 +178,7 @@ def _driven_rows(draft: Draft, element: Element) -> list[t.Node]:
 # --- speeds
 
 
-@dataclass(frozen=True)
-class _Part:
+class _Part(Frozen):
     """The speed of a place of a body: that of a point of it, and what its rotation adds (or takes)."""
 
     still: t.Node

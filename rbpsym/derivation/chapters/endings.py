@@ -12,7 +12,7 @@ from rbpsym.algebra import NOTHING, Scalar, is_zero, short, substitute, symbol, 
 from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef, bodies_named
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.arrivals import State, at_start
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.friction import geometry_of
@@ -212,8 +212,7 @@ def speed_symbol(draft: Draft, coordinate: str, number: int, value: Scalar) -> S
     return value if is_plain(value) or name not in draft.context.scalars else symbol(name)
 
 
-@dataclass(frozen=True)
-class Ending:
+class Ending(Frozen):
     """The end of the phase number `number` (counted from 1) that begins `phase`."""
 
     phase: Phase

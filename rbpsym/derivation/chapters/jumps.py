@@ -9,7 +9,7 @@ from rbpsym.derivation.chapters.endings import speed_symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import PhraseRef, Step, bodies_named
 from rbpsym.equality.rooted import neat
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.impulse import Moment, impulsive, restitutions
 from rbpsym.mechanics.jumps import Jump, road
@@ -20,8 +20,7 @@ from rbpsym.notation import tree as t
 from rbpsym.statement.model import Phase
 
 
-@dataclass(frozen=True)
-class Blow:
+class Blow(Frozen):
     """The systems before and after, the state at the instant, what is found; `number` of the phase that ends."""
 
     before: System

@@ -7,7 +7,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.chapters.inertia import as_power, center_of_mass, in_frame, moment_of_mass, together
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.system import BodyState, Pose, at_point
 from rbpsym.notation import tree as t
@@ -17,8 +17,7 @@ from rbpsym.statement.solids import leaves
 CENTER = "cm"
 
 
-@dataclass(frozen=True)
-class Piece:
+class Piece(Frozen):
     """A part of a body, or the whole of it: where it is, whether it is cut out, the letter of its moment about its own centre.
 
     `one`: the single part of which it is all copies, `count` of them.

@@ -7,7 +7,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.conditions import full_rates
 from rbpsym.mechanics.constraints import JOINTS
@@ -121,8 +121,7 @@ def _from_line(draft: Draft, element: Element) -> list[t.Node]:
     return [t.equation(left, draft.show(c + rim_of(element) * side))]
 
 
-@dataclass(frozen=True)
-class Given:
+class Given(Frozen):
     """`geometry` with all speeds free; the bodies whose place or angle no one gave."""
 
     geometry: Geometry

@@ -24,7 +24,7 @@ from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of
@@ -39,8 +39,7 @@ from rbpsym.statement.model import Element, Problem
 # --- a problem as the explorer has it: data for JSON, and the functions of its phases as JavaScript
 
 
-@dataclass(frozen=True)
-class Model:
+class Model(Frozen):
     """A problem in the explorer; `is_first_phase_only` if its later phases have no closed form."""
 
     data: dict[str, Any]

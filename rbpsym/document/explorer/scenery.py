@@ -12,7 +12,7 @@ from typing import Any
 from rbpsym.algebra import Scalar, Vector, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.pose import touched_radii
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry, pair
@@ -27,8 +27,7 @@ from rbpsym.statement.solids import copies, leaves
 Part = dict[str, Any]
 
 
-@dataclass(frozen=True)
-class SeenStudy:
+class SeenStudy(Frozen):
     """A study seen: `put` stores a scalar and says where; `elsewhere` is the ground of other phases."""
 
     study: Study

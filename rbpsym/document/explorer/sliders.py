@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from rbpsym.document.explorer.stage import start_name
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.numbers import bound, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -18,8 +18,7 @@ from rbpsym.statement.printed_units import unit_text
 DEGREE = math.pi / 180
 
 
-@dataclass(frozen=True, slots=True)
-class Slider:
+class Slider(Frozen):
     """An adjustable number in SI units (angles in radians); shown it is value / `unit_size` `unit`."""
 
     name: str

@@ -15,7 +15,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.explorer.events import events
 from rbpsym.document.explorer.javascript import Program, function
 from rbpsym.document.explorer.scenery import scenery
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import CONSTANT, linear_row
 from rbpsym.mechanics.numbers import sample
@@ -24,16 +24,14 @@ from rbpsym.mechanics.system import Force
 from rbpsym.statement.model import Element
 
 
-@dataclass(frozen=True)
-class StagePhase:
+class StagePhase(Frozen):
     """Code (function texts by name) and data of a phase."""
 
     code: dict[str, str]
     data: dict[str, Any]
 
 
-@dataclass(frozen=True)
-class PhaseEnding:
+class PhaseEnding(Frozen):
     """What ends a phase and begins the next: a time since its start (None: not known), events by (kind,
     name) that are no surprise then, and a value that a coordinate reaches."""
 
@@ -46,8 +44,7 @@ LAST = PhaseEnding()
 Struck = Callable[[Callable[[Scalar], int]], dict[str, Any] | None]
 
 
-@dataclass(frozen=True)
-class Began:
+class Began(Frozen):
     """What strikes when a phase begins, and the ground of the other phases, which stays in sight."""
 
     struck: Struck = lambda put: None

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from rbpsym.document.breaking import node_height, node_width
 from rbpsym.document.figures import scene as s
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation.glyphs import DEFAULT, Notation
 
 Box = tuple[float, float, float, float]
@@ -18,8 +18,7 @@ STEPS = (0.0, 0.12, 0.28, 0.5, 0.8, 1.15, 1.6)
 CLEAR = 0.03
 
 
-@dataclass(frozen=True, slots=True)
-class Stroke:
+class Stroke(Frozen):
     """A piece of a line that labels keep clear of."""
 
     start: s.Point

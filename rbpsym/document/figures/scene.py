@@ -9,15 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.tree import Node
 
 Point = tuple[float, float]
 EM = 0.40  # the size of a label's letters, in cm
 
 
-@dataclass(frozen=True, slots=True)
-class DrawingStyle:
+class DrawingStyle(Frozen):
     """Colour names are those of COLORS; `width` is in points; `dash` in cm or None."""
 
     stroke: str = "ink"
@@ -81,8 +80,7 @@ COLORS: Mapping[str, tuple[str, str]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+class Line(Frozen):
     """A broken line through points; `heads` is "", "end" or "both"."""
 
     points: tuple[Point, ...]
@@ -91,16 +89,14 @@ class Line:
     heads: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Strokes:
+class Strokes(Frozen):
     """Many short lines of one style: hatching."""
 
     pieces: tuple[tuple[Point, Point], ...]
     style: str = "hatch"
 
 
-@dataclass(frozen=True, slots=True)
-class Circle:
+class Circle(Frozen):
     """A circle."""
 
     center: Point
@@ -108,8 +104,7 @@ class Circle:
     style: str = "body"
 
 
-@dataclass(frozen=True, slots=True)
-class Arc:
+class Arc(Frozen):
     """An arc of a circle from the angle `start` to `end` (radians, either way round)."""
 
     center: Point
@@ -125,8 +120,7 @@ class Arc:
         return polar(self.center, self.radius, angle)
 
 
-@dataclass(frozen=True, slots=True)
-class Label:
+class Label(Frozen):
     """A formula or word beside `target`; `toward` is the wanted direction (radians) or None.
 
     `place` (its centre) is found by `placing.placed` if it is not given; `gap` is the least distance in cm.
@@ -150,8 +144,7 @@ class Label:
 Item = Line | Strokes | Circle | Arc
 
 
-@dataclass(frozen=True, slots=True)
-class Scene:
+class Scene(Frozen):
     """Items in drawing order, with labels on top."""
 
     items: tuple[Item, ...] = ()

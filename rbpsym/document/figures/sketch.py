@@ -10,14 +10,13 @@ from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 
 from rbpsym.document.figures.scene import Point
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation.tree import Node
 
 Caption = Node | str | None
 
 
-@dataclass(frozen=True, slots=True)
-class SketchPart:
+class SketchPart(Frozen):
     """A part of a composite: its shape, origin and angle in the composite's frame."""
 
     kind: str
@@ -27,8 +26,7 @@ class SketchPart:
     removed: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class SketchBody:
+class SketchBody(Frozen):
     """A body: `kind` and `sizes` as in the statement, frame origin `at`, turned by `angle`.
 
     `rims` are radii of circles about the origin that are not its outline: drums, axles.
@@ -50,8 +48,7 @@ class SketchBody:
         return self.center_of_mass or self.at
 
 
-@dataclass(frozen=True, slots=True)
-class SketchPoint:
+class SketchPoint(Frozen):
     """A point with a meaning: kind "pivot", "weld", "guide" (to the ground), "pin", "fixed"
     (an origin), "anchor" (the fixed end of a spring or string), "edge" (a corner on which a body lies)
     or "point"; `bodies` are those that it holds, `away` the direction in which its ground lies."""
@@ -63,8 +60,7 @@ class SketchPoint:
     away: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class SketchLine:
+class SketchLine(Frozen):
     """The line a x + b y = c; `solid` is the side (sign of a x + b y - c) that is hatched.
 
     None: the side where no body is. A line of kind "rail" has no solid side: points are led along it.
@@ -81,8 +77,7 @@ class SketchLine:
     end: Point | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class SketchCircle:
+class SketchCircle(Frozen):
     """A fixed circle that is touched: "convex" (solid inside), "concave" (solid outside), "bowl" (its lower
     half, solid outside) or "rail"."""
 
@@ -92,8 +87,7 @@ class SketchCircle:
     label: Caption = None
 
 
-@dataclass(frozen=True, slots=True)
-class SketchCord:
+class SketchCord(Frozen):
     """What runs through points (arcs round pulleys come as many points): kind "string", "link" or "rail"."""
 
     points: tuple[Point, ...]
@@ -101,8 +95,7 @@ class SketchCord:
     kind: str = "string"
 
 
-@dataclass(frozen=True, slots=True)
-class SketchArrow:
+class SketchArrow(Frozen):
     """What acts or moves at the start: kind "force", "blow", "velocity", "spin", "couple" or "driven".
 
     `direction` is a unit vector; of a turning kind its x is the sense (+1 counter-clockwise).
@@ -114,8 +107,7 @@ class SketchArrow:
     label: Caption = None
 
 
-@dataclass(frozen=True, slots=True)
-class SketchLink:
+class SketchLink(Frozen):
     """What joins two points: kind "spring", "damper" or "string"."""
 
     kind: str
@@ -124,8 +116,7 @@ class SketchLink:
     label: Caption = None
 
 
-@dataclass(frozen=True, slots=True)
-class SketchCoil:
+class SketchCoil(Frozen):
     """A torsion spring or rotary damper at a point."""
 
     at: Point
@@ -133,8 +124,7 @@ class SketchCoil:
     kind: str = "torsion_spring"
 
 
-@dataclass(frozen=True, slots=True)
-class AngleMark:
+class AngleMark(Frozen):
     """An angle at a point from the direction `start` to `end` (the way in which it grows).
 
     A line marks the end where no edge of a body is there: of length `reach`, the arc being beyond it, or
@@ -149,8 +139,7 @@ class AngleMark:
     ray: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
-class LengthMark:
+class LengthMark(Frozen):
     """A length between two points, drawn beside them on the emptier side."""
 
     start: Point
@@ -158,8 +147,7 @@ class LengthMark:
     label: Caption
 
 
-@dataclass(frozen=True, slots=True)
-class RadiusMark:
+class RadiusMark(Frozen):
     """A radius, drawn as an arrow from the centre to the rim `toward` a direction (None: a free one)."""
 
     at: Point
@@ -168,8 +156,7 @@ class RadiusMark:
     toward: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class SketchForce:
+class SketchForce(Frozen):
     """A force on a body: its point and direction (its length on paper says nothing); `is_open` if no sense is told."""
 
     body: str
@@ -179,8 +166,7 @@ class SketchForce:
     is_open: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class SketchCouple:
+class SketchCouple(Frozen):
     """A couple on a body, drawn round a point; `sign` +1 is counter-clockwise; `is_open` if no sense is told."""
 
     body: str
@@ -190,8 +176,7 @@ class SketchCouple:
     is_open: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Sketch:
+class Sketch(Frozen):
     """A whole system in one pose."""
 
     bodies: tuple[SketchBody, ...]

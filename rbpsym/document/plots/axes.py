@@ -9,15 +9,14 @@ import numpy as np
 
 from rbpsym.document.figures.placing import Box, grown
 from rbpsym.document.figures.scene import Point
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 TICKS = 4  # about as many steps on an axis
 NEAR = 5e-3  # of a step: so little beyond the end a tick still stands
 DEGREES = (5, 10, 15, 30, 45, 60, 90, 180, 360)
 
 
-@dataclass(frozen=True, slots=True)
-class Axis:
+class Axis(Frozen):
     """The range of an axis, its length in cm, its ticks and how each is written."""
 
     low: float

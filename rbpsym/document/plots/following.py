@@ -16,7 +16,7 @@ from rbpsym.algebra import Scalar
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.moving import REASONS, Moving, at, reactions, require_motion
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.endings import State as Ending
 from rbpsym.mechanics.events import pushes
@@ -41,7 +41,6 @@ Numbers = Mapping[str, float | np.ndarray]
 State = np.ndarray  # coordinates that are no closed form of others, independent speeds, the time
 
 
-@dataclass(frozen=True)
 class Flow(Moving):
     """The same with arrays: many states as columns."""
 
@@ -94,8 +93,7 @@ class Flow(Moving):
         raise NotApplicable(REASONS["rest"])
 
 
-@dataclass(frozen=True)
-class Leg:
+class Leg(Frozen):
     """A phase of the motion: what was derived of it, all numbers at its moments, when it begins, what it is called.
 
     `turns` are the moments at which the first coordinate turned back, `lost` those at which a force that can only

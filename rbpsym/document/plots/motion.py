@@ -13,15 +13,14 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.document.moving import require_motion
 from rbpsym.document.plots.following import Leg, leg
 from rbpsym.document.plots.scales import Scales, scales
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.phases import stages
 
 MANY, FEW = 10, 5  # of many turns forces, works and energies are shown over a few
 AFTERWARDS = 1.5  # how much longer than all phases before it the last one is followed
 
 
-@dataclass(frozen=True)
-class Journey:
+class Journey(Frozen):
     """The legs of a motion. What is joined over all of them has a gap (not a number) where one ends and the next begins."""
 
     legs: tuple[Leg, ...]
@@ -44,8 +43,7 @@ class Journey:
         return Journey((*self.legs[:-1], self.legs[-1].part(count)))
 
 
-@dataclass(frozen=True)
-class PlottedMotion:
+class PlottedMotion(Frozen):
     """A derivation with the numbers of its motion.
 
     `whole` are all moments; `way` those until it turns back for the first time, if curves are drawn over the

@@ -12,7 +12,7 @@ from rbpsym.document.figures.placing import grown, label_size, overlap
 from rbpsym.document.figures.scene import STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
 from rbpsym.document.plots.axes import Axis, axis, lengths, places
 from rbpsym.document.plots.scales import Scale
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 
@@ -26,8 +26,7 @@ RINGS = ("joint", "dot")  # an open circle where a curve ends, a full one where 
 NEAR = 0.035  # cm
 
 
-@dataclass(frozen=True, eq=False)
-class PlotCurve:
+class PlotCurve(Frozen, eq=False):
     """Values at the places of a panel: what it is called, and its style."""
 
     name: t.Node | str
@@ -35,8 +34,7 @@ class PlotCurve:
     style: str = ""
 
 
-@dataclass(frozen=True)
-class PlotMark:
+class PlotMark(Frozen):
     """A place at which something happens, and what; a dot is where it meets the height 0."""
 
     place: float
@@ -44,8 +42,7 @@ class PlotMark:
     has_dot: bool = False
 
 
-@dataclass(frozen=True, eq=False)
-class Panel:
+class Panel(Frozen, eq=False):
     """Curves over common places. Values are in units of the scales already.
 
     Where places and values are not numbers there is a gap: what is on both its sides is a jump.
@@ -62,8 +59,7 @@ class Panel:
     reach: tuple[float, ...] = ()
 
 
-@dataclass(frozen=True, eq=False)
-class DrawnCurve:
+class DrawnCurve(Frozen, eq=False):
     """A curve in the picture: its points as rows, in cm; a gap between its pieces is not a number."""
 
     name: t.Node | str

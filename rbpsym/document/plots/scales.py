@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.errors import NotApplicable
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
@@ -28,8 +28,7 @@ CLOCKS = tuple(
 DEGREE = math.pi / 180
 
 
-@dataclass(frozen=True)
-class Scale:
+class Scale(Frozen):
     """The unit of an axis: its size in SI units, and how it is printed (None for a pure number)."""
 
     size: float
@@ -37,8 +36,7 @@ class Scale:
     sign: str = ""
 
 
-@dataclass(frozen=True)
-class Scales:
+class Scales(Frozen):
     """Numbers for all names of a problem, and the unit of each dimension.
 
     `powers` are the parameters whose products make the units; none where the units are those of SI.

@@ -17,7 +17,7 @@ from rbpsym.document.model import Display
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import boxes as b
 from rbpsym.notation.mathml import render, to_mathml
 from rbpsym.notation.tree import Node
@@ -84,8 +84,7 @@ def at_relations(term: b.Row) -> list[b.Row]:
 COLUMN = 33.0
 
 
-@dataclass(frozen=True, slots=True)
-class Around:
+class Around(Frozen):
     """The site that a page stands in: its index page, the problems of the same topic, the ones before and after.
 
     Each is an address with a title; what is "" or empty is left out.

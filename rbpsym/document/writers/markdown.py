@@ -11,7 +11,6 @@ from rbpsym.document.escaping import markdown_text
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
 from rbpsym.document.writers.page import Page, body, prints
-from rbpsym.frozen import dataclass
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.letters import script
 
@@ -50,7 +49,6 @@ def wrapped(mark: str, text: str) -> str:
 # ---
 
 
-@dataclass(frozen=True, slots=True)
 class MarkdownPage(Page):
     """A page of Markdown: `pictures` are the addresses of the drawn figures by number."""
 

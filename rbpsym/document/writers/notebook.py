@@ -13,7 +13,7 @@ from rbpsym.document.pictures import easiest, pictures
 from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
 from rbpsym.document.writers.page import page_of
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 SCREEN = 110.0  # dots an inch
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
@@ -22,8 +22,7 @@ KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 MIME = {"png": "image/png", "svg": "image/svg+xml"}
 
 
-@dataclass(frozen=True, slots=True)
-class NotebookCell:
+class NotebookCell(Frozen):
     """A cell: words (Markdown) or code; `files` are pictures that it holds, by name."""
 
     source: str

@@ -8,14 +8,13 @@ from functools import cache
 from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
 from rbpsym.document.phrases import plain
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation.glyphs import Notation
 
 Print = Callable[[object, "Page"], str]
 
 
-@dataclass(frozen=True, slots=True)
-class Page:
+class Page(Frozen):
     """How a format prints (a table of functions by type) and what it prints with.
 
     `column` is the width of the text in em; the widest formula is broken to it.

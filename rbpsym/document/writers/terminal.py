@@ -13,7 +13,7 @@ from rbpsym.document.escaping import columns, padded
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Chain, System
@@ -24,8 +24,7 @@ SIDES = {"l": "left", "p": "left", "c": "center", "r": "right"}
 WIDEST = 100
 
 
-@dataclass(frozen=True, slots=True)
-class Screen:
+class Screen(Frozen):
     """Where a document is shown: how names are drawn, the width, and what became of each check; `doubtful`: what a prover
     that was asked did not certify."""
 

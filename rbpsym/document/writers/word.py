@@ -13,7 +13,6 @@ from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, prints
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_xml import STAYS, Cell, TableLook, link, paragraph, safe, table_of, text_run
-from rbpsym.frozen import dataclass
 from rbpsym.notation.layout import layout
 from rbpsym.notation.omml import NOTHING, formula, render, to_omml
 
@@ -124,7 +123,6 @@ def borders(edges: dict[str, str], *sides: str) -> str:
 COLUMN = 31.0  # em, between a margin for the number and one like it at the left
 
 
-@dataclass(frozen=True, slots=True)
 class WordPage(Page):
     """A page of Word: `pictures` are the drawn figures by number, `lists` the numberings of ordered lists."""
 

@@ -12,7 +12,7 @@ from rbpsym.document.model import Document, ItemList
 from rbpsym.document.numbering import parts
 from rbpsym.document.pictures import Picture, pictures
 from rbpsym.document.writers.word_xml import UNPRINTABLE, W
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.omml import NAMESPACE
 
 LETTERS = "Cambria"
@@ -20,8 +20,7 @@ EMU = 360_000  # a centimetre
 WIDEST = 15.8  # cm
 
 
-@dataclass(frozen=True, slots=True)
-class ParagraphLook:
+class ParagraphLook(Frozen):
     """A paragraph style: size and space in points, alignment, and whether it stays with what follows."""
 
     size: float = 11

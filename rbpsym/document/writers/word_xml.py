@@ -7,7 +7,7 @@ import zlib
 from collections.abc import Sequence
 from html import escape
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 
 W = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
@@ -54,16 +54,14 @@ def link(label: str, mark: str) -> str:
     return f'<w:hyperlink w:anchor="{target(label)}" w:history="1">{text_run(mark)}</w:hyperlink>'
 
 
-@dataclass(frozen=True, slots=True)
-class Cell:
+class Cell(Frozen):
     """A cell: paragraphs, and what is in its properties besides the width."""
 
     content: str
     look: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class TableLook:
+class TableLook(Frozen):
     """Properties of a table: its place on the line, its borders, the space beside the cells' words in twips."""
 
     side: str = "left"

@@ -11,7 +11,7 @@ from typing import Any
 from rbpsym.document.model import Block, FigureBlock, Inlines
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.teaching.exports.page import TEX, PictureTag, SetFormula, image, slug, svg, table, zipped
 from rbpsym.teaching.formats import Exported
 from rbpsym.teaching.model import Item, OrderKey, Slip, Worksheet
@@ -34,8 +34,7 @@ LACKS: Mapping[str, str] = {
 }
 
 
-@dataclass(frozen=True)
-class Platform:
+class Platform(Frozen):
     """A learning platform: how it sets formulas, shows pictures and where these lie, how it asks keys for which it has a
     way of its own (by type), what it lacks in other words than `LACKS`, and how it shows a drop-down within text."""
 
@@ -51,8 +50,7 @@ class Platform:
 ANY = Platform("")
 
 
-@dataclass(frozen=True)
-class ExportDesk:
+class ExportDesk(Frozen):
     """A worksheet on its way into a format.
 
     `missing` collects (item, what the format can't carry), `pictures` the files by name, `marks` the numbers of the

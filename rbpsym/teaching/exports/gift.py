@@ -8,7 +8,7 @@ from decimal import Decimal
 from typing import Any
 
 from rbpsym.document.model import FigureBlock
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import ExportDesk, Platform, by_items, orders
@@ -16,8 +16,7 @@ from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.wording import left_out, name_of
 
 
-@dataclass(frozen=True, slots=True)
-class Matching:
+class Matching(Frozen):
     """Pairs to be put together."""
 
     pairs: tuple[tuple[str, str], ...]

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from markupsafe import Markup
 
 from rbpsym.document.model import Text
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit
@@ -31,8 +31,7 @@ from rbpsym.teaching.wording import left_out, name_of
 # note at which the tree must arrive.
 
 
-@dataclass(frozen=True, slots=True)
-class ResponseNode:
+class ResponseNode(Frozen):
     """A node of the response tree: what the answer is compared with, what it then earns, and what is told."""
 
     against: str
@@ -40,8 +39,7 @@ class ResponseNode:
     told: str
 
 
-@dataclass(frozen=True, slots=True)
-class Tree:
+class Tree(Frozen):
     """The field of a number with its right formula, its share of the points, and the tree: the right answer first."""
 
     number: int
@@ -50,8 +48,7 @@ class Tree:
     nodes: tuple[ResponseNode, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Stack:
+class Stack(Frozen):
     """What a question of STACK has beyond others. tests: for each the node (from 0) at which each tree arrives."""
 
     variables: str

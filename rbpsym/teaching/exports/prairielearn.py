@@ -11,7 +11,7 @@ from markupsafe import Markup, escape
 
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.writers.page import shell
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation.latex import to_latex
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
@@ -25,8 +25,7 @@ from rbpsym.teaching.wording import feedback, left_out
 OURS = UUID("6f0a1a5e-6a0e-5f6c-9a39-2d0c5b7f9d11")  # the space in which the ids of questions are made
 
 
-@dataclass(frozen=True, slots=True)
-class OrderBlocks:
+class OrderBlocks(Frozen):
     """Blocks with the graph of what they depend on (text, places): every order that keeps it is right."""
 
     blocks: tuple[tuple[str, str], ...]

@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import ExportDesk, Platform, in_packages, orders
@@ -15,8 +15,7 @@ from rbpsym.teaching.exports.page import identifier, mathml, written
 from rbpsym.teaching.formats import Exported, Options
 
 
-@dataclass(frozen=True, slots=True)
-class OrderSteps:
+class OrderSteps(Frozen):
     """Steps to be put in order: what each says, and the orders that are right, the printed one first."""
 
     steps: tuple[str, ...]
@@ -24,8 +23,7 @@ class OrderSteps:
     right: tuple[tuple[int, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Signs:
+class Signs(Frozen):
     """Rows with two inline choices each: head of the row, and (name, word, sign) of its fields."""
 
     rows: tuple[tuple[str, tuple[tuple[str, str, str], ...]], ...]

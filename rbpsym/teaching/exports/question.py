@@ -13,7 +13,7 @@ from typing import Any
 from markupsafe import escape
 
 from rbpsym.document.model import Math, Text
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import tree as t
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit
@@ -24,8 +24,7 @@ from rbpsym.teaching.exports.names import RESERVED, exported_names
 FEWEST = 3  # options of a choice that stands for a formula
 
 
-@dataclass(frozen=True, slots=True)
-class Choice:
+class Choice(Frozen):
     """One of several options, `right` by its place; `before` stands above them, `praise` is told of the right one."""
 
     options: tuple[m.Option, ...]
@@ -41,8 +40,7 @@ class Choice:
         return tuple((place, option) for place, option in places if option.slip and place != self.right + 1)
 
 
-@dataclass(frozen=True, slots=True)
-class Number:
+class Number(Frozen):
     """A number: in its unit `exact` and `printed`, which may be off by the share `reach`, and known wrong ones."""
 
     key: m.NumberKey
@@ -61,8 +59,7 @@ class Number:
         return sorted(value * (1 + side * reach) for side in (-1, 1))
 
 
-@dataclass(frozen=True, slots=True)
-class DropDown:
+class DropDown(Frozen):
     """A drop-down: its words and the place of the right one."""
 
     name: str
@@ -70,16 +67,14 @@ class DropDown:
     right: int
 
 
-@dataclass(frozen=True, slots=True)
-class Fields:
+class Fields(Frozen):
     """Text with drop-downs in it, as the platform shows each (`Platform.dropdown`)."""
 
     markup: str
     fields: tuple[DropDown, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class TypedFormula:
+class TypedFormula(Frozen):
     """A formula to be typed: its number, the right one, known wrong ones, and its share of the points."""
 
     number: int
@@ -93,8 +88,7 @@ class TypedFormula:
         return tuple(known for known in self.anticipated if known.formula is not None)
 
 
-@dataclass(frozen=True, slots=True)
-class TypedFormulas:
+class TypedFormulas(Frozen):
     """Formulas to be typed, with the names that are typed for ours; `left` is what stands before a single one."""
 
     entries: tuple[TypedFormula, ...]
@@ -102,8 +96,7 @@ class TypedFormulas:
     left: t.Node | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Essay:
+class Essay(Frozen):
     """Words that the teacher marks; `sample` shows a full answer. `before` stands above the field."""
 
     before: str = ""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
@@ -26,8 +26,7 @@ from rbpsym.teaching.units import number_text
 Answers = Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class Mark:
+class Mark(Frozen):
     """The points of one item, out of `most`, with what was found and the answer as it was given."""
 
     item: str
@@ -37,8 +36,7 @@ class Mark:
     most: Fraction
 
 
-@dataclass(frozen=True)
-class Desk:
+class Desk(Frozen):
     """The grounds of problems, made once and kept for all students."""
 
     language: str = "en"
@@ -61,8 +59,7 @@ class Desk:
         return self.wider[key]
 
 
-@dataclass(frozen=True)
-class Case:
+class Case(Frozen):
     """One worksheet with its answers, and what was judged so far."""
 
     worksheet: m.Worksheet

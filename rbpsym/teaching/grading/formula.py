@@ -10,7 +10,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.ground import GradingGround
@@ -25,8 +25,7 @@ T = TypeVar("T")
 OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
 
 
-@dataclass(frozen=True)
-class Sought:
+class Sought(Frozen):
     """What a formula is compared with: the key, the left side it belongs to, the names it may hold, known
     wrong values, and the values that follow from the student's own earlier answers."""
 

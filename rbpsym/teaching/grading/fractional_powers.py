@@ -16,7 +16,7 @@ from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.decide import cross_difference, scalars_equal
 from rbpsym.equality.factoring import primes
 from rbpsym.equality.verdict import Verdict, undecided
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 
@@ -24,8 +24,7 @@ LARGEST_NUMBER = 10**6  # that is split into primes
 Power = tuple[t.Node, Fraction]
 
 
-@dataclass(frozen=True)
-class Roots:
+class Roots(Frozen):
     """The roots in some trees: for each base the common denominator of its exponents, and its symbol."""
 
     assumptions: Assumptions

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from rbpsym.algebra import BARE, Scalar, Scope
 from rbpsym.algebra.exponentials import with_squares
 from rbpsym.equality.assumptions import NONE, Assumptions
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.glyphs import Notation, glyph, renamed
 from rbpsym.notation.letters import without_accents
@@ -26,8 +26,7 @@ TWINS = (("phi", "varphi"), ("theta", "vartheta"), ("epsilon", "varepsilon"), ("
 ELLS = ("ell", "l", "L")
 
 
-@dataclass(frozen=True)
-class Book:
+class Book(Frozen):
     """The names of a problem and other ways to type them; `table` for the LaTeX reader.
 
     A way to type that could mean two names is left out, and so is one that is a name itself.
@@ -108,8 +107,7 @@ def _same(value: Scalar) -> Scalar:
     return value
 
 
-@dataclass(frozen=True)
-class GradingGround:
+class GradingGround(Frozen):
     """Meanings of names (`scope`), assumptions, dimensions, and how names may be typed (`book`).
 
     on_motion: replaces accelerations and unknown forces by what they are; along: squares of the speeds too.

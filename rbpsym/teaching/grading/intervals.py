@@ -14,7 +14,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.enclosure import Enclosure, Number, Outside
 from rbpsym.equality.points import Point, points
 from rbpsym.equality.verdict import Verdict, Witness, refuted, undecided
-from rbpsym.frozen import dataclass, field
+from rbpsym.frozen import Frozen, field
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.tree import Node
@@ -24,8 +24,7 @@ MOST_DENOMINATOR, CLOSE = 64, Fraction(1, 10**20)  # of a ratio that is told
 LARGEST = 200  # of an argument of exp: beyond, the numbers get long
 
 
-@dataclass(frozen=True)
-class Sampling:
+class Sampling(Frozen):
     """Points that satisfy the assumptions, by the names that they give values to, and values of trees there.
 
     Both are kept, since one key is compared with many answers.

@@ -10,7 +10,7 @@ from typing import Any
 
 from rbpsym.equality.verdict import Witness
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.teaching.model import Slip
 
 ALL, NONE, HALF = Fraction(1), Fraction(0), Fraction(1, 2)
@@ -36,16 +36,14 @@ GIVES_UP = re.compile(
 FOR_THE_TEACHER = frozenset({Status.INVALID, Status.UNDECIDED, Status.OPEN})
 
 
-@dataclass(frozen=True, slots=True)
-class Remark:
+class Remark(Frozen):
     """A sentence of the phrases, under [remark], its places filled with `slots` (texts, or trees of formulas)."""
 
     key: str
     slots: Mapping[str, Any] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Judgement:
+class Judgement(Frozen):
     """`credit` is the part of the points earned, 0 to 1; `slip` the misconception that was recognised.
 
     parts: what was marked apart (“value”, “unit”, “figures”, or the blanks), each with its own credit.

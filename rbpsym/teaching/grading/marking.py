@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.teaching.batch import TURN, findable, known_plan
 from rbpsym.teaching.executor import Journal, crew, run
 from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet
@@ -29,8 +29,7 @@ from rbpsym.teaching.units import number_text
 _NOBODY: Mapping[str, str] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
-class ClassList:
+class ClassList(Frozen):
     """The rows that can be marked, those that can't with the reason, and what there is to say.
 
     names: the name of each student by key, empty without a list; absent: students without a row.
@@ -98,8 +97,7 @@ def _once(rows: tuple[AnswerRow, ...]) -> tuple[tuple[AnswerRow, ...], tuple[tup
 
 
 
-@dataclass(frozen=True, slots=True)
-class GradingOrder:
+class GradingOrder(Frozen):
     """What is to be graded: the worksheet (a name or a path), the secret of the papers, the language.
 
     `fingerprint` is that of the worksheet here: a worker that has another file of that name must not grade.
@@ -112,8 +110,7 @@ class GradingOrder:
     pages: bool
 
 
-@dataclass(frozen=True, slots=True)
-class Graded:
+class Graded(Frozen):
     """The outcome: the text of marks.csv, pages by file name, how many answers the teacher should look at,
     columns and rows that could not be used, each told in a sentence."""
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 from math import floor, isfinite, log10, pi
 
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.units import PURE, UnitOf, read_unit
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
@@ -23,8 +23,7 @@ MOST_TENS = 9
 RADIAN = (("rad", Fraction(1)),)
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
+class Wanted(Frozen):
     """What a number is compared with; `exact` in SI units, `unit` the one that is printed.
 
     carried: values (SI) that follow from the student's own earlier answers.

@@ -9,7 +9,7 @@ from rbpsym.equality import enclosure
 from rbpsym.equality.dimensions import dimension_of
 from rbpsym.equality.enclosure import ends
 from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.units import UnitOf, read_unit
@@ -22,8 +22,7 @@ from rbpsym.teaching.grading.words import MADE, WORD, lookup, spelled
 LONGEST, LARGEST_POWER = 200, 30
 
 
-@dataclass(frozen=True, slots=True)
-class Typed:
+class Typed(Frozen):
     """A number in `unit` (None if none is typed).
 
     fewest, most: how many significant figures it may be meant to have (0 for an exact form such as

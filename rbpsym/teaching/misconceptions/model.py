@@ -11,7 +11,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.derivation.step import BodyRef
 from rbpsym.errors import NoNumber
-from rbpsym.frozen import dataclass, field, replace
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
@@ -19,8 +19,7 @@ from rbpsym.notation.tree import Node, Vec
 from rbpsym.statement.model import Element, Problem
 
 
-@dataclass(frozen=True, slots=True)
-class Site:
+class Site(Frozen):
     """Where a misconception applies in a problem: `slots` fill its feedback; `wrong()` is the study with it."""
 
     slots: Mapping[str, Any]
@@ -30,8 +29,7 @@ class Site:
 Sites = Callable[[Study], Iterator[Site]]
 
 
-@dataclass(frozen=True, slots=True)
-class Misconception:
+class Misconception(Frozen):
     """A misconception of the literature as an operator.
 
     name: its key, also of its phrases (`misconception.<name>`) and of `literature.DESCRIBED`; sites(study): where

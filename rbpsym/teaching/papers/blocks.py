@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 
 from rbpsym.document.model import Block, Display, FigureBlock, Inlines, Math, Paragraph
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 
 
-@dataclass(frozen=True, slots=True)
-class Lead:
+class Lead(Frozen):
     """The beginning of a task: its number, its question, and at the right what it earns."""
 
     number: str
@@ -21,38 +20,33 @@ class Lead:
     points: str
 
 
-@dataclass(frozen=True, slots=True)
-class AnswerOptions:
+class AnswerOptions(Frozen):
     """Answers to choose from, marked a, b, c; `right` (from 0) is ticked in a key."""
 
     items: tuple[Inlines, ...]
     right: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Marked:
+class Marked(Frozen):
     """Formulas below each other, each with its mark (a letter or a number) at the left."""
 
     lines: tuple[tuple[str, Node], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Rules:
+class Rules(Frozen):
     """Rules to write answers on, each after some words or a formula; `width` in cm."""
 
     items: tuple[Inlines, ...]
     width: float = 6.0
 
 
-@dataclass(frozen=True, slots=True)
-class EmptySpace:
+class EmptySpace(Frozen):
     """Empty paper, in cm."""
 
     height: float
 
 
-@dataclass(frozen=True, slots=True)
-class Form:
+class Form(Frozen):
     """A table whose cells are filled in by hand; the cells of a key are filled in already."""
 
     header: tuple[Inlines, ...]

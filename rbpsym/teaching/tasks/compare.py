@@ -12,7 +12,7 @@ from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Display, Math, Paragraph
 from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -32,8 +32,7 @@ USUAL = 3  # points
 MOST_STEPS = 20  # of the way to a quantity that are looked through for what was changed
 
 
-@dataclass(frozen=True)
-class Variant:
+class Variant(Frozen):
     """Another system than that of the problem: how it is called, and the value of a target in it."""
 
     phrase: str

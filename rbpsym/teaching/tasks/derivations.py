@@ -10,7 +10,7 @@ from rbpsym.algebra import Scalar, is_zero, substitute
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.document.needless import is_struck
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, sentence
 from rbpsym.teaching.codes import Draws
@@ -77,8 +77,7 @@ def _printing(bench: ProblemBench, statements: Sequence[t.Node]) -> Content:
 # --- fill in: a derivation with blanks at the steps that matter, from much help to none
 
 
-@dataclass(frozen=True, slots=True)
-class Help:
+class Help(Frozen):
     """How much a level helps: steps shown, blanks at most, single terms rather than sides, reasons told."""
 
     lines: int

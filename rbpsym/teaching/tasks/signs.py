@@ -10,7 +10,7 @@ from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.model import Block, FigureBlock, Math, Paragraph, Table
 from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ENERGY
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, given_as
@@ -26,8 +26,7 @@ MOST_POINTS = 6  # of a table with many rows, which is no more work than to deri
 SMALL = 1e-6  # of the largest work: too small for a sign that one can see
 
 
-@dataclass(frozen=True, slots=True)
-class ForceRow:
+class ForceRow(Frozen):
     """A force on a body, and the group of forces with which its works cancel."""
 
     force: str

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Inlines, Paragraph
-from rbpsym.frozen import dataclass, replace
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench
@@ -29,8 +29,7 @@ SHORT = frozenset({"mass_integral"})  # rules of which only the result is told
 SPLITS = frozenset({"angular_momentum", "kinetic_energy"})  # rules that tell the spin part apart
 
 
-@dataclass(frozen=True, slots=True)
-class Told:
+class Told(Frozen):
     """A slip, the lines that it leads to, the right ones, and the place of the first that is wrong."""
 
     slip: Slip

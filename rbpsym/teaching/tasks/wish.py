@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from rbpsym.document.model import Block
 from rbpsym.errors import RbpsymError
-from rbpsym.frozen import dataclass
+from rbpsym.frozen import Frozen
 from rbpsym.statement.source import SourceItem as Entry
 from rbpsym.statement.source import did_you_mean
 from rbpsym.teaching import model as m
@@ -17,8 +17,7 @@ from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.targets import Target
 
 
-@dataclass(frozen=True, slots=True)
-class Wish:
+class Wish(Frozen):
     """One [[problem.task]] of a worksheet.
 
     about: ids of quantities, or patterns with *; number: how many items; level: 0 (much help) to 3 (none);
