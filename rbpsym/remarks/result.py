@@ -77,9 +77,10 @@ def result_of(step: Step, derivation: Derivation) -> Result | None:
         return None
     if not isinstance(value, Scalar) or is_zero(value):
         return None
-    names, system = names_in(value), derivation.study.system
-    known = system.scope.rates.keys() if step.rule == "solution" else set(system.coordinates)
-    if names & set(system.unknowns) or names & (system.scope.rates.keys() - known):
-        return None  # what stands in them may depend on anything
-    found = Result(step, derivation.study, row.items[0], value)
+    names, study = names_in(value), derivation.study
+    rates = study.system.scope.rates.keys()
+    known = rates if step.rule == "solution" else set(study.system.coordinates)
+    if names - known - {"pi", "t", *(q.name for q in study.problem.parameters)} or names & (rates - known):
+        return None  # unknown forces, a place of rest that an equation tells: these may depend on anything
+    found = Result(step, study, row.items[0], value)
     return None if step.rule == "first_integral" and not names & {*found.declared, *known} else found

@@ -200,3 +200,36 @@ def test_no_limit_in_which_a_declared_range_leaves_no_value() -> None:
     for limit in ("b -> 0", "h -> oo", "L -> 0"):
         with pytest.raises(StatementError, match="no value in its declared range"):
             ask(load_problem("braking-car"), f"A in the limit {limit}")
+
+
+def test_nothing_is_said_of_what_holds_a_place_that_only_an_equation_tells():
+    """Where m g (ℓ/2) sin θ_e = k (π/2 - θ_e), θ_e depends on the mass, so neither side is free of it."""
+    names = {row.step.id: names_in(row.value) for row in results(derive(load_text(SPRUNG), simulation=False))}
+    assert "pi" in names["motion.theta"] and not {"balance", "open_frequency"} & names.keys()
+
+
+SPRUNG = """
+title = "A hinged rod with a torsion spring that is slack where it lies level"
+[parameters]
+m = "mass"
+ell = "length"
+g = "acceleration"
+k = "torsion stiffness"
+[coordinates.theta]
+meaning = "angle"
+start = "theta_0"
+speed = "0"
+range = ["-pi/2", "pi/2"]
+[bodies.rod]
+shape = "rod"
+mass = "m"
+length = "ell"
+start = "O"
+angle = "theta - pi/2"
+[constraints.F]
+type = "pivot"
+point = "rod.start"
+[interactions]
+W = { type = "gravity" }
+K = { type = "torsion-spring", between = ["ground", "rod"], stiffness = "k" }
+"""
