@@ -32,6 +32,7 @@ def _over_there(world: Scene, best: str, phrase: str, name: str, place: str) -> 
     return through.extremum(world, best, f"{phrase} {place}", name, None, None)
 
 
+LIMIT = rf"(.+) in the limit {_N} ?(?:->|→|to) ?(.+)"
 Rows = tuple[tuple[str, Callable[..., Finding]], ...]
 ROWS: Rows = (
     (rf"does (.+) depend on {_N}", special.depends),
@@ -49,7 +50,7 @@ ROWS: Rows = (
     (r"is (?:the )?(equilibrium of \w+) ((?:un)?stable)", lambda w, place, kind: yesno.does(w, f"{place} is {kind}")),
     (r"is (.+) (positive|negative)", lambda w, phrase, kind: yesno.does(w, f"{phrase} is always {kind}")),
     (r"is (.+ (?:>=|<=|>|<) .+)", yesno.does),
-    (rf"(.+) in the limit {_N} ?(?:->|→|to) ?(.+)", special.in_limit),
+    (LIMIT, special.in_limit),
     (rf"(.+) (?:for|in the limit|when) {_N} ?(>>|<<) ?{_N}", special.much),
     (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, what, name: special.near(w, what, name, "0")),
     (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, what, name: special.near(w, what, name, "oo")),
@@ -133,8 +134,11 @@ def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding]
     phase, place = PHASE.fullmatch(rest), None
     if phase is not None:
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
-    if (said := WITH.fullmatch(rest)) and any(re.fullmatch(pattern, said[1]) for pattern, _ in (*ROWS[:-1], *made.MADE)):
+    if (said := WITH.fullmatch(rest)) and _is_found(said[1]):
         return finding(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
+    if (said := re.fullmatch(LIMIT, rest.removeprefix("the "))) and _is_found(said[1]):
+        inner = finding(asked, f"{said[1]} in phase {phase[2]}" if phase else said[1])
+        return inner[0], special.limit_of(*inner, *said.groups())
     for pattern, find in rows:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
             return _found(asked, place, lambda world, find=find, words=words: find(world, *words.groups()))
@@ -142,6 +146,11 @@ def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding]
         world = scene(asked, place)
         return world, made.made(world, rest.removeprefix("the "))
     return None
+
+
+def _is_found(text: str) -> bool:
+    """Whether it is a question of its own about parameters, or a quantity made of others."""
+    return any(re.fullmatch(pattern, text) for pattern, _ in (*ROWS[:-1], *made.MADE))
 
 
 def _found(asked: Asked, place: int | None, find: Callable[[Scene], Finding]) -> tuple[Scene, Finding]:

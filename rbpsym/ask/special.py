@@ -20,7 +20,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import undecided
+from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.errors import ReadError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.notation.infix import read_infix
@@ -105,7 +105,21 @@ def _constant(world: Scene, name: str) -> str:
 
 def in_limit(world: Scene, phrase: str, name: str, text: str, *, as_term: bool = False) -> Finding:
     """A quantity in the limit NAME -> VALUE; near it, its leading term (`as_term`)."""
-    name, given, parts = _constant(world, name), world.motion.assumptions, parts_seen(world, phrase)
+    return _limits(world, phrase, _constant(world, name), text, parts_seen(world, phrase), as_term=as_term)
+
+
+def limit_of(world: Scene, found: Finding, phrase: str, name: str, text: str) -> Finding:
+    """What was found for a question, in such a limit. Raises StatementError where that is no single value."""
+    if len(found.values) != 1 or (found.verdict and not found.verdict.is_proved):
+        raise StatementError(f"“{phrase}” has no single value of which a limit could be taken", instead="ask for that alone.")
+    asked, world.doubts[:] = left_open(world, found)
+    world.standing.extend((*asked, *found.valid, *(demand for demands in found.asked for demand in demands)))
+    limit = _limits(world, phrase, _constant(world, name), text, found.values)
+    return replace(limit, verdict=all_of(one.verdict for one in (limit, found) if one.verdict), grounds=(*limit.grounds, *found.grounds))
+
+
+def _limits(world: Scene, phrase: str, name: str, text: str, parts: Sequence[Scalar], *, as_term: bool = False) -> Finding:
+    given = world.motion.assumptions
     sign_, plain = (-1, text[1:]) if text.startswith("-") else (1, text.removeprefix("+"))
     to = None if plain in FAR else place_in(world, name, text)
     if not any(depends_on(part, name) for part in parts):
