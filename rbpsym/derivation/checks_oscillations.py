@@ -175,7 +175,7 @@ def positive_minors(context: Context, step: Step) -> Verdict:
 
 def given(context: Context, step: Step) -> Assumptions:
     """Declared signs and ranges, and what the place asks of the parameters (`data`: "valid", an obligation)."""
-    return assuming(context.assumptions, step.data.get("valid", ()))
+    return assuming(context.assumptions, step.data.get("valid", ()), whole=True)
 
 
 def positive(context: Context, step: Step, value: Scalar) -> Verdict:

@@ -247,7 +247,7 @@ def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions, fou
 
 
 def _describe(system: System, dynamics: Dynamics, at, valid, assumptions: Assumptions) -> Equilibrium:
-    names, assumptions = system.independent, assuming(assumptions, valid)
+    names, assumptions = system.independent, assuming(assumptions, valid, whole=True)
     still = dict.fromkeys(system.speeds, NOTHING)
 
     def there(value: Scalar) -> Scalar:

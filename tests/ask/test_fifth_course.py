@@ -33,6 +33,14 @@ ANSWERS = (
     ("spin-on-slope", "energy lost until rolling", "mu*cos(beta)*m*omega_0**2*R**2/(2*(3*mu*cos(beta)-sin(beta)))"),
     ("half-disk-on-slope", "friction coefficient needed at N in equilibrium", "tan(beta)"),  # at rest, not as it swings by
     ("half-disk-on-slope", "equilibrium of phi", "asin(3*pi*sin(beta)/4)"),
+    ("half-disk-on-slope", "frequency of phi in the limit beta -> 0", "sqrt(8*g/(R*(9*pi-16)))"),
+    ("half-disk-on-slope", "beta for which the equilibrium of phi is stable", "asin(4/(3*pi))"),
+    ("half-disk-on-slope", "is the equilibrium of phi stable", "yes"),
+    # limits of what answers a question about parameters
+    ("morse", "smallest v_0 for which x reaches L", "sqrt(2*E/m)*(1-exp(-L/a))"),
+    ("morse", "smallest v_0 for which x reaches L in the limit L -> oo", "sqrt(2*E/m)"),
+    ("spin-on-slope", "largest s in the limit mu -> oo", "omega_0**2*R**2/(12*g*sin(beta))"),
+    ("spin-on-slope", "ratio of energy lost until rolling to kinetic energy at the start in the limit mu -> oo", "2/3"),
     ("spun-cubic", "tau for which total angle of phi = 20*pi", "I*omega_0**2/(10*pi)"),
 )  # fmt: skip
 
