@@ -115,7 +115,8 @@ def limit_of(world: Scene, found: Finding, phrase: str, name: str, text: str) ->
     asked, world.doubts[:] = left_open(world, found)
     world.standing.extend((*asked, *found.valid, *(demand for demands in found.asked for demand in demands)))
     limit = _limits(world, phrase, _constant(world, name), text, found.values)
-    return replace(limit, verdict=all_of(one.verdict for one in (limit, found) if one.verdict), grounds=(*limit.grounds, *found.grounds))
+    verdict = all_of(one.verdict for one in (limit, found) if one.verdict)
+    return replace(limit, verdict=verdict, grounds=(*limit.grounds, *found.grounds))
 
 
 def _limits(world: Scene, phrase: str, name: str, text: str, parts: Sequence[Scalar], *, as_term: bool = False) -> Finding:
