@@ -44,6 +44,10 @@ Proof.
   intros f t a H P. apply (is_derive_comp sqrt f); [| assumption].
   apply is_derive_Reals, derivable_pt_lim_sqrt; assumption.
 Qed.
+Lemma D_exp : forall (f : R -> R) (t a : R), is_derive f t a -> is_derive (fun u => exp (f u)) t (a * exp (f t)).
+Proof. intros. apply (is_derive_comp exp f); [apply is_derive_exp | assumption]. Qed.
+Lemma D_ln : forall (f : R -> R) (t a : R), is_derive f t a -> 0 < f t -> is_derive (fun u => ln (f u)) t (a * / f t).
+Proof. intros. apply (is_derive_comp ln f); [apply is_derive_ln; assumption | assumption]. Qed.
 
 (* Continuity. *)
 Lemma C_der : forall (f : R -> R) (t d : R), is_derive f t d -> continuous f t.
@@ -66,6 +70,8 @@ Lemma C_sin : forall (f : R -> R) t, continuous f t -> continuous (fun u => sin 
 Proof. intros; apply (continuous_comp f sin); [assumption | apply (C_der sin _ (cos (f t))), is_derive_sin]. Qed.
 Lemma C_cos : forall (f : R -> R) t, continuous f t -> continuous (fun u => cos (f u)) t.
 Proof. intros; apply (continuous_comp f cos); [assumption | apply (C_der cos _ (- sin (f t))), is_derive_cos]. Qed.
+Lemma C_exp : forall (f : R -> R) t, continuous f t -> continuous (fun u => exp (f u)) t.
+Proof. intros; apply (continuous_comp f exp); [assumption | apply (C_der exp _ (exp (f t))), is_derive_exp]. Qed.
 Ltac letter_continuous f t :=
   match goal with
   | C : forall t, _ -> continuous f t, H : _ < t < _ |- _ => exact (C t H)
@@ -83,6 +89,7 @@ Ltac cont := repeat (
   | |- continuous (fun u => @?f u ^ ?n) _ => apply (C_pow f n)
   | |- continuous (fun u => sin (@?f u)) _ => apply (C_sin f)
   | |- continuous (fun u => cos (@?f u)) _ => apply (C_cos f)
+  | |- continuous (fun u => exp (@?f u)) _ => apply (C_exp f)
   | |- continuous (fun u => ?f u) ?t => letter_continuous f t
   end; cbv beta).
 
@@ -195,7 +202,7 @@ Ltac known_sign := match goal with
   end.
 Ltac pos1 := first [assumption | known_sign | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
   | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat
-  | apply sqrt_lt_R0].
+  | apply sqrt_lt_R0 | apply exp_pos].
 Ltac nng := repeat first [exact (Rlt_le _ _ PI_RGT_0) | apply up1 | apply up2 | apply up3 | apply up4
   | apply pow2_ge_0 | apply sqrt_pos | apply Rplus_le_le_0_compat | apply Rmult_le_pos | apply Rdiv_le_0_compat; [| solve [repeat pos1]] | apply pow_le | lra | (apply Rlt_le; solve [repeat pos1])].
 Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.
@@ -222,6 +229,14 @@ Ltac nonzero := match goal with
   | |- _ ^ _ <> 0 => apply pow_nonzero; nonzero
   | |- _ + _ <> 0 => apply Rgt_not_eq; unfold Rgt; apply Rplus_lt_le_0_compat; [solve [repeat pos1] | solve [nng]]
   end.
+Lemma asin_gt_0 : forall x, 0 < x -> 0 < asin x.
+Proof.
+  intros x P. destruct (Rle_dec 1 x) as [L | L].
+  - unfold asin. destruct (Rle_dec x (-1)); [lra |]. destruct (Rle_dec 1 x); [pose proof PI_RGT_0 |]; lra.
+  - rewrite asin_atan, <- atan_0 by lra. apply atan_increasing, Rdiv_lt_0_compat; [lra |].
+    apply sqrt_lt_R0. unfold Rsqr. nra.
+Qed.
+Ltac ends := try match goal with _ : asin ?x < _ |- _ => assert (0 < asin x) by (apply asin_gt_0; solve [repeat pos1]) end; lra.
 Ltac over0 := first [solve [repeat pos1] | apply over; [nng | nonzero]].
 Ltac signs := repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>
   let N := fresh in pose proof (Q s H) as N; cbv beta in N; clear Q end.
@@ -229,8 +244,12 @@ Ltac pos := repeat split; try assumption; match goal with
   | |- _ <> 0 => nonzero
   | |- _ => first [solve [repeat pos1] | signs; solve [repeat pos1] | signs; nra]
   end.
+Lemma part_of : forall a b, 0 < b -> - b <= a <= b -> -1 <= a / b <= 1.
+Proof. intros a b P H. split; apply Rmult_le_reg_r with b; trivial; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. Qed.
+Ltac within := first [lra | apply part_of; [solve [repeat pos1] | split; nra]].
 Ltac ang := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
-  ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a.
+  ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a, ?sin_atan, ?cos_atan, ?exp_0, ?ln_1;
+  rewrite ?cos_acos, ?sin_acos, ?sin_asin, ?cos_asin by within; unfold Rsqr.
 Ltac is_quotient := match goal with
   | |- context [_ / ?d] => lazymatch d with IZR _ => fail | _ => idtac end
   | |- context [/ ?d] => lazymatch d with IZR _ => fail | _ => idtac end
@@ -265,6 +284,8 @@ Ltac der := repeat (
   | |- is_derive (fun u => @?f u ^ ?n) _ _ => eapply (D_pow f n)
   | |- is_derive (fun u => sin (@?f u)) _ _ => eapply (D_sin f)
   | |- is_derive (fun u => cos (@?f u)) _ _ => eapply (D_cos f)
+  | |- is_derive (fun u => exp (@?f u)) _ _ => eapply (D_exp f)
+  | |- is_derive (fun u => ln (@?f u)) _ _ => eapply (D_ln f); [| cbv beta; over0]
   | |- is_derive (fun u => sqrt (@?f u)) _ _ => eapply (D_sqrt f); [| cbv beta; over0]
   | |- is_derive (fun u => RInt ?g 0 u) _ _ => eapply rate_time; [eassumption | eassumption | intros; cont]
   | |- is_derive (fun u => RInt ?f ?c (@?q u)) _ _ => eapply (rate_path f q c); [| intros; cont]

@@ -12,6 +12,9 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 
 
+FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "exp", "ln")  # by their names in the prover, too
+
+
 class Claim(Frozen):
     """What is said of all times of the motion, if the claims in `given` hold at that time.
 
@@ -79,7 +82,7 @@ def _atom(index: int) -> t.Node:
         return t.Sym(found.arg)
     if found.kind == "root":
         return t.Sqrt(tree_of(found.arg))
-    if found.kind not in ("sin", "cos"):
+    if found.kind not in FUNCTIONS:
         raise RbpsymError(f"the function {found.kind} has no term in Rocq")
     return t.Fn(found.kind, tree_of(found.arg))
 

@@ -33,7 +33,7 @@ class Source:
         self.then = {name: tree_of(value) for name, value in letters_then(derivation).items()}
         self.event = event(derivation)
         self._defined: set[str] = set()
-        self._introduced: set[str] = set()
+        self._introduced: set[t.Node] = set()
         self.said: dict[str, Said] = {}
         for step in derivation.steps:
             self.said[step.id] = self._said(step)
@@ -68,7 +68,7 @@ class Source:
 
     def _said(self, step: Step) -> Said:
         own = [row for row in rows(step.statement) if self._introduces(row)]
-        self._introduced |= t.names(step.statement)
+        self._introduced |= {part for part in t.walk(step.statement) if isinstance(part, t.Sym | t.Vec)}
         try:
             definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
         except RbpsymError as error:
@@ -104,7 +104,7 @@ class Source:
         """Whether the letter that stands first is met here for the first time."""
         name = getattr(row.items[0], "name", "")
         is_told = name in self.then or self.letters.introduced.get(name) == ("", None)  # by the event, by laws
-        return name in self.known and name not in self._introduced and "@" not in name and not is_told
+        return name in self.known and row.items[0] not in self._introduced and "@" not in name and not is_told
 
     @cached_property
     def ranked(self) -> list[str]:
@@ -172,6 +172,7 @@ class Source:
         for owner, axis, value in newton_euler_rows(self.system):
             if part == "motion" or (body == owner and (axis == "rotation") == (part == "torque")):
                 yield Claim(tree_of(value), t.ZERO)
+        yield from (Claim(tree_of(one.value), t.ZERO) for one in self.system.implicit if part == "motion")
 
     def _start(self, name: str) -> Iterator[Claim]:
         for begun in (name, f"{name}_dot"):

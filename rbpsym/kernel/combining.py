@@ -91,9 +91,10 @@ def based(search: Search, value: Scalar) -> Scalar:
 def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[Known]) -> Iterator[Have]:
     """Why what is divided by in some formulas does not vanish, where it takes more than signs of letters."""
     seen: set[Poly] = set()
+    bound = {item.var for item in search.integrals.values()} - search.source.rates.keys()
     for factor in (factor for node in nodes for part in t.walk(node) for factor in _below(part)):
         poly = search.value(factor).num
-        if poly not in seen and not search.is_plain(Scalar(poly)):
+        if poly not in seen and not search.is_plain(Scalar(poly)) and not bound & names_in(Scalar(poly)):
             seen |= {poly, poly.scaled(-1)}
             if (why := surely(search, Scalar(poly), known)) is not None:
                 value, found, by = why

@@ -92,13 +92,29 @@ def _halved(monomial: Monomial, coefficient: Coefficient, positive: Collection[i
     return Scalar(Poly({known: coefficient})), Scalar(Poly({root: 1}))
 
 
+def _lift(even: dict[Monomial, Coefficient], monomial: Monomial, wanted: Fraction, kept: Monomial) -> None:
+    """As much of a monomial as is wanted, out of the one that is a sin² less: 1 = sin² + cos²."""
+    missing = wanted - even.get(monomial, 0)
+    for index, exponent in monomial if missing > 0 else ():
+        other, lower = partner(index) or partner(index, "cos"), times(monomial, ((index, -2),))
+        if other is not None and exponent >= 2 and lower != kept and even.get(lower, 0) >= missing:
+            rest = times(lower, ((other, 2),))
+            for place, change in ((lower, -missing), (monomial, missing), (rest, missing)):
+                even[place] = even.get(place, 0) + change
+            return
+
+
 def _squares(even: dict[Monomial, Coefficient], positive: Collection[int]) -> Iterator[tuple[Scalar, Scalar]]:
     """Squares that take up what is negative: A u² + B v² - k u v = A (u - k v/2A)² + (B - k²/4A) v²."""
     for monomial in [m for m, c in even.items() if c < 0 or any(e % 2 and i not in positive for i, e in m)]:
         for first in [m for m, c in even.items() if c > 0 and all(e % 2 == 0 for _, e in m)]:
             second = times(times(monomial, monomial), inverse(first))
-            a, b, k = even.get(first, 0), even.get(second, 0), even.get(monomial, 0)
-            if second == first or a <= 0 or b <= 0 or not k or 4 * a * b < k * k or any(e % 2 for _, e in second):
+            a, k = even.get(first, 0), even.get(monomial, 0)
+            if second == first or a <= 0 or not k or any(e % 2 for _, e in second):
+                continue
+            _lift(even, second, Fraction(k) * k / (4 * Fraction(a)), first)
+            b = even.get(second, 0)
+            if b <= 0 or 4 * a * b < k * k:
                 continue
             u, v = (Poly({tuple((i, e // 2) for i, e in m): 1}) for m in (first, second))
             factor = Fraction(k) / (2 * Fraction(a))

@@ -25,6 +25,10 @@ from rbpsym.notation.machine import to_machine
 
 SIGNS = ("sign", "gap", "positive")
 BEGUN = t.Sym(TIME + START)
+SLOPES: Mapping[str, Callable[[t.Node], t.Node]] = {
+    "sin": lambda arg: t.Fn("cos", arg), "cos": lambda arg: t.Neg(t.Fn("sin", arg)),
+    "exp": lambda arg: t.Fn("exp", arg), "ln": lambda arg: t.Div(t.ONE, arg),
+}  # fmt: skip
 
 
 class Search:
@@ -99,11 +103,13 @@ class Search:
         return t.Sym(name)
 
     def _turned(self, node: t.Node) -> t.Node:
-        """Sines and cosines of plain angles as letters."""
+        """Sines and cosines of plain angles as letters; other functions, and roots that come of their sines, too."""
+        if isinstance(node, t.Sqrt):
+            return self._rooted(node)
         if not isinstance(node, t.Fn):
             return t.mapped(node, self._turned)
         angle = to_machine(node.arg)
-        for kind in ("sin", "cos"):
+        for kind in ("sin", "cos") if node.name in ("sin", "cos") else (node.name,):
             self.source.circular[f"{kind} {angle}"] = t.Fn(kind, node.arg)
         return t.Sym(f"{node.name} {angle}")
 
@@ -142,8 +148,8 @@ class Search:
         def rank(index: int) -> int:
             name = atoms.symbol_name(index)
             base = "" if name is None else name.removesuffix(START) if begun else name
-            kept = name is None or name in self.fixed or name in self.source.circular or (only is not None and not only(base))
-            return 0 if kept else self.ranks.get(base, 2)
+            kept = name is None or name in self.fixed or name in self.source.circular or index in self.nonzero
+            return 0 if kept or (only is not None and not only(base)) else self.ranks.get(base, 2)
 
         return rank
 
@@ -237,7 +243,9 @@ class Search:
         known += courses(self, known) if claim.given and self.source.event is not None else []
         self._count = len(self.haves)
         if claim.kind == "slope":
-            return self.proof(Multiples())
+            self.rates = {claim.var: UNITY}
+            slope = t.renamed(self.tree(self._rate(self.value(claim.left))), {claim.var: claim.place})
+            return self.proof(self.shown(self.value(slope) - self.value(claim.right), ()))
         if claim.kind == "rate":
             like, by = self.follow(self.value(claim.left), known, only=True)
             found = self.shown(self._rate(like) - self.value(claim.right), known)
@@ -308,8 +316,9 @@ class Search:
             return self._rate(self.value(node.arg)) / (symbol(name) * 2)
         if isinstance(node, t.Group):
             return self._rate(self.value(node.arg))
-        other = self.value(t.Fn("sin", node.arg)) * -1 if node.name == "cos" else self.value(t.Fn("cos", node.arg))
-        return other * self._rate(self.value(node.arg))
+        if node.name not in SLOPES:
+            raise Undecided(f"the rate of {node.name} is not written")
+        return self.value(SLOPES[node.name](node.arg)) * self._rate(self.value(node.arg))
 
     def shown(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
         """By multiples; if that is not enough, with the rates of what vanishes as well."""

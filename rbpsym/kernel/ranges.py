@@ -12,7 +12,7 @@ from rbpsym.algebra import NOTHING, PI, Poly, Scalar, atoms, factors, generator,
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, circles, parted, partner, wound
-from rbpsym.kernel.claim import Claim, brief
+from rbpsym.kernel.claim import Claim, brief, tree_of
 from rbpsym.kernel.positive import Sum, positive_sum
 from rbpsym.notation import tree as t
 
@@ -29,6 +29,12 @@ def _is_least(value: Scalar) -> bool:
     return found is not None and found >= 0
 
 
+def _is_turn(search: Search, end: Scalar, kind: str) -> bool:
+    """Whether an end, for a sine, is the arcsine of something positive."""
+    node = search.tree(search.value(tree_of(end)))
+    return kind == "sin" and isinstance(node, t.Fn) and node.name == "asin" and search.is_positive(scalar(node.arg))
+
+
 def _is_in_force(search: Search, claim: Claim) -> bool:
     """Whether something is said to be more where the claim that is sought has to hold."""
     return claim.kind == "more" and set(claim.given) <= set(search.met_by)
@@ -43,7 +49,7 @@ def note_signs(search: Search, *, signed: bool) -> None:
         low = {scalar(claim.right): id for id, claim in ranges.items() if claim.left == own}
         high = {scalar(claim.left): id for id, claim in ranges.items() if claim.right == own}
         for kind, lowest, highest in QUARTERS:
-            below = next((id for end, id in low.items() if _is_least(end - lowest)), None)
+            below = next((id for end, id in low.items() if _is_least(end - lowest) or _is_turn(search, end, kind)), None)
             above = next((id for end, id in high.items() if _is_least(highest - end)), None)
             if below and above:
                 wave = t.Fn(kind, own)

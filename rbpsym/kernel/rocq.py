@@ -9,7 +9,7 @@ from typing import Any
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Have, Known, Lemma, Multiples, Proof
-from rbpsym.kernel.claim import Claim, is_along_time, tree_of
+from rbpsym.kernel.claim import FUNCTIONS, Claim, is_along_time, tree_of
 from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.components import START
 from rbpsym.notation import tree as t
@@ -82,14 +82,14 @@ class Terms(Frozen):
         return inner if exponent >= 0 else f"(/ {inner})"
 
     def function(self, node: t.Fn) -> str:
-        """Sine and cosine, and what is a quotient of them."""
+        """Sine and cosine, what is a quotient of them, and functions that the prover knows by the same name."""
         if node.name not in QUOTIENTS:
             raise RbpsymError(f"the function {node.name} has no term in Rocq")
         return QUOTIENTS[node.name].format(self.term(node.arg))
 
 
 QUOTIENTS = {
-    "sin": "(sin {0})", "cos": "(cos {0})", "tan": "(sin {0} / cos {0})", "cot": "(cos {0} / sin {0})",
+    **{name: f"({name} {{0}})" for name in FUNCTIONS}, "tan": "(sin {0} / cos {0})", "cot": "(cos {0} / sin {0})",
     "sec": "(/ cos {0})", "csc": "(/ sin {0})",
 }  # fmt: skip
 
@@ -202,7 +202,8 @@ class Writer(Frozen):
     def end(self, claim: Claim, proof: Proof, finish: str) -> str:
         """From what was shown on the way to the claim."""
         if claim.kind == "slope":
-            return "eapply D_eq; [der | fld]"
+            close = self.less(proof.multiples, "0") + finish
+            return f"pose proof Begin as H0; eapply D_eq; [der | apply lin0; {close}]"
         enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1))])
         close = self.less(proof.multiples) + finish
         if claim.kind == "rate":
@@ -256,7 +257,7 @@ class Writer(Frozen):
         return f"apply (alone _ t _ _ (p_{have.source} t Ht)); clear p_{have.source}; {alike}eapply D_eq; [der | fld]"
 
     def _sign(self, have: Have, finish: str) -> str:
-        return f"{_bounds(have)}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; lra"
+        return f"{_bounds(have)}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; ends"
 
     def _gap(self, have: Have, finish: str) -> str:
         return f"{_bounds(have)}lra"
