@@ -9,7 +9,7 @@ The variant of a student comes from SHA-256(secret, worksheet, student) and from
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
@@ -293,16 +293,12 @@ def _planned(bench: ProblemBench, sight: Scenery, part: SheetPart) -> PlannedPar
 def _prepared(bench: ProblemBench, sight: Scenery, wish: Wish, used: set[str]) -> list[Prepared]:
     """As many as wished and some to spare; what was asked so already comes last."""
     fresh, again = [], []
-    for task in _made(bench, sight, wish):
+    for task in TASKS[wish.kind](bench, sight, wish):
         (again if task.target and f"{task.kind} {task.target.id}" in used else fresh).append(task)
         if len(fresh) >= wish.number + SPARE:
             break
     found = fresh if len(fresh) >= wish.number else [*fresh, *again]
     return found if _may_vary(wish) else found[: wish.number]
-
-
-def _made(bench: ProblemBench, sight: Scenery, wish: Wish) -> Iterator[Prepared]:
-    return TASKS[wish.kind](bench, sight, wish)
 
 
 def _may_vary(wish: Wish) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
+from rbpsym.frozen import replace
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.model import ChoiceKey, ComparisonKey, OrderKey, SignsKey
@@ -46,27 +47,22 @@ def judge_choice(text: str, key: ChoiceKey | ComparisonKey) -> Judgement:
     found = _FIRST.match(text)
     place = place_of(found[1], len(key.options)) if found else None
     if place is None:
-        return _no_option(text, len(key.options))
+        return _unread("not an option", text=text[:40], options=labels(len(key.options)))
     rest = text[found.end() :].strip()
     others = {place_of(word[1], len(key.options)) for word in _OTHER.finditer(rest)}
     if others - {place, None}:
-        return Judgement(Status.INVALID, remarks=(Remark("several options", {"text": text[:40]}),))
+        return _unread("several options", text=text[:40])
     judged = j.RIGHT if place == key.right else _wrong_option(key, place)
-    return _with_words(judged) if rest and isinstance(key, ComparisonKey) else judged
+    return replace(judged.with_remark("open"), teacher=True) if rest and isinstance(key, ComparisonKey) else judged
+
+
+def _unread(key: str, **slots: str) -> Judgement:
+    return Judgement(Status.INVALID, remarks=(Remark(key, slots),))
 
 
 def _wrong_option(key: ChoiceKey | ComparisonKey, place: int) -> Judgement:
     slip = key.options[place].slip
-    remarks = j.slip_remarks(slip) if slip else (Remark("wrong option"),)
-    return Judgement(Status.WRONG, remarks=remarks, slip=slip)
-
-
-def _with_words(judged: Judgement) -> Judgement:
-    return Judgement(judged.status, judged.credit, (*judged.remarks, Remark("open")), judged.slip, teacher=True)
-
-
-def _no_option(text: str, count: int) -> Judgement:
-    return Judgement(Status.INVALID, remarks=(Remark("not an option", {"text": text[:40], "options": labels(count)}),))
+    return Judgement(Status.WRONG, remarks=j.slip_remarks(slip) if slip else (Remark("wrong option"),), slip=slip)
 
 
 def judge_order(text: str, key: OrderKey) -> Judgement:
@@ -79,7 +75,7 @@ def judge_order(text: str, key: OrderKey) -> Judgement:
         parts = list(parts[0])
     order = tuple(place_of(part, count) for part in parts)
     if sorted(place for place in order if place is not None) != list(range(count)) or len(order) != count:
-        return Judgement(Status.INVALID, remarks=(Remark("not an order", {"options": labels(count)}),))
+        return _unread("not an order", options=labels(count))
     if key.accepts(order):
         return j.RIGHT
     place = {piece: at for at, piece in enumerate(order)}
@@ -104,8 +100,7 @@ def judge_signs(text: str, key: SignsKey) -> Judgement:
     found = _ROW.findall(text[:LONGEST])
     if len(found) != len(wanted):
         count = sum(char in SIGNS for char in text[:LONGEST])
-        slots = {"wanted": str(2 * len(wanted)), "found": str(count)}
-        return Judgement(Status.INVALID, remarks=(Remark("not signs", slots),))
+        return _unread("not signs", wanted=str(2 * len(wanted)), found=str(count))
     rows = [SIGNS[first] + SIGNS[second] for first, second, _ in found]
     parts = [(str(place + 1), Fraction(a == b)) for place, (a, b) in enumerate(zip(rows, wanted, strict=True))]
     remarks = [Remark("rows", {"right": str(sum(c == 1 for _, c in parts)), "all": str(len(wanted))})]

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rbpsym.algebra import NOTHING
+from rbpsym.derivation.step import BodyRef
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.model import Block, FigureBlock, Math, Paragraph, Table
 from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
 from rbpsym.frozen import Frozen, replace
+from rbpsym.mechanics.motion import Work
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ENERGY
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, given_as
@@ -37,7 +39,7 @@ class ForceRow(Frozen):
 
 def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item for all forces, if their works are known along the motion."""
-    rows, values = _rows(bench), _values(bench)
+    rows, values = _rows(bench), [half.value if half.parts else NOTHING for half in _halves(bench)]
     known = set(scenery.ranges) | {scenery.coordinate or ""}
     if scenery.coordinate is None or any(v is None or not names_in(v) <= known for v in values) or not rows:
         if wish.at is not None:
@@ -57,38 +59,28 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
 
 
 def _rows(bench: ProblemBench) -> tuple[ForceRow, ...]:
-    workless = bench.study.dynamics.workless
-    return tuple(
-        ForceRow(w.force, w.on, force_symbol(bench.derivation, w.force, w.on), w.force if _cancels(w, workless) else "")
-        for w in bench.study.works
-    )
-
-
-def _cancels(work, workless) -> bool:
-    return bool(workless.get(work.force)) and bool(work.translational.parts or work.rotational.parts)
-
-
-def _values(bench: ProblemBench) -> list:
-    """W_T and W_θ row by row; NOTHING where there is no integrand."""
-    found = []
+    rows = []
     for work in bench.study.works:
-        found += [half.value if half.parts else NOTHING for half in (getattr(work, name) for name in HALVES)]
-    return found
+        cancels = bench.study.dynamics.workless.get(work.force) and (work.translational.parts or work.rotational.parts)
+        symbol = force_symbol(bench.derivation, work.force, work.on)
+        rows.append(ForceRow(work.force, work.on, symbol, work.force if cancels else ""))
+    return tuple(rows)
 
 
-def _signs(bench: ProblemBench, values) -> list[str] | None:
+def _halves(bench: ProblemBench) -> list[Work]:
+    """W_T and W_θ row by row."""
+    return [getattr(work, half) for work in bench.study.works for half in HALVES]
+
+
+def _signs(bench: ProblemBench, values: Sequence[float]) -> list[str] | None:
     """The signs; None if a work is too small to see (or has no number)."""
-    largest = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
-    found = []
-    for place, value in enumerate(values):
-        item = bench.study.works[place // 2]
-        if not getattr(item, HALVES[place % 2]).parts:
-            found.append("0")
-        elif not math.isfinite(value):
+    least, found = SMALL * max((abs(v) for v in values if math.isfinite(v)), default=0.0), []
+    for half, value in zip(_halves(bench), values, strict=True):
+        if half.parts and not math.isfinite(value):
             return None
-        elif getattr(item, HALVES[place % 2]).value == NOTHING:
+        if not half.parts or half.value == NOTHING:
             found.append("0")
-        elif abs(value) < SMALL * largest:
+        elif abs(value) < least:
             return None
         else:
             found.append("+" if value > 0 else "-")
@@ -107,19 +99,13 @@ def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, rows: tuple[For
     end = given_as(*setting.situation.place, setting.said.notation)
     prompt = spoken(setting.said, "ask.signs", start=start, end=end, count=len(bench.study.system.bodies))
     asked = AskedQuantity(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole")
-    solution = bench.once(("signs", setting.language), lambda: _solution(bench, setting.said))
-    figure = diagrams(bench, setting.said, with_forces=False)
+    solution = bench.once(("signs", setting.language), lambda: tuple(_solution(bench, setting.said)))
+    figure = bench.once(("diagrams", setting.language), lambda: diagrams(bench, setting.said, with_forces=False))
     return wish.item(setting, asked, (Paragraph(prompt), figure), key, min(len(rows), MOST_POINTS), solution=solution)
-
-
-def _solution(bench: ProblemBench, said: Words) -> tuple[Block, ...]:
-    return (diagrams(bench, said, with_forces=True), *_reasons(bench, said))
 
 
 def _label(bench: ProblemBench, row: ForceRow, said: Words):
     """The force, and on which body if there are several."""
-    from rbpsym.derivation.step import BodyRef
-
     if len(bench.study.system.bodies) == 1:
         return (Math(row.symbol),)
     return spoken(said, "signs.on", force=row.symbol, body=BodyRef(row.on))
@@ -127,10 +113,6 @@ def _label(bench: ProblemBench, row: ForceRow, said: Words):
 
 def diagrams(bench: ProblemBench, said: Words, *, with_forces: bool) -> FigureBlock:
     """Each body alone, with its forces or without them (for the student to draw)."""
-    return bench.once(("diagrams", said.language, with_forces), lambda: _diagrams(bench, said, with_forces))
-
-
-def _diagrams(bench: ProblemBench, said: Words, with_forces: bool) -> FigureBlock:
     sketch = sketch_of(bench.derivation)
     drawn = sketch if with_forces else replace(sketch, forces=(), couples=())
     names = [body.name for body in sketch.bodies]
@@ -143,10 +125,11 @@ def _diagrams(bench: ProblemBench, said: Words, with_forces: bool) -> FigureBloc
     return FigureBlock(scenes, spoken(said, key, count=len(names)), alt)
 
 
-def _reasons(bench: ProblemBench, said: Words) -> Iterator[Block]:
-    """Where the works are known: the table of the derivation."""
+def _solution(bench: ProblemBench, said: Words) -> Iterator[Block]:
+    """The diagrams with the forces and, where the works are known, the table of the derivation."""
     from rbpsym.document.telling import done_table
 
+    yield diagrams(bench, said, with_forces=True)
     steps = [s for s in bench.derivation.steps if s.rule == "work_done"]
     if steps:
         table = done_table(steps, said)
