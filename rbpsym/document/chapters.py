@@ -197,6 +197,8 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
     key = "forces" if telling.told_origins(derivation, said) else "forces.center"
     key = "forces.acting" if telling.tells_statics(derivation, said) else key
     yield from _intro(key, derivation, said, figure=figure, table=Ref(said.prefix + "table.forces"))
+    if len(steps) < len(derivation.chapter("forces")):
+        yield Paragraph(said.say("forces.needed"))
     yield free_bodies_figure(derivation, said)
     short = telling.in_one_table(steps, derivation, said)
     long = [step for step in steps if step not in short]

@@ -13,7 +13,7 @@ from rbpsym.document.chapters import chapter_sections, in_page_order, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
 from rbpsym.document.needless import is_still, needless, owed_by
-from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section, with_remarks
+from rbpsym.document.notes_checks import Told, checks_section, course_checks_section, results_section, with_remarks
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
 from rbpsym.document.notes_phases import CHAPTERS, GOES_ON, is_asked_about, new_steps, phase_results, phase_sections
@@ -121,10 +121,10 @@ def problem_sections(
     is_brief = detail == "brief"
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
     said = replace(said, is_brief=is_brief, is_posed=True, level=DETAILS[detail])
-    drawn = _curves(derivation, said, level) if plots and not is_still(derivation) else None
     answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))
     speaker = phase_words(derivation, detail, language, answers)
     later = list(phase_results(derivation, said, speaker))
+    drawn = _curves(derivation, said, level, [(said, derivation.steps), *later]) if plots and not is_still(derivation) else None
     answered, stated = answer_section(answers, ((said, derivation.steps), *later), said, level)
     derived = (
         *chapter_sections(derivation, said, level, _forces(derivation, said) if is_brief else ()),
@@ -142,14 +142,14 @@ def problem_sections(
     ]
 
 
-def _curves(derivation: Derivation, said: Words, level: int) -> Section:
+def _curves(derivation: Derivation, said: Words, level: int, told: Iterable[Told]) -> Section:
     """The formulas as curves; a sentence where numpy, which draws them, is not there (in a browser)."""
     if find_spec("numpy") is None:
         told = Paragraph(said.say("plots.none.numpy"))
         return Section(said.say("plots.title"), (told,), said.prefix + "section.plots", level)
     from rbpsym.document.notes_plots import plots_section
 
-    return plots_section(derivation, said, level)
+    return plots_section(derivation, said, level, () if said.is_full else told)
 
 
 def phase_words(
@@ -160,19 +160,20 @@ def phase_words(
     told = shown_steps(derivation, detail)
 
     def speaker(phase: Derivation, prefix: str) -> Words:
-        new = new_steps(phase, shown_steps(phase, detail), told, chapters)
+        new = new_steps(phase, shown_steps(phase, detail, derivation), told, chapters)
         return replace(words_of(phase, new, language, prefix), is_later=True, is_brief=detail == "brief", level=DETAILS[detail])
 
     return speaker
 
 
-def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
-    """Ids of the steps that are shown at a level of detail."""
+def shown_steps(derivation: Derivation, detail: str, whole: Derivation | None = None) -> frozenset[str]:
+    """Ids of the steps that are shown at a level of detail, of a later phase as part of the `whole` motion."""
     level = DETAILS[detail]
     kept = frozenset(step.id for step in derivation.steps if step.level <= level or step.is_result)
     if detail == "full":
         return kept - needless(derivation)
-    return used(derivation) & (brief_steps(derivation) if detail == "brief" else kept) - needless(derivation) - retold(derivation)
+    kept = brief_steps(derivation) if detail == "brief" else kept
+    return used(derivation, whole or derivation) & kept - needless(derivation) - retold(derivation)
 
 
 CHECKS = "table.checks"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section
 from rbpsym.document.moving import REASONS
+from rbpsym.document.notes_checks import Told
 from rbpsym.document.phrases import plain
 from rbpsym.document.plots.motion import PlottedMotion, motion
 from rbpsym.document.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
@@ -115,12 +116,13 @@ ALL = ("energies", "speeds", "forces", "positions")
 FEW = ("forces", "energies", "positions")  # one row of panels, where not everything is shown
 
 
-def plots_section(derivation: Derivation, said: Words, level: int) -> Section:
-    """The curves of a derivation, or a sentence that says why there are none."""
+def plots_section(derivation: Derivation, said: Words, level: int, told: Iterable[Told] = ()) -> Section:
+    """The curves of a derivation, of works, energies and forces those that the page has `told` of (all, if nothing is said of
+    that); or a sentence that says why there are none."""
     title, label = said.say("plots.title"), said.prefix + "section.plots"
     try:
         moving = motion(derivation)
-        figures = tuple(plot_figures(moving, said, ALL if said.is_full else FEW))
+        figures = tuple(plot_figures(moving, said, ALL if said.is_full else FEW, names_told(told)))
     except NotApplicable as reason:
         return Section(title, (Paragraph(why_not(reason, said)),), label, level)
     return Section(title, (Paragraph(numbers(moving, said)), *figures), label, level)
@@ -132,19 +134,28 @@ def why_not(reason: NotApplicable, said: Words) -> Inlines:
     return said.say(f"plots.none.{key}")
 
 
-def plot_figures(moving: PlottedMotion, said: Words, wanted: Sequence[str] = ALL) -> Iterator[FigureBlock]:
-    """The works, force by force; then what is wanted, three panels in a figure."""
-    made = {"energies": energies, "speeds": speeds, "forces": forces}
+def names_told(told: Iterable[Told]) -> frozenset[t.Node]:
+    """The quantities of which the shown steps say what they are."""
+    rows = (row for words, steps in told for step in steps if step.id in words.shown for row in t.rows(step.statement))
+    return frozenset(row.items[0] for row in rows if isinstance(row, t.Chain))
+
+
+def plot_figures(
+    moving: PlottedMotion, said: Words, wanted: Sequence[str] = ALL, named: Collection[t.Node] = ()
+) -> Iterator[FigureBlock]:
+    """The works, force by force; then what is wanted, three panels in a figure; where some are `named`, of these quantities."""
+    made = {"energies": energies, "speeds": speeds, "forces": lambda moving: forces(moving, named)}
     made["positions"] = lambda moving: positions(moving, plain("plots.linear", said.language))
-    worked = list(works(moving))
-    if wanted is FEW and any(map(is_split, worked)):
-        worked = [panel for panel in worked if is_split(panel)][: IN_A_ROW - 1]
-    several = len(worked) > 1 and wanted is ALL
+    few, wanted = wanted is FEW, [name for name in wanted if name != "energies" or not named or t.Sym("K") in named]
+    worked = list(works(moving, named))
+    if few and any(map(is_split, worked)):
+        worked = [panel for panel in worked if is_split(panel) and len(panel.curves) <= IN_A_ROW][: IN_A_ROW - 1]
+    several = len(worked) > 1 and not few
     groups = [(("works",), worked)] if several else []
     name = "works" if len(worked) > 1 else "works_one"
     rest = [(name, panel) for panel in worked if not several]
     rest += [(name, panel) for name in wanted for panel in made[name](moving)]
-    for start in range(0, len(rest) if wanted is ALL else 1, IN_A_ROW):
+    for start in range(0, min(1, len(rest)) if few else len(rest), IN_A_ROW):
         row = rest[start : start + IN_A_ROW]
         groups.append((tuple(dict.fromkeys(name for name, _ in row)), [panel for _, panel in row]))
     for number, (names, panels) in enumerate(groups):

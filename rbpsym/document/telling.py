@@ -222,10 +222,7 @@ class Teller:
             yield from self.steps(steps)
             return
         yield Paragraph(self.said.say(key, ground=Said(steps=steps), count=len(steps), **slots))
-        if is_tall(steps, self.said):
-            yield from (display(step, self.said) for step in steps)
-        else:
-            yield joined(steps, self.said)
+        yield from (joined(group, self.said) for group in _in_groups(steps, self.said))
         yield from self.conditions(steps)
 
 
@@ -242,10 +239,16 @@ def display(step: Step, said: Words) -> Display:
     return Display(step.statement, said.prefix + step.id, True, step.is_result)
 
 
-def is_tall(steps: Sequence[Step], said: Words) -> bool:
-    """Do the formulas of some steps take too much room to stand under one number?"""
-    rows = sum(len(lines(step.statement, said.notation, COLUMN)) for step in steps)
-    return len(steps) > MOST_ROWS or rows > MOST_LINES
+def _in_groups(steps: Sequence[Step], said: Words) -> list[list[Step]]:
+    """The steps in their order, as many under one number as have room there."""
+    groups: list[list[Step]] = []
+    for step in steps:
+        group = [*groups[-1], step] if groups else []
+        if group and len(group) <= MOST_ROWS and sum(len(lines(s.statement, said.notation, COLUMN)) for s in group) <= MOST_LINES:
+            groups[-1] = group
+        else:
+            groups.append([step])
+    return groups
 
 
 def joined(steps: Sequence[Step], said: Words) -> Display:

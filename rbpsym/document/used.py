@@ -4,42 +4,66 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 
-from rbpsym.derivation.step import Derivation, Step
+from rbpsym.ask.asking import Refused, own_answers
+from rbpsym.derivation.step import STANDARD, Derivation, Step
 from rbpsym.document.needless import is_struck
 from rbpsym.notation import tree as t
 
 # by chapter, the rules of steps that are conclusions though they stand in no box: what ties the coordinates, the motion,
-# the forces, whether contacts last
+# whether contacts last
 CONCLUSIONS: Mapping[str, Collection[str]] = {
     "kinematics": ("constraint", "no_slip", "taut", "tied"),
-    "forces": ("torque", "force"),
     "motion": ("solution", "conservation"),
-    "reactions": ("solution",),
-    "contact": ("substitution", "stays", "inequality", "vanishing", "value_there", "asked", "identity"),
+    "contact": ("stays", "inequality", "vanishing", "asked", "identity"),
     "oscillations": ("normal_modes", "mode_shape", "hurwitz", "motion_of_mode", "open_balance"),
 }
 # of the works, where a force works on the translation of a body and on its rotation: else the two halves show nothing that
 # the energy of the whole does not
-IN_HALVES = ("work_energy", "work_together", "work_integral", "conservation", "work_done", "power")
+IN_HALVES = ("work_energy", "work_together", "work_integral", "conservation", "power")
 REPEATED = ("work.alone",)  # works body by body lead to the energy of the whole, which has a chapter of its own
 
 
-def used(derivation: Derivation) -> frozenset[str]:
-    """Ids of the steps that are conclusions, or from which the next phase begins, and of all that they rest on or refer to."""
-    ends = [step.id for step in _ends(derivation)]
+def used(derivation: Derivation, whole: Derivation) -> frozenset[str]:
+    """Ids of the steps that are conclusions, or from which the next phase begins, and of all that they rest on or refer to;
+    of the works carried out those that need no force besides. What is asked is asked of the `whole` motion."""
+    both = _in_both_parts(derivation)
+    ends = [step.id for step in _ends(derivation, both, _asked(whole))]
     ends += [id for phase in derivation.phases[:1] for step in phase.begins for id in step.reasons]
-    return led_to(derivation.steps, ends)
+    found = led_to(derivation.steps, ends)
+    own = {step.id for step in derivation.steps}
+    done = (s for s in derivation.steps if s.rule == "work_done" and s.id.split(".", 2)[2] in both)
+    return found.union(step.id for step in done if found.issuperset(own.intersection(step.reasons)))
 
 
-def _ends(derivation: Derivation) -> list[Step]:
+def _asked(whole: Derivation) -> frozenset[t.Node] | None:
+    """What those steps say from which the answers to a problem's own questions follow; None where none is asked or answered."""
+    answers = tuple(own_answers(whole.study))
+    if not answers or any(isinstance(found, Refused) for found in answers):
+        return None
+    return frozenset(step.statement for found in answers for step in found.steps)
+
+
+def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Node] | None) -> list[Step]:
     """The conclusions: where a blow at the start ends the motion there are none, where the whole motion is given its energy,
-    from which no speed follows, is none."""
+    from which no speed follows, is none; of the unknown forces those that are asked for, or by which a contact pushes."""
     if is_struck(derivation):
         return derivation.chapter("inertia")
-    system, both = derivation.study.system, _in_both_parts(derivation)
+    system = derivation.study.system
     without = "energy" if system.has_clock and not system.independent else ""
-    found = (step for step in derivation.steps if step.chapter != without)
-    return [step for step in found if step.is_result or _concludes(step, both)]
+    again = retold(derivation)
+    found = (step for step in derivation.steps if step.chapter != without and step.id not in again)
+    told = ("forces", "work" if both else "") if len(system.bodies) == 1 else ()  # of one body every force, and what it does
+    return [s for s in found if _is_end(s, both, asked) or (s.chapter in told and s.rule in LEDGER)]
+
+
+def _is_end(step: Step, both: Collection[str], asked: Collection[t.Node] | None) -> bool:
+    if step.phrase in FORCES:
+        return asked is None or step.statement in asked or (step.is_result and step.chapter == "contact")
+    return step.is_result or (step.level <= STANDARD and _concludes(step, both))
+
+
+LEDGER = ("torque", "force", "work")
+FORCES = ("newton_euler.reaction", "contact.along", "contact.other_force")  # of an unknown force: what it is
 
 
 # of the works, what the chapter on the energy says once more of the whole
@@ -48,14 +72,23 @@ OF_THE_WHOLE = ("work.together.", "work.alone", "work.theorem.whole", "work.axis
 
 def retold(derivation: Derivation) -> frozenset[str]:
     """Ids of steps that say what others on the page do: the energy of the whole in terms of works, the rate at which it is
-    lost, the balances of a body from which the motion was found."""
+    lost, of several bodies the works of forces that turn none, the balances of a body from which the motion was found."""
     ends = {row.items[-1] for step in derivation.chapter("energy") if step.is_result for row in t.rows(step.statement)}
     is_kept = any(step.id == "energy" for step in derivation.steps)
     phrases = (*OF_THE_WHOLE, "work.theorem.") if is_kept else OF_THE_WHOLE
     works = derivation.chapter("work") if derivation.chapter("energy") else ()
     again = [s.id for s in works if s.phrase.startswith(phrases) or (s.rule == "power" and s.statement.items[-1] in ends)]
-    balanced = (s.id for s in derivation.chapter("reactions") if _is_balanced(s, derivation))
-    return frozenset((*again, *balanced))
+    if is_kept and len(derivation.study.system.bodies) > 1:
+        turning = {step.id.split(".")[1] for step in works if step.rule == "work" and _turns(step)}
+        again += [s.id for s in works if s.rule in ("work", "workless") and s.id.split(".")[1] not in turning]
+    again += [s.id for s in derivation.chapter("reactions") if _is_balanced(s, derivation)]
+    return frozenset(again)
+
+
+def _turns(step: Step) -> bool:
+    """Does a force do work on the rotation of a body?"""
+    rows = (row.items for row in t.rows(step.statement) if t.ZERO not in row.items)
+    return any(name.startswith("cal_W_theta") for first, *_ in rows for name in t.names(first))
 
 
 ABOUT_CENTRE = ("torque.balance.center", "torque.balance.center.some", "torque.balance.level")
@@ -76,15 +109,13 @@ def led_to(steps: Iterable[Step], ends: Iterable[str]) -> frozenset[str]:
         id = left.pop()
         if id in by_id and id not in found:
             found.add(id)
-            left += by_id[id].reasons
+            left += by_id[id].premises if by_id[id].phrase == "newton_euler.reaction" else by_id[id].reasons
     return frozenset(found)
 
 
 def _concludes(step: Step, both: Collection[str]) -> bool:
     if step.chapter != "work":
         return step.rule in CONCLUSIONS.get(step.chapter, ())
-    if step.rule == "work_done":
-        return step.id.split(".", 2)[2] in both
     return bool(both) and step.rule in IN_HALVES and not step.phrase.startswith(REPEATED) and not _is_nothing(step)
 
 

@@ -5,7 +5,7 @@ Works without a closed form, and those of later phases, are the power of the for
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import cycle
 
@@ -147,11 +147,11 @@ NOWHERE = symbol("[nowhere]")  # a quantity without a number
 # --- works
 
 
-def works(moving: PlottedMotion) -> Iterator[Panel]:
-    """A panel for each force that works in several ways, with both works and their sum; then all other works. A force has
-    one colour, and all panels have one scale."""
+def works(moving: PlottedMotion, named: Collection[t.Node] = ()) -> Iterator[Panel]:
+    """A panel for each force that works in several ways, with both works and their sum; then all other works, or those that
+    are `named`. A force has one colour, and all panels have one scale."""
     scale, several, single = moving.scales.of(ENERGY), [], []
-    for look, (force, found) in zip(cycle(range(1, MOST + 1)), by_force(moving, scale).items(), strict=False):
+    for look, (force, found) in zip(cycle(range(1, MOST + 1)), by_force(moving, scale, named).items(), strict=False):
         styled = tuple(replace(one, style=f"{style} {look}") for one, style in found)
         if len(styled) > 1:
             several.append((*styled, PlotCurve(t.Sym(f"cal_W_{force}"), sum(one.values for one in styled), "curve sum")))
@@ -169,12 +169,12 @@ def works(moving: PlottedMotion) -> Iterator[Panel]:
 Styled = tuple[PlotCurve, str]
 
 
-def by_force(moving: PlottedMotion, scale: Scale) -> Mapping[str, list[Styled]]:
+def by_force(moving: PlottedMotion, scale: Scale, named: Collection[t.Node]) -> Mapping[str, list[Styled]]:
     """For each force its works that are not zero, and whether each is one along the path or about the centre of mass."""
     found: dict[str, list[Styled]] = {}
     for half, style in (("T", "along"), ("theta", "about")):
         for force, curve in halves(moving, half, scale):
-            if largest_value(curve) > 1e-9:
+            if largest_value(curve) > 1e-9 and (not named or curve.name in named):
                 found.setdefault(force, []).append((curve, style))
     return found
 
@@ -282,12 +282,12 @@ def by_dimension(moving: PlottedMotion) -> Mapping[Dimension, list[str]]:
 # --- forces
 
 
-def forces(moving: PlottedMotion) -> Iterator[Panel]:
-    """The unknown forces along the motion, marked where a contact is lost; then the unknown couples."""
+def forces(moving: PlottedMotion, named: Collection[t.Node] = ()) -> Iterator[Panel]:
+    """The unknown forces (or the `named` ones) along the motion, marked where a contact is lost; then the unknown couples."""
     couples = couples_of(moving)
     for wanted, scale in ((False, moving.scales.of(FORCE)), (True, moving.scales.of(DIMENSIONS["torque"], "torque"))):
         found = curves(lambda leg, w=wanted: reactions(leg, couples, w), moving.real, scale)
-        if every := list(found):
+        if every := [curve for curve in found if not named or curve.name in named]:
             shown = tuple(largest(every))
             made = panel(moving, moving.real, shown, scale, marks=marks_of(moving))
             yield replace(made, omitted=len(every) - len(shown))
