@@ -14,7 +14,7 @@ from rbpsym.notation import tree as t
 CONCLUSIONS: Mapping[str, Collection[str]] = {
     "kinematics": ("constraint", "no_slip", "taut", "tied"),
     "motion": ("solution", "conservation"),
-    "contact": ("stays", "inequality", "vanishing", "asked", "identity"),
+    "contact": ("substitution", "stays", "inequality", "vanishing", "value_there", "asked", "identity"),
     "oscillations": ("normal_modes", "mode_shape", "hurwitz", "motion_of_mode", "open_balance"),
 }
 # of the works, where a force works on the translation of a body and on its rotation: else the two halves show nothing that
