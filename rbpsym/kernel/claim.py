@@ -11,7 +11,6 @@ from rbpsym.frozen import Frozen
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 
-
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "exp", "ln")  # by their names in the prover, too
 
 
