@@ -37,9 +37,8 @@ class Found(Frozen):
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
     it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
     `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `places` that
-    follow from one of them; whether it is `constant`, as at the start; `since`: what
-    it was at the moment from which a change is counted, and the works of the phases between; `about`: how which mass is
-    spread, about which point."""
+    follow from one of them; whether it is `constant`, as at the start; `since`: what it was at the moment from which a change
+    is counted, and the works of the phases between; `about`: how which mass is spread, about which point."""
 
     study: Study
     named: tuple[Scalar, ...]

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 LETTER = "Q"
 ANSWERS = ("ask.answer", "ask.there")
-COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, where no formula tells")
+COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, at a place that was not found")
 NAMED = {solutions.WEAK: "underdamped", solutions.CRITICAL: "critically damped", solutions.STRONG: "overdamped"}
 LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
 TOLD = (

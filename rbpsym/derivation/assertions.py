@@ -177,7 +177,10 @@ theory.heading
 """  # names things, says what is done next, repeats the statement
 NARRATION = frozenset(NARRATIVE.split())
 
-ELSEWHERE: Mapping[str, str] = {"tutor": "studio.tutor.TELLS"}  # what is said of a student's line, by who judged it
+ELSEWHERE: Mapping[str, str] = {
+    "tutor": "studio.tutor.TELLS",  # what is said of a student's line, by who judged it
+    "sentence": "document.translated.translated",  # what the engine says, by who said it
+}
 
 LATER = ("_unseen", "_again", "_known")
 

@@ -180,7 +180,8 @@ def _first_met(
             return place, asked, way.sense
         is_open = is_open or (place is not None and asked is None)
     if is_open:
-        raise NotApplicable(f"whether “{name}” comes so far is not decided: the speed may vanish before, where no formula tells")
+        what = "is not decided: the speed may vanish before, at a place that was not found"
+        raise NotApplicable(f"whether “{name}” comes so far {what}")
     return None
 
 

@@ -318,11 +318,15 @@ def _bracket(reader: LatexReader) -> t.Node:
 
 
 def _taken_over(reader: LatexReader, inside: set[str], upper: t.Node) -> str | None:
-    """Of which name limits are that do not say it: of the integral before, of the upper limit θ, or the only one there is."""
+    """Of which name limits are that do not say it: of the integral before, of the upper limit θ, or the only one there is.
+
+    Speeds are functions of where one is: ½ θ̇² may be taken between places.
+    """
     varies = reader.table.varies
     above = upper.name if isinstance(upper, t.Sym) and (varies is None or varies(upper.name)) else ""
     sole = filter(varies, inside) if varies and len(inside) == 1 else ()
-    return next((name for name in (reader.over, above, *sole) if name in inside), None)
+    moves = {above} if above and any(name.endswith("_dot") for name in inside) else set()
+    return next((name for name in (reader.over, above, *sole) if name in inside | moves), None)
 
 
 def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> str:

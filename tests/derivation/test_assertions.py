@@ -261,7 +261,7 @@ def test_friction_gives_to_what_it_is_said_to_give_to(name: str) -> None:
         value = next(w for w in found.study.works if w.force == force).translational.value
         way = leg(found, dict(DrawnPose(found.study).numbers))
         worked = senses[step.phrase] * way.values(value)
-        assert min(worked) > -1e-9 * max(worked), force
+        assert min(worked) >= -1e-9 * max(worked), force  # nothing is done where it stays at rest
 
 
 @pytest.mark.parametrize("name", SAID_OF)
