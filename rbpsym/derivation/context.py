@@ -82,7 +82,7 @@ class Context(Frozen):
         parts = integrand.num.by_power(atoms.intern("symbol", self.radius))
         moments = self.moments[body]
         if unknown := parts.keys() - moments:
-            raise Undecided(f"∫ {self.radius}^{min(unknown)} dm of “{body}” is not known")
+            raise Undecided(f"the mass moment of order {min(unknown)} of “{body}” is not known")
         return sum((Scalar(part) * moments[power] for power, part in parts.items()), NOTHING)
 
     def parts(self, node: Node, *kinds: type[Node]) -> tuple[Node, ...]:

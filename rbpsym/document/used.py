@@ -45,7 +45,8 @@ def _asked(whole: Derivation) -> frozenset[t.Node] | None:
 
 def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Node] | None) -> list[Step]:
     """The conclusions: where a blow at the start ends the motion there are none, where the whole motion is given its energy,
-    from which no speed follows, is none; of the unknown forces those that are asked for, or by which a contact pushes."""
+    from which no speed follows, is none; of the unknown forces those that are asked for, that
+    vanish, or by which a contact pushes."""
     if is_struck(derivation):
         return derivation.chapter("inertia")
     system = derivation.study.system
@@ -58,7 +59,8 @@ def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Nod
 
 def _is_end(step: Step, both: Collection[str], asked: Collection[t.Node] | None) -> bool:
     if step.phrase in FORCES:
-        return asked is None or step.statement in asked or (step.is_result and step.chapter == "contact")
+        is_none = all(row.items[-1] == t.ZERO for row in t.rows(step.statement))
+        return asked is None or step.statement in asked or is_none or (step.is_result and step.chapter == "contact")
     return step.is_result or (step.level <= STANDARD and _concludes(step, both))
 
 

@@ -149,7 +149,8 @@ class LatexReader(Cursor[Token]):
 
     def sees_sign(self, *texts: str) -> bool:
         """Is the next token one of these signs or commands?"""
-        return self.token.kind in ("sign", "command") and self.token.text in texts
+        token = self.token
+        return token.kind in ("sign", "command") and token.text in texts
 
     def pass_sign(self, *texts: str) -> bool:
         """Pass the next token if it is one of these signs or commands; was it?"""
@@ -159,10 +160,11 @@ class LatexReader(Cursor[Token]):
 
     def sees_differential(self, ahead: int = 0) -> bool:
         """Is the token (`ahead` places on) the d of a differential?"""
-        token, behind = self.ahead(ahead), self.ahead(ahead + 1)
-        goes_on = behind.kind in ("letter", "text") or behind.text in _DIFFERENTIATED
-        italic = token.kind == "letter" and token.text == "d" and goes_on and not self.table.has_d
-        return italic or token.kind == "differential"
+        token = self.ahead(ahead)
+        if token.kind != "letter" or token.text != "d" or self.table.has_d:
+            return token.kind == "differential"
+        behind = self.ahead(ahead + 1)
+        return behind.kind in ("letter", "text") or behind.text in _DIFFERENTIATED
 
     def expect(self, text: str, opening: Token | None = None) -> None:
         """Pass the sign `text`. Raises ReadError if something else stands there."""
