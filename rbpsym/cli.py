@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import atexit
 import gc
 import os
 import sys
@@ -19,7 +20,7 @@ import click
 from rbpsym import __version__
 from rbpsym.errors import RbpsymError
 
-SELDOM = 50_000  # objects more, until the collector looks for circles: a derivation makes none
+SELDOM = 200_000  # objects more, until the collector looks for circles: a derivation makes none
 FINE, DOUBTFUL, BAD_INPUT, BROKEN, INTERRUPTED = 0, 1, 2, 70, 130
 
 # name -> module that holds its `command`, in the order of --help
@@ -70,6 +71,7 @@ class Rbpsym(click.Group):
         if not standalone_mode:
             return call()
         gc.set_threshold(SELDOM)
+        atexit.register(gc.freeze)  # what is there at the end goes with the process
         return sys.exit(exit_code(call))
 
 
