@@ -11,7 +11,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.numbers import bound, number, sample
-from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.placing import where_in
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.notation import tree as t
@@ -45,10 +45,7 @@ class DrawnPose(Frozen, eq=False):
     @cached_property
     def where(self):
         """The position of a point of the statement."""
-        states = self.study.system.bodies
-        return locator(
-            self.study.problem, {n: s.inertia for n, s in states.items()}, {n: s.pose for n, s in states.items()}
-        )
+        return where_in(self.study.system)
 
     def value(self, found: Scalar) -> float:
         """The number of a scalar."""

@@ -16,8 +16,8 @@ from rbpsym.errors import LimitError
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.interactions import LAWS, Setting, stretch
-from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.interactions import LAWS, stretch
+from rbpsym.mechanics.placing import where_in
 from rbpsym.mechanics.system import BodyState, System
 from rbpsym.statement.model import Element
 
@@ -42,19 +42,14 @@ def kinetic_energy(system: System) -> tuple[Scalar, Scalar]:
     return short(parts[0]), short(parts[1])
 
 
-def _setting(system: System) -> Setting:
-    bodies = system.bodies.items()
-    return setting_of(system, locator(system.problem, {n: s.inertia for n, s in bodies}, {n: s.pose for n, s in bodies}))
-
-
 def stretched(system: System, spring: Element) -> Scalar:
     """The distance between the ends of a spring."""
-    return substitute(stretch(spring, _setting(system))[1], system.dependent)
+    return substitute(stretch(spring, setting_of(system, where_in(system)))[1], system.dependent)
 
 
 def potentials(system: System) -> dict[str, Scalar | None]:
     """Potential energy of each interaction; None for one that has none."""
-    setting = _setting(system)
+    setting = setting_of(system, where_in(system))
     found = {}
     for element in system.problem.interactions:
         value = LAWS[element.kind].potential(element, setting)

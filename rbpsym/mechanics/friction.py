@@ -14,7 +14,7 @@ from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.interactions import resisted_by
-from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.placing import where_in
 from rbpsym.mechanics.resistance import LETTERS, Resisted
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
@@ -23,9 +23,7 @@ from rbpsym.statement.model import Element
 def geometry_of(system: System) -> Geometry:
     """The geometry of an assembled system, its states of motion included."""
     placed = {name: state.pose for name, state in system.bodies.items()}
-    inertias = {name: state.inertia for name, state in system.bodies.items()}
-    where, numbers = locator(system.problem, inertias, placed), start_numbers(system.problem)
-    return Geometry(where, placed, numbers, system.bodies, unsaid(system.problem))
+    return Geometry(where_in(system), placed, start_numbers(system.problem), system.bodies, unsaid(system.problem))
 
 
 def slip_senses(system: System) -> dict[str, int]:

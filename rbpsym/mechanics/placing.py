@@ -174,12 +174,16 @@ def locator(problem: Problem, inertias: Inertias, placed: Mapping[str, Pose]) ->
     return where
 
 
+def where_in(system: System) -> Callable[[PointRef], Vector]:
+    """The same for an assembled system."""
+    bodies = system.bodies.items()
+    return locator(system.problem, {n: s.inertia for n, s in bodies}, {n: s.pose for n, s in bodies})
+
+
 def origins(system: System) -> dict[str, Vector]:
     """Name → position: O, the places of pivots that are elsewhere, the author's origins."""
     found, letters = {"O": ORIGIN}, letters_of(system.problem)
-    where = locator(
-        system.problem, {n: s.inertia for n, s in system.bodies.items()}, {n: s.pose for n, s in system.bodies.items()}
-    )
+    where = where_in(system)
     for element in system.problem.constraints:
         if element.kind == "pivot":
             place = where(element["point"])

@@ -14,10 +14,8 @@ from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.assemble import setting_of
-from rbpsym.mechanics.interactions import stretch
+from rbpsym.mechanics.energy import stretched
 from rbpsym.mechanics.motion import ForceWork, Work
-from rbpsym.mechanics.placing import locator
 from rbpsym.methods.known_works import start_of
 from rbpsym.methods.net_work import HALVES
 from rbpsym.notation import tree as t
@@ -53,9 +51,7 @@ def _spring(draft: Draft, item: ForceWork) -> Spring | None:
         return None
     if len(draft.study.system.named(item.force)) != 1 or not item.translational.value or not item.rotational.value:
         return None
-    states = system.bodies
-    where = locator(system.problem, {n: s.inertia for n, s in states.items()}, {n: s.pose for n, s in states.items()})
-    _, distance = stretch(element, setting_of(system, where))
+    distance = stretched(system, element)
     rooted = any(atoms.atom(index).kind == "root" for index in distance.atoms())
     values = (scalar(element["stiffness"]), distance, scalar(element["natural_length"]))
     return None if rooted else Spring(element, item, *values)

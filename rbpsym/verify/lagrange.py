@@ -30,7 +30,7 @@ from rbpsym.mechanics.energy import potentials
 from rbpsym.mechanics.friction import geometry_of, resistances
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.interactions import stretch
-from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.placing import where_in
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System, by_letters, rotated
 from rbpsym.statement.model import Element, PointRef
@@ -153,8 +153,7 @@ class Motion(Frozen):
 
 def motion_of(system: System) -> Motion:
     """The kinematics that the poses of a system contain."""
-    inertias = {name: state.inertia for name, state in system.bodies.items()}
-    return Motion(system, locator(system.problem, inertias, {n: s.pose for n, s in system.bodies.items()}))
+    return Motion(system, where_in(system))
 
 
 def kinetic_energy(motion: Motion) -> Scalar:

@@ -59,14 +59,14 @@ class SimulationReport(Frozen):
 
 
 class Derived(Frozen):
-    """The symbolic results that are put to the test."""
+    """The symbolic results that are put to the test; `momenta`: fixed points with the angular momentum about them."""
 
     system: System
     dynamics: Dynamics
-    integral: Scalar | None
-    squares: Mapping[str, Scalar]
-    along: Mapping[str, Scalar]
-    works: Mapping[tuple[str, str, bool], Scalar]
+    integral: Scalar | None = None
+    squares: Mapping[str, Scalar] = field(default_factory=dict)
+    along: Mapping[str, Scalar] = field(default_factory=dict)
+    works: Mapping[tuple[str, str, bool], Scalar] = field(default_factory=dict)
     momenta: Mapping[str, tuple[Vector, Scalar]] = field(default_factory=dict)
 
 
@@ -275,24 +275,9 @@ def _spread(values: np.ndarray, least: float) -> float:
     return float(((values.max(axis=0) - values.min(axis=0)) / scale).max())
 
 
-Momenta = Mapping[str, tuple[Vector, Scalar]]
-
-
-def simulate(
-    system: System,
-    dynamics: Dynamics,
-    *,
-    integral: Scalar | None = None,
-    squares: Mapping[str, Scalar] | None = None,
-    along: Mapping[str, Scalar] | None = None,
-    works: Iterable[ForceWork] = (),
-    momenta: Momenta | None = None,
-    numbers: Mapping[str, float] | None = None,
-) -> SimulationReport:
-    """Runs the simulation and compares. `momenta`: fixed points with the angular momentum about them;
-    `numbers`: for parameters, instead of sample numbers. Raises NotApplicable, with a sentence, for a kind of
-    constraint or interaction that the simulation does not know, or a start that can't be found."""
-    derived = Derived(system, dynamics, integral, squares or {}, along or {}, known_works(works), momenta or {})
+def simulate(derived: Derived, numbers: Mapping[str, float] | None = None) -> SimulationReport:
+    """Runs the simulation and compares. `numbers`: for parameters, instead of sample numbers. Raises NotApplicable, with
+    a sentence, for a kind of constraint or interaction that the simulation does not know, or a start that can't be found."""
     bench = Bench(derived, numbers)
     bench.compare_generic_states()
     bench.compare_motion(bench.generic, from_start=False)
@@ -307,15 +292,9 @@ def simulate_study(study: Study, numbers: Mapping[str, float] | None = None) -> 
     """Everything that a study derives, put to the test. Raises as `simulate`."""
     if study.instant is not None:
         return simulate_start(study, study.instant, numbers)
-    return simulate(
-        study.system,
-        study.dynamics,
-        integral=study.first_integral,
-        squares=study.squares,
-        along=study.reactions_along_motion,
-        momenta=angular_momenta(study),
-        numbers=numbers,
-    )
+    along, momenta = study.reactions_along_motion or {}, angular_momenta(study)
+    derived = Derived(study.system, study.dynamics, study.first_integral, study.squares, along, momenta=momenta)
+    return simulate(derived, numbers)
 
 
 def told(study: Study) -> Dynamics:
@@ -326,7 +305,7 @@ def told(study: Study) -> Dynamics:
 
 def simulate_start(study: Study, found: Instant, numbers: Mapping[str, float] | None = None) -> SimulationReport:
     """Speeds that follow, accelerations and unknown forces at the start, put to the test. Raises as `simulate`."""
-    bench = Bench(Derived(study.system, told(study), None, {}, {}, {}), numbers)
+    bench = Bench(Derived(study.system, told(study)), numbers)
     bench.placement.mechanism.clock = 0.0
     start = bench.declared_start(found.sought)
     bench.compare_start(start)

@@ -76,7 +76,7 @@ def followed(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
 
 
 def _bench(study: Study, numbers: Mapping[str, float]) -> Bench:
-    return Bench(Derived(study.system, told(study), None, study.squares, {}, {}), numbers)
+    return Bench(Derived(study.system, told(study), squares=study.squares), numbers)
 
 
 def _compare(

@@ -14,7 +14,7 @@ from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, problem_files
 from rbpsym.statement.loader import load_text
 from rbpsym.verify.lagrange import agreement, lagrange_verdict
-from rbpsym.verify.simulation import simulate
+from rbpsym.verify.simulation import Derived, simulate
 from tests.library.derived import derived
 
 # The rest of the library is put to the oracles in tests/library.
@@ -35,7 +35,7 @@ def scaled(values: dict[str, Scalar], name: str, factor) -> dict[str, Scalar]:
 def test_simulation_agrees(name: str) -> None:
     it = study(name)
     report = simulate(
-        it.system, it.dynamics, integral=it.first_integral, squares=it.squares, along=it.reactions_along_motion
+        Derived(it.system, it.dynamics, it.first_integral, it.squares, it.reactions_along_motion or {})
     )
     assert report.max_relative_error <= 1e-8
     assert report.drift is None or report.drift <= 1e-8
@@ -65,7 +65,7 @@ def test_a_wrong_acceleration_is_refused(name: str) -> None:
         verdict = lagrange_verdict(study(name).system, dynamics)
         assert verdict.kind is REFUTED
         assert verdict.witness is not None
-        assert simulate(study(name).system, dynamics).max_relative_error > 1e-3
+        assert simulate(Derived(study(name).system, dynamics)).max_relative_error > 1e-3
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -75,17 +75,17 @@ def test_a_wrong_force_is_refused(name: str) -> None:
     for force in right.reactions:
         for factor in (-1, 1 + symbol("theta_dot")):
             dynamics = replace(right, reactions=scaled(dict(right.reactions), force, factor))
-            assert simulate(study(name).system, dynamics).max_relative_error > 1e-3, force
+            assert simulate(Derived(study(name).system, dynamics)).max_relative_error > 1e-3, force
 
 
 @pytest.mark.parametrize("name", ["sliding-ladder", "rod-and-disk-fixed"])
 def test_a_wrong_integral_is_refused(name: str) -> None:
     it = study(name)
-    report = simulate(it.system, it.dynamics, integral=it.kinetic[0], squares={})
+    report = simulate(Derived(it.system, it.dynamics, it.kinetic[0]))
     assert report.drift > 1e-3
     assert report.max_relative_error > 1e-3
     squares = {n: value * 2 for n, value in it.squares.items()}
-    assert simulate(it.system, it.dynamics, squares=squares).max_relative_error > 1e-3
+    assert simulate(Derived(it.system, it.dynamics, squares=squares)).max_relative_error > 1e-3
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -106,7 +106,7 @@ def test_a_mass_left_out_is_seen() -> None:
     other = Study(it.problem)
     other.__dict__["system"] = replace(it.system, bodies=light)
     assert lagrange_verdict(it.system, other.dynamics).kind is REFUTED
-    assert simulate(it.system, other.dynamics).max_relative_error > 1e-3
+    assert simulate(Derived(it.system, other.dynamics)).max_relative_error > 1e-3
 
 
 def test_a_string_through_its_pulley_is_not_simulated_and_that_is_told():

@@ -7,7 +7,7 @@ from rbpsym.equality.verdict import PROVED
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_problem
 from rbpsym.verify.lagrange import lagrange_verdict
-from rbpsym.verify.simulation import simulate
+from rbpsym.verify.simulation import Derived, known_works, simulate
 
 PARAMETERS = """
 [parameters]
@@ -289,14 +289,9 @@ def studied(text: str) -> Study:
 def complaints(study: Study, freedom: int) -> list[str]:
     """What the oracles do not confirm."""
     verdict = lagrange_verdict(study.system, study.dynamics, study.assumptions)
-    report = simulate(
-        study.system,
-        study.dynamics,
-        integral=study.first_integral,
-        squares=study.squares,
-        along=study.reactions_along_motion,
-        works=study.works,
-    )
+    along = study.reactions_along_motion or {}
+    works = known_works(study.works)
+    report = simulate(Derived(study.system, study.dynamics, study.first_integral, study.squares, along, works))
     wrong = [] if verdict.kind is PROVED else [f"Lagrange: {verdict}"]
     wrong += [f"{name}: {error}" for name, error in report.errors.items() if not error <= 1e-8]
     wrong += [f"drift: {report.drift}"] if report.drift is not None and not report.drift <= 1e-8 else []
@@ -316,7 +311,7 @@ def test_a_chain_too_long_for_formulas() -> None:
     study = Study(load_problem(statement(5)))
     assert study.dynamics.accelerations is None
     assert lagrange_verdict(study.system, study.dynamics).kind is PROVED
-    report = simulate(study.system, study.dynamics, integral=study.first_integral)
+    report = simulate(Derived(study.system, study.dynamics, study.first_integral))
     assert report.max_relative_error <= 1e-8
     assert report.freedom == 5
 
@@ -329,7 +324,7 @@ def test_works_are_compared() -> None:
 
     study = Study(load_problem(next(iter(problem_files().values()))))
     doubled = [replace(w, translational=replace(w.translational, value=w.translational.value * 2)) for w in study.works]
-    fine = simulate(study.system, study.dynamics, works=study.works)
+    fine = simulate(Derived(study.system, study.dynamics, works=known_works(study.works)))
     assert fine.max_relative_error <= 1e-8
     assert any(error.startswith("work") for error in fine.errors)
-    assert simulate(study.system, study.dynamics, works=doubled).max_relative_error > 0.1
+    assert simulate(Derived(study.system, study.dynamics, works=known_works(doubled))).max_relative_error > 0.1

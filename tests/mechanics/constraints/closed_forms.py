@@ -14,7 +14,7 @@ from rbpsym.solve import text
 from rbpsym.statement import build as rb
 from rbpsym.statement.model import Problem
 from rbpsym.verify.lagrange import lagrange_verdict
-from rbpsym.verify.simulation import simulate
+from rbpsym.verify.simulation import Derived, simulate
 
 GRAVITY = {"W": rb.gravity()}
 TOLERANCE = 1e-6
@@ -55,7 +55,7 @@ def check(problem: Problem, expected: Mapping[str, str], simulated: bool = True)
     verdict = lagrange_verdict(study.system, dynamics, study.assumptions)
     assert verdict.kind is PROVED, verdict
     if simulated:
-        report = simulate(study.system, dynamics, integral=study.first_integral, squares=study.squares)
+        report = simulate(Derived(study.system, dynamics, study.first_integral, study.squares))
         assert report.max_relative_error < TOLERANCE, report
     return study
 
