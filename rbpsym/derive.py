@@ -45,6 +45,17 @@ def derive(problem: Problem, *, simulation: bool = True, study: Study | None = N
     return replace(first, skipped=(*first.skipped, left_out))
 
 
+WORDS: Mapping[str, Any] = {  # what only the words and the drawing of a problem depend on
+    "title": {}, "source": "", "notation": {}, "meanings": {}, "claims": (), "level": "", "topic": "", "example": {},
+}  # fmt: skip
+
+
+def physics_of(problem: Problem) -> Problem:
+    """What a derivation depends on: the problem without its words and questions (but those that ask for impulses)."""
+    asked: dict[str, dict[str, str]] = {text: {} for text in problem.questions if "impulse" in text.split()}
+    return replace(problem, **WORDS, questions=asked, parameters=tuple(replace(q, meaning="") for q in problem.parameters))
+
+
 def _derived(study: Study, simulation: bool, before: tuple[Step, ...] = ()) -> Derivation:
     """The derivation of one phase."""
     study.solved  # noqa: B018  what grows too long is refused before anything is written

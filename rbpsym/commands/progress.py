@@ -45,15 +45,11 @@ class Progress:
 
     def counted(self, what: str, done: int, total: int) -> None:
         """So many of all are done: “12 of 40 students”."""
-        self.reached(done, total, f"{done} of {total} {what}")
-
-    def reached(self, done: int, total: int, label: str) -> None:
-        """Tell how many parts are finished, of how many."""
         with self._lock:
             self.done = self.told = done
-            self.total, self.label = total, label
+            self.total, self.label = total, f"{done} of {total} {what}"
             if self._bar:
-                self._bar.update(self._bar.task_ids[0], description=label, completed=done, total=total)
+                self._bar.update(self._bar.task_ids[0], description=self.label, completed=done, total=total)
 
     def _show(self) -> None:
         from rich.console import Console

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
 
 import click
 
 from rbpsym.commands.shelf import stated
 from rbpsym.derivation.step import Derivation
-from rbpsym.derive import derive
+from rbpsym.derive import derive, physics_of
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.mechanics.study import Study
-from rbpsym.statement.model import Problem
 
 PAUSE = 0.08  # seconds between two looks
 
@@ -70,12 +67,6 @@ def told(write: Callable[[], list[Path]]) -> None:
 # --- derivations that are kept while a process watches files: only what an edit changes is derived anew
 
 
-# What only the words and the drawing of a problem depend on.
-WORDS: Mapping[str, Any] = {
-    "title": {}, "source": "", "notation": {}, "meanings": {}, "claims": (), "level": "", "topic": "", "example": {},
-}  # fmt: skip
-
-
 class KeptDerivations(Frozen):
     """The derivations of files, by path."""
 
@@ -85,22 +76,8 @@ class KeptDerivations(Frozen):
     def derivation(self, path: Path) -> Derivation:
         """The derivation of a problem file as it is now. Raises what loading and deriving raise."""
         problem, before = stated(path), self.found.get(path)
-        if before is not None and core(before.study.problem) == core(problem):
-            self.found[path] = reworded(before, problem)
+        if before is not None and physics_of(before.study.problem) == physics_of(problem):
+            self.found[path] = replace(before, study=before.study.under(problem))
         else:
             self.found[path] = derive(problem, simulation=self.simulation)
         return self.found[path]
-
-
-def core(problem: Problem) -> Problem:
-    """What the derivation depends on: the problem without its words."""
-    return replace(problem, **WORDS, parameters=tuple(replace(q, meaning="") for q in problem.parameters))
-
-
-def reworded(derivation: Derivation, problem: Problem) -> Derivation:
-    """The derivation of a problem of which only the words have changed: all that was worked out is taken over."""
-    study = Study(problem)
-    worked_out = {name: value for name, value in vars(derivation.study).items() if name != "problem"}
-    worked_out["system"] = replace(derivation.study.system, problem=problem)
-    vars(study).update(worked_out)
-    return replace(derivation, study=study)

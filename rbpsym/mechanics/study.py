@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Self
 
 from rbpsym.algebra import (
     COEFFICIENT,
@@ -23,7 +23,7 @@ from rbpsym.algebra import (
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
-from rbpsym.frozen import Frozen
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve
@@ -43,6 +43,12 @@ class Study(Frozen):
     """A problem with its mechanics."""
 
     problem: Problem
+
+    def under(self, problem: Problem) -> Self:
+        """The mechanics of the same system stated in other words: all that was worked out is taken over."""
+        other, found = type(self)(problem), vars(self) | {"problem": problem}
+        vars(other).update(found | ({"system": replace(self.system, problem=problem)} if "system" in found else {}))
+        return other
 
     @kept
     def system(self) -> System:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from rbpsym.derivation.step import Derivation
-from rbpsym.derive import derive
+from rbpsym.derive import derive, physics_of
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
@@ -27,8 +27,7 @@ class Worked:
     def told(self, problem: Problem) -> Study:
         """The mechanics with all that is known of it, under the words of this statement."""
         if self.study.problem != problem:
-            known, self.study = self.study, type(self.study)(problem)
-            self.study.__dict__.update({name: value for name, value in known.__dict__.items() if name != "problem"})
+            self.study = self.study.under(problem)
         return self.study
 
 
@@ -64,9 +63,3 @@ def _worked(problem: Problem) -> Worked:
         found = Worked(physics, study_of(problem))
         _WORKED.append(found)
     return found
-
-
-def physics_of(problem: Problem) -> Problem:
-    """The statement without what no derivation looks at: titles and questions (but those that ask for impulses)."""
-    asked = {text: {} for text in problem.questions if "impulse" in text.split()}
-    return replace(problem, title={}, source="", level="", topic="", claims=(), questions=asked)

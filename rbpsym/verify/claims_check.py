@@ -38,12 +38,7 @@ Decide = Callable[[t.Chain, Ground], Link]
 
 def relations(node: t.Node) -> Iterator[t.Chain]:
     """The single relations that a chain or a system asserts."""
-    if isinstance(node, t.System):
-        for row in node.rows:
-            yield from relations(row)
-    elif isinstance(node, t.Chain):
-        for left, op, right in zip(node.items, node.ops, node.items[1:], strict=False):
-            yield t.Chain((left, right), (op,))
+    return (t.relation(*one) for one in t.relations(node))
 
 
 def premises(given: Iterable[tuple[Printed, t.Node]], ground: Ground) -> dict[str, Scalar]:

@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from fractions import Fraction
 from functools import partial
 from math import comb, prod
 
-from rbpsym.algebra import Poly, Scalar, Space, Vector, atoms, depends_on, is_zero, substitute, symbol
+from rbpsym.algebra import Scalar, Space, Vector, depends_on, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import Scope, scalar, space_derivative, time_derivative, value, vector
 from rbpsym.algebra.integration import definite
+from rbpsym.algebra.present import present
+from rbpsym.equality.dimensions import dimension_of
 from rbpsym.equality.domain import conditions, obligations
 from rbpsym.equality.poles import faults, pole
 from rbpsym.equality.verdict import Witness
@@ -25,7 +26,7 @@ from rbpsym.mechanics.motion import along_motion
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.symbol_table import SymbolTable
-from rbpsym.quantities import ENERGY, NUMBER, Dimension
+from rbpsym.quantities import ENERGY, Dimension
 from rbpsym.quantity.bound import Bound, World
 from rbpsym.verify.claims_ground import Glossary, Ground
 from rbpsym.verify.claims_model import Setting
@@ -86,42 +87,9 @@ def _of_phrase(phrase: str | None, world: World) -> Dimension | None:
 
 
 def dimension_of_bound(found: Bound, known: Mapping[str, Dimension]) -> Dimension | None:
-    """The dimension of a meaning; None for one that has no value yet, or is zero."""
-    if found.vector is not None:
-        parts = [*found.vector.plane.parts.values(), found.vector.z]
-        return next((d for part in parts if part and (d := dimension_of_value(part, known)) is not None), None)
-    return None if found.scalar is None else dimension_of_value(found.scalar, known)
-
-
-def dimension_of_value(value: Scalar, known: Mapping[str, Dimension]) -> Dimension | None:
-    """The dimension of a value, by one term of it; None for zero or where a name is not known."""
-    top, low = (_of_poly(poly, known) for poly in (value.num, value.den))
-    return None if top is None or low is None else top / low
-
-
-def _of_poly(poly: Poly, known: Mapping[str, Dimension]) -> Dimension | None:
-    monomial = next(iter(poly.terms), None)
-    if monomial is None:
-        return None
-    found = NUMBER
-    for index, exponent in monomial:
-        part = _of_atom(index, known)
-        if part is None:
-            return None
-        found = found * part**exponent
-    return found
-
-
-def _of_atom(index: int, known: Mapping[str, Dimension]) -> Dimension | None:
-    atom = atoms.atom(index)
-    if index == atoms.PI:
-        return NUMBER
-    if atom.kind == "symbol":
-        return known.get(atom.arg)
-    if atom.kind == "root":
-        inner = dimension_of_value(atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg), known)
-        return None if inner is None else inner ** Fraction(1, 2)
-    return NUMBER
+    """The dimension of a meaning; None for one that has no value yet, or is zero. Raises DimensionError."""
+    parts = (found.scalar,) if found.vector is None else (*found.vector.plane.parts.values(), found.vector.z)
+    return next((dimension_of(present(part), known) for part in parts if part), None)
 
 
 def prepared(node: t.Node, ground: Ground) -> t.Node:

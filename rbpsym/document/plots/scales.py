@@ -12,16 +12,8 @@ from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
+from rbpsym.statement.printed_units import unit_of, unit_text
 
-UNITS = {
-    "energy": "J",
-    "force": "N",
-    "speed": "m/s",
-    "angular speed": "rad/s",
-    "time": "s",
-    "length": "m",
-    "torque": "N m",
-}
 CLOCKS = tuple(
     DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force")
 )
@@ -50,8 +42,7 @@ class Scales(Frozen):
         if dimension == NUMBER:
             return Scale(DEGREE, sign="°")
         if not self.base:
-            known = name or next(name for name in UNITS if DIMENSIONS[name] == dimension)
-            return Scale(1.0, t.Word(UNITS[known]))
+            return Scale(1.0, t.Word(unit_text(unit_of(dimension, name))))
         exponents = self.exponents(dimension)
         size = math.prod(abs(self.numbers[name]) ** float(power) for name, power in exponents.items())
         return Scale(size, product(exponents))

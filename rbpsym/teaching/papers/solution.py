@@ -13,7 +13,6 @@ from rbpsym.document.notes_events import phase_sentences
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, sentences
-from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
@@ -43,9 +42,7 @@ def _without_phases(derivation: Derivation) -> Derivation:
     study = derivation.study
     if not study.problem.phases:
         return derivation
-    first = Study(replace(study.problem, phases=()))
-    first.__dict__.update({name: part for name, part in study.__dict__.items() if name != "problem"})
-    return replace(derivation, study=first, phases=())
+    return replace(derivation, study=study.under(replace(study.problem, phases=())), phases=())
 
 
 def given_table(derivation: Derivation, situation: Situation, said: Words) -> tuple[Block, ...]:
