@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 from rbpsym.notation.latex_tokens import CONDITION, PUNCTUATION, Token
 
@@ -15,7 +16,7 @@ Span = tuple[int, int]
 
 def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
     """The tokens without hand-written numbers, and with (x > 0) behind a gap at the end of a row as a condition."""
-    tokens = _labelled(tokens, relations)
+    tokens = _labelled(_with_and(tokens, relations), relations)
     found = list(tokens)
     for begin, end in reversed(_pairs(tokens)):
         inner = tokens[begin + 1 : end]
@@ -32,6 +33,21 @@ def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tupl
     return tuple(found)
 
 
+_AND = ("e", "y")  # in Italian and Portuguese, in Spanish
+
+
+def _with_and(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
+    r"""With a lone e or y as the word that it is, which stands between wide gaps and two relations: a = b \quad e \quad c = d."""
+    found = list(tokens)
+    ends = [-1, *(k for k, token in enumerate(tokens) if token.kind in ("row", "end"))]
+    for begin, end in pairwise(ends):
+        for k in range(begin + 2, end - 1):
+            apart = tokens[k].text in _AND and all(one.kind == "gap" and _wide((one,)) for one in (tokens[k - 1], tokens[k + 1]))
+            if apart and _relates(tokens[begin + 1 : k], relations) and _relates(tokens[k:end], relations):
+                found[k] = replace(tokens[k], kind="row", text="")
+    return tuple(found)
+
+
 def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
     """With what a row is about, in front of a colon (ΣF_x: or words, or anything with a gap behind it), as a row of words."""
     found: list[Token] = []
@@ -40,8 +56,11 @@ def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Tok
         about = [one for one in found[row:] if one.kind != "gap" and one.text != "&"]
         gap = tokens[min(place + 1, len(tokens) - 1)]
         clear = gap.kind == "gap" or gap.text == "&" or (about[:1] and (about[0].text == r"\sum" or about[0].kind == "text"))
-        if token.text != ":" or not about or _relates(tuple(about), relations) or not clear:
-            found.append(token)
+        relates = token.text == ":" and _relates(tuple(about), relations)
+        if token.text != ":" or not about or relates or not clear:
+            depth = sum((one.text in "([{") - (one.text in ")]}") for one in about if relates and one.kind == "sign")
+            parts = relates and gap.kind == "gap" and _wide((gap,)) and not depth
+            found.append(replace(token, kind="row", text="") if parts else token)
             continue
         words = " ".join(one.text for one in about)
         found[row:] = [replace(about[0], kind="text", text=words, end=token.end), replace(token, kind="row", text="")]

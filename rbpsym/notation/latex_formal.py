@@ -55,6 +55,7 @@ SENTENCES: Mapping[str, Sentence] = {
               "Say in the symbols what all of it means, or write a product without the parenthesis."),
     "condition": ("are these words a condition?", r"Write it as \text{for } x > 0, or as “given” in the claim."),
     "continued": ("what stands on the left of this?", "Write the left side again."),
+    "unfinished": ("what stands on the right of this?", "Write the right side too."),
     "marked": ("only a symbol can have a subscript or prime", "Give all of it a symbol."),
     "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
     "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),

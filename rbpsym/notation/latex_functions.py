@@ -29,7 +29,7 @@ from rbpsym.notation.latex_grammar import (
 )
 from rbpsym.notation.latex_names import begins_name, read_name
 from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token
-from rbpsym.notation.limits import MAX_EXPONENT
+from rbpsym.notation.limits import MAX_EXPONENT, number_of
 from rbpsym.notation.symbol_table import COMMANDS, LatexReader, begins
 
 SIGNS = {
@@ -54,8 +54,10 @@ def relation(reader: LatexReader) -> t.Node:
 def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     """The chain that goes on with the signs that follow."""
     while reader.sees_sign(*SIGNS):
-        ops.append(SIGNS[reader.take().text])
-        items.append(expression(reader))
+        sign = reader.take()
+        ops.append(SIGNS[sign.text])
+        ends = reader.token.kind == "end"
+        items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else expression(reader))
     found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
     if not reader.sees_sign(*LOOSE):
         return found
@@ -209,7 +211,7 @@ def _function(reader: LatexReader) -> t.Node:
             name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
         elif name == "exp" and not (begins_factor(reader) or isinstance(exponent, t.Num)):
             return reader.spanned(t.Fn(name, exponent), token.start)  # \exp^{-t/T}, printed for e^{-t/T}
-        elif name in _INVERSE_POWER or not isinstance(exponent, t.Num):
+        elif name in _INVERSE_POWER or number_of(exponent) is None:
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
     arg = _argument(reader, token)

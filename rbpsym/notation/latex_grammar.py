@@ -83,7 +83,8 @@ def multiplied(reader: LatexReader) -> t.Node:
     node = _product(reader)
     while reader.sees_sign(r"\cdot", r"\times", "*", *_OPERATORS) and not ends_integrand(reader):
         sign = reader.take()
-        right = _signed_product(reader)
+        begin, negative = reader.token.start, reader.pass_sign("-")
+        right = reader.spanned(t.Neg(_product(reader)), begin) if negative else _product(reader)
         wedge = sign.text == r"\wedge" and is_vector(node) and is_vector(right)  # how French and Italian texts print a cross
         formal = t.Formal(_OPERATORS[sign.text], (node, right)) if sign.text in _OPERATORS and not wedge else None
         node = reader.spanned(formal or _joined(reader, node, right, sign), start)
@@ -105,12 +106,8 @@ def _joined(reader: LatexReader, left: t.Node, right: t.Node, sign: Token) -> t.
     half = is_vector(left) != is_vector(right) and bool(t.names(left) and t.names(right))
     if sign.text == r"\times" and (half or all(directed)):
         return t.Formal("crossed", (left, right))
-    factors = [part for side in (left, right) for part in _factors(side)]
+    factors = [part for side in (left, right) for part in (side.factors if isinstance(side, t.Mul) else (side,))]
     return t.Mul(tuple(factors))
-
-
-def _factors(node: t.Node) -> tuple[t.Node, ...]:
-    return node.factors if isinstance(node, t.Mul) else (node,)
 
 
 def is_vector(node: t.Node) -> bool:
@@ -127,13 +124,6 @@ def is_vector(node: t.Node) -> bool:
 
 
 _SHAPED = frozenset(("∇", "matrix", "transposed", "determinant", "row", "mean"))
-
-
-def _signed_product(reader: LatexReader) -> t.Node:
-    start = reader.token.start
-    if reader.pass_sign("-"):
-        return reader.spanned(t.Neg(_product(reader)), start)
-    return _product(reader)
 
 
 def _product(reader: LatexReader) -> t.Node:
@@ -323,13 +313,22 @@ def _missing(reader: LatexReader) -> RbpsymError:
     return reader.error(f"“{token.text}” stands where a number or symbol is expected")
 
 
+_GROUPS = re.compile(r"[1-9]\d{0,2}(?:\.\d{3})+(?:\.\d+)?")  # each comma of 1{,}000{,}000 as a point
+_POINTED = re.compile(r"(?<![\d.])(?:0\.\d|\d+\.(?:\d{1,2}|\d{4,5})(?![\d.]))")  # a number whose point parts no thousands
+
+
 def number(reader: LatexReader) -> t.Node:
     """A number of adjacent digits, with perhaps a decimal mark."""
     start, digits, commas = reader.token.start, "", 0
-    while reader.token.kind == "digit" or (reader.sees_sign(".", "{,}") and _in_number(reader)):
+    while reader.token.kind == "digit" or (
+        reader.sees_sign(".", "{,}") and reader.ahead().kind == "digit" and reader.ahead().start == reader.token.end
+    ):
         token = reader.take()
         digits += token.text if token.kind == "digit" else "."
         commas += token.text == "{,}"
+    pointed = [Rational(text) for text in _POINTED.findall(reader.source.text)] if commas and _GROUPS.fullmatch(digits) else []
+    if pointed and not reader.table.comma and (commas > 1 or Rational(digits) not in pointed):
+        digits, commas = digits.replace(".", "", commas), 0
     if commas and not reader.table.comma and len(digits.partition(".")[2]) % 3 == 0:
         what = "is this comma a decimal mark, or does it group thousands?"
         raise reader.source.error(what, start, reader.previous_end, "Write a point, as in 1.500, or no mark, as in 1500.")
@@ -339,10 +338,6 @@ def number(reader: LatexReader) -> t.Node:
     value = Rational(digits)
     found = reader.spanned(t.Num(int(value) if value.denominator == 1 else value), start)
     return reader.spanned(t.mul(found, DEGREE), start) if reader.pass_sign("°") else found
-
-
-def _in_number(reader: LatexReader) -> bool:
-    return reader.ahead().kind == "digit" and reader.ahead().start == reader.token.end
 
 
 def argument(reader: LatexReader) -> t.Node:

@@ -22,8 +22,8 @@ _DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 _HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
 _LONGEST = 24
 _MARKED = frozenset("+-*=()/<>|;:.")  # what a label may hold beside letters and digits
-_NAMES = ("pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top")
-_NAMED = frozenset(rf"\{word}" for word in _NAMES)
+_NAMES = "pm mp max min perp parallel infty dagger star odot oplus to times bot top ne in dots"
+_NAMED = frozenset(rf"\{word}" for word in _NAMES.split())
 
 
 def begins_name(token: Token) -> bool:
@@ -85,17 +85,23 @@ def _spelled(reader: LatexReader) -> t.Node | None:
 
 
 def _prescribed(reader: LatexReader) -> t.Node:
-    """{}^A v: a name with a mark before it; {}^A d, a derivative seen from A."""
-    start, first = reader.token.start, reader.position
-    reader.position += 2
+    """{}^A v or ^A v^B: a name with a mark before it, and perhaps behind it; {}^A d, a derivative seen from A."""
+    start, first, opening = reader.token.start, reader.position, reader.token
+    braces = 2 * reader.sees_sign("{")
+    reader.position += braces
     mark = reader.token.text + label_after(reader)
+    if not (braces or (mark[1:2].isalpha() and begins_name(reader.token))):
+        raise reader.error("“^” stands where a number or symbol is expected", r"Write {}^A v for a mark before a name.", opening)
     if not begins_name(reader.token) or reader.sees_differential():
         return reader.spanned(t.Formal("seen from", (t.Word(mark[1:]), COMMANDS["operand"](reader))), start)
     drawn, vector = _scripted(reader)
+    behind = [token.text for token in reader.tokens[reader.position + 1 : reader.position + 3]]
+    if reader.sees_sign("^") and next(text for text in behind if text != "{") not in (*"0123456789-", "T"):
+        drawn = replace(drawn, label=f"{drawn.label}^{label_after(reader)}")
     return reader.spanned(_known(reader, replace(drawn, label=f"{mark} {drawn.label}"), vector, None, first), start)
 
 
-COMMANDS["{}^"] = _prescribed
+COMMANDS["{}^"] = COMMANDS["^"] = _prescribed
 
 
 def _summed(reader: LatexReader) -> tuple[Drawn, bool]:
@@ -217,10 +223,13 @@ def _label_part(reader: LatexReader) -> str:
 
 
 def _label_above(reader: LatexReader) -> str:
-    """Pass ^{ext}, ^{(1)}, ^*, ^\\perp, which name and raise nothing; "" if the superscript is something else."""
+    """Pass ^{ext}, ^{(1)}, ^{_{rel}}, ^*, ^\\perp, which name and raise nothing; "" if the superscript is something else."""
     tokens = reader.tokens[reader.position + 1 : reader.position + 6]
     braces = tokens[0].text == "{"
     inner = tokens[braces:]
+    if braces and inner[0].text == "_" and "letter" in (inner[1].kind, inner[2].kind):
+        reader.position += 1
+        return label_after(reader, begun=True)
     bracketed = inner[0].text == "(" and inner[1].kind in ("letter", "digit") and inner[2].text == ")"
     marked = inner[0].text in ("*", "+", "-", *_NAMED)
     named = marked or (inner[0].kind == "text" and Drawn(inner[0].text) not in reader.table.names)

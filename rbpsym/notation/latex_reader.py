@@ -234,9 +234,12 @@ def _is_text(row: t.Node) -> bool:
     return words and not any(CONDITIONS.search(word.text) for word in _words(row))
 
 
+_SAYING = re.compile(rf"{CONDITIONS.pattern}|[^\W\d_]{{2,}}\s+[^\W\d_]{{2,}}", re.I)  # or several words, whatever they say
+
+
 def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
     """The row; words with what they are about are a condition that nothing can be computed of."""
-    said = not isinstance(row, (t.Chain, t.Formal)) and any(CONDITIONS.search(word.text) for word in _words(row))
+    said = not isinstance(row, (t.Chain, t.Formal)) and any(_SAYING.search(word.text) for word in _words(row))
     return t.Formal("condition", (row,), span=row.span) if said else row
 
 

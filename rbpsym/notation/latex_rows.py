@@ -229,7 +229,9 @@ class _Layout:
     def _arrow(self, k: int, token: Token) -> Token | None:
         """An arrow between two relations says that the second follows; a value tends to another in none of them."""
         behind = (self.all[place] for place in self._row_behind(k))
-        follows = self.depth == 0 and self.stated and any(_is_relation(one) and one.text != ARROW for one in behind)
+        first, last = self._at_edge(k, -1), self._at_edge(k, 1)
+        related = any(_is_relation(one) and one.text != ARROW for one in behind)
+        follows = self.depth == 0 and (self.stated or first) and (related or last)
         return self._part(token, "") if follows else token
 
     def _equal(self, k: int, token: Token) -> Token | None:

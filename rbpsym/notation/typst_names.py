@@ -47,7 +47,7 @@ SIGNS = {
 }  # fmt: skip
 NAMES = {
     "dot": r"\cdot", "dot.op": r"\cdot", "dot.c": r"\cdot", "times": r"\times", "eq.not": r"\ne", "lt.eq": r"\le",
-    "gt.eq": r"\ge", "eq.def": ":=", "plus.minus": r"\pm", "minus.plus": r"\mp", "arrow.r": r"\to",
+    "gt.eq": r"\ge", "eq.def": ":=", "plus.minus": r"\pm", "plus": "+", "minus": "-", "minus.plus": r"\mp", "arrow.r": r"\to",
     "arrow.r.double": r"\Rightarrow", "infinity": r"\infty", "oo": r"\infty", "integral": r"\int",
     "partial": r"\partial", "diff": r"\partial", "dif": r"\mathrm{d}", "wide": r"\qquad", "thin": r"\,", "med": r"\:",
     "thick": r"\;", "degree": r"^\circ", "planck.reduce": r"\hbar", "prop": r"\propto", "dots.h": r"\dots",

@@ -84,16 +84,27 @@ class _Reader:
             _, below = self._attached() if self.place < len(self.tokens) else ("", UNBALANCED)
             made = bare = rf"\frac{{{bare}}}{{{below}}}" + "\n" * gap.count("\n")
 
-    def _attached(self) -> tuple[str, str]:
-        """A thing with its subscripts, exponents and primes: as it stands, and in a fraction, without parentheses round all."""
+    def _attached(self, stop: str = "") -> tuple[str, str]:
+        """A thing with its subscripts, exponents and primes: as it stands, and in a fraction, without parentheses round all.
+
+        What is attached may have things attached itself, up to `stop`: x_a^b_c raises b_c.
+        """
         made, bare = self._thing()
-        while self._at("_", "^", "'"):
+        while self._at("_", "^", "'") and not self._at(stop):
             sign = self._take()[1]
             if sign != "'":
-                self._spaces()
-                sign += f"{{{self._thing()[1] if self.place < len(self.tokens) else UNBALANCED}}}"
+                other = "_" if sign == "^" else "^"
+                sign += self._script(other)
+                sign += self._take()[1] + self._script("") if self._at(other) else ""
             made = bare = made + sign
         return made, bare
+
+    def _script(self, stop: str) -> str:
+        self._spaces()
+        self.depth += 1
+        made = self._attached(stop)[1] if self.place < len(self.tokens) else UNBALANCED
+        self.depth -= 1
+        return f"{{{made}}}"
 
     def _thing(self) -> tuple[str, str]:
         kind, text = self._take()

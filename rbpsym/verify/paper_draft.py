@@ -44,7 +44,7 @@ class _Any(dict[Drawn, tuple[str, ...]]):
     """A table in which every drawn letter has a name; words in a sentence have none."""
 
     def get(self, drawn: Drawn, default: tuple[str, ...] = ()) -> tuple[str, ...]:
-        unit = drawn.accent == "hat" and drawn.base in "ijk"
+        unit = drawn in [Drawn(base, accent="hat") for base in "ijk"]
         return default if unit or drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) else (name_of(drawn),)
 
 

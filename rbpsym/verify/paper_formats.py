@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Mapping
 
 from rbpsym.errors import Place, ReadError
-from rbpsym.verify.paper_marks import NOTE, NOTE_END, SPAN, Marked, blank, comment, display, noted
+from rbpsym.verify.paper_marks import NOTE, NOTE_END, SPAN, Marked, blank, comment, display, displays, noted
 from rbpsym.verify.paper_typst import of_typst
 
 _DATA = re.compile(r"data:[\w/+.-]{1,99};base64,[\w+/=]*+")  # a picture within the text
@@ -96,7 +96,7 @@ def _commented(text: Marked, start: int) -> tuple[str, int]:
 def _fenced(kind: str, directive: bool, rest: str, body: str) -> str:
     """A block between fences: a formula, the text of a directive, or code."""
     if kind == "math":
-        return display(f"{rest}\n{body}")
+        return (displays if directive else display)(f"{rest}\n{body}")
     if directive and kind in INCLUDING:
         return _included(kind, rest, body)
     if directive and "code" not in kind:
@@ -141,7 +141,7 @@ def _of_rst(text: str) -> str:
 def _rst_piece(found: re.Match[str]) -> str:
     told = found.groupdict()
     if told["kind"] == "math::":
-        return display(told["rest"] + told["body"])
+        return displays(told["rest"] + told["body"])
     if told["kind"] == "rbpsym:":
         return noted(told["rest"] + told["body"])
     if told["inline"]:

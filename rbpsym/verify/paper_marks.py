@@ -43,6 +43,16 @@ def display(body: str, label: str = "", *, rows: bool = False) -> str:
     return rf"\begin{{{name}}}{end}{named}\end{{{name}}}{body[len(end) :]}"
 
 
+def displays(body: str) -> str:
+    """The formulas of a directive, which blank lines part; the options in front belong to the first."""
+    first, *others = re.split(r"(?<=\S)[ \t]*+\n(?=[ \t]*+\n)", body)
+    if "nowrap" in dict(_OPTION.findall(first)):
+        return display(body)
+    if others and not _OPTION.sub("", first).strip():
+        first, *others = f"{first}\n{others[0]}", *others[1:]
+    return "\n".join(display(part) if part.strip() else part for part in (first, *others))
+
+
 class Marked:
     """A text rewritten where marks open in it; a closing mark is looked for but once from where it was found last.
 

@@ -21,7 +21,7 @@ from rbpsym.verify.paper_source import Text, read_source
 UNNUMBERED = ("displaymath", "math")
 _NAMES = "|".join((*SINGLE, *ROWED))
 _OPEN = re.compile(
-    rf"\\begin\s*\{{({_NAMES})(\*?)\}}|(\\\[)|(\\\()|(?<!\\)(\$\$?)"
+    rf"\\begin\s*\{{({_NAMES})(\*?)\}}|(\\\[)|(\\\()|(?<!\\)\$\$(?=[ \t]*&)|(?<!\\)(\$\$?)"
     r"|\\(begin|end)\s*\{subequations\}|\\\\|\\\$"
     rf"|(?:{COMMANDS.pattern})"
 )

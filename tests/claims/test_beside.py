@@ -33,6 +33,8 @@ TEXTS = [
     ("a.md", f"{MD}\n<!-- rbpsym: claim inline -->\nThen $x$ and $%s$.", 5),
     ("a.rst", f"{RST}\n\n.. code-block:: python\n\n   $a=b$\n\n.. rbpsym: claim\n\n.. math:: %s\n", 11),
     ("a.rst", f"{RST}\n\n.. math::\n   :label: a\n\n   %s\n\nText of $5.\n\n.. rbpsym: claim a\n", 5),
+    ("a.rst", f"{RST}\n\n.. rbpsym: claim a\n\n.. math:: \n   :label: a\n\n   %s\n\n   c = d\n", 7),
+    ("a.tex", f"{TEX}\n\\begin{{tabular}}{{cc}} $$ & $x$ \\\\ \\end{{tabular}}\n% rbpsym: claim a\n{DISPLAY}", 6),
     ("a.html", f"<html><!-- rbpsym: {chr(10).join(SAID)} -->\n<!-- rbpsym: claim -->\\[ %s \\]<script>$$a=b$$</script>", 4),
     ("a.html", f"{MD}\n<!-- rbpsym: claim -->\n<script type='math/tex; mode=display'>%s</script>", 5),
     ("a.typ", f"{TYP}\n#link(\"https://a.b\")[5] `$a=b$` \\$5\n// rbpsym: claim\n$ %s $", 6),

@@ -83,6 +83,17 @@ SAME = [
     (r"\sum_{i=1}^{i=N} -m = k", r"\sum_{i=1}^{N} (-m) = k"),
     (r"a^b(T)^k = a^b T^k", "a^b (T)^k = a^b T^k"),
     (r"\left[x^2\right]_{x = 0} = a", r"\left. x^2 \right|_{x = 0} = a"),
+    (r"a = 2 b, i = 1, 2, \ldots, n", "a = 2 b"),
+    (r"a = b \quad i, k = 1, 2, \ldots, n", "a = b"),
+    (r"a \cdot 1{,}000{,}000.5 = 0.25 b", r"a \cdot 1000000.5 = 0.25 b"),
+    (r"a = b \quad \textcircled{1} \\ ②\ k = g", "a=b, k=g"),
+    (r"a = b \xrightarrow[x]{k = \frac{g}{m}} k = g \leadsto b = m", "a=b, k=g, b=m"),
+    (r"\longrightarrow a = b \quad \longrightarrow \quad k = g \quad \longrightarrow", "a=b, k=g"),
+    (r"a = b \quad e \quad k = g \qquad \text{dove} \quad m = x \text{ e } v = a", "a=b, k=g, m=x, v=a"),
+    (r"\sum F_x = 0: \quad a - b = 0", r"\sum F_x = 0, a - b = 0"),
+    (r"a = \cos^{\frac{3}{2}}(x)", r"a = (\cos x)^{3/2}"),
+    (r"a = b, i = 1,2,\dots,2 n \Leftrightarrow k = g", "a=b, k=g"),
+    (r"a = b \quad \text{pour } x > k", r"a = b \quad \text{for } x > k"),
 ]  # fmt: skip
 
 
@@ -116,6 +127,10 @@ REFUSED = [
     (r"x = \foo", "newcommand"),
     (r"x \to \infty", "no value"),
     (r"\oint a dx = 0", "one integral"),
+    (r"a = b + ^2 v", "a number or symbol is expected"),
+    (r"a = 1{,}250 k + 1.25", "decimal mark, or does it group"),
+    (r"a = 1{,}250 k + 12.000 g", "decimal mark, or does it group"),
+    (r"a = b \quad \text{für kleine } x", "a condition"),
 ]
 
 
@@ -138,12 +153,16 @@ FORMAL = {  # read whole, without a value
     r"\boldsymbol{\nabla} \cdot \vec F = -\nabla U": "∇ · F⃗ = −∇U",
     r"\int_C \vec F\cdot d\vec r = 0": "integral(F⃗ · differential(r⃗), C) = 0",
     r"\frac{dU}{dx}\bigg|_{x=a}(x-a) = \left.f\right|_0^1": "dU/dx|_(x = a)(x − a) = between(f, 0, 1)",
-    r"{}^N\bar{v}^P = \langle a, b\rangle + \langle v^2\rangle": "v̄_N^P = list(a, b) + mean(v²)",
+    r"{}^N\bar{v}^P = \langle a, b\rangle + \langle v^2\rangle": "v̄_(N,P) = list(a, b) + mean(v²)",
     r"\ddot x \approx -x \quad \text{for small } x": "ẍ ≈ −x\n  condition(for small x)",
     r"= a + n!": "continued = a + factorial(n)",
     r"\lim_{\Delta t\to 0} \frac{\Delta p}{\Delta t} = F": "limit(Δp/(Δt), Δt → 0) = F",
     r"c = \tr(U)^2 - \tr(U^2)": "c = (tr(U))² − tr(U²)",
     r"x \propto U(x)": "∝(x, U)",
+    r"a = b = ": "a = b = unfinished",
+    r"a = b \quad \text{ruotato di } x \text{ nel piano}": "a = b\n  condition(ruotato di x nel piano)",
+    r"a = b \quad \text{per piccoli } x": "a = b\n  condition(per piccoli x)",
+    r"a = \sum_{i\in A} m_i + f_{j\ne k}": "a = sum(mᵢ, ∈(i, A)) + fⱼₙₑₖ",
     r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s²)",
     r"L = \SI{-8.3e-5}{m}": "L = measured(−0.000083, m)",
     r"T = F h(\hat y) + \overline{v^2}": "T = Fh + accented(bar, v²)",
@@ -176,6 +195,13 @@ def test_what_has_no_value_is_read_whole_and_said_where_a_value_is_wanted(latex)
 def test_what_is_upright_or_primed_is_no_product():
     (tree,) = latex_ways(r"v = a^{\prime 2} + 3{\rm\ m/s}", ANY, whole=True).trees
     assert to_text(tree) == "v = a′² + 3 m/s"
+
+
+@pytest.mark.parametrize(("latex", "told"), [
+    (r"^N\bar{v}^{G/O} = a + ^N\bar\omega^C", "v̄_(N,GperO) = a + ω̄_(N,C)"), (r"F^{_{ext}}_{AB} = a", "F_extAB = a"),
+])  # fmt: skip
+def test_marks_before_and_behind_a_name_are_no_powers(latex, told):
+    assert to_text(latex_ways(latex, ANY).trees[0]) == told
 
 
 @pytest.mark.parametrize(("latex", "told"), [

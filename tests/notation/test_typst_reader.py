@@ -9,7 +9,7 @@ from rbpsym.notation.typst_reader import typst_to_latex
 
 NAMES = {
     r"\omega": "omega", r"\theta": "theta", r"\ell": "ell", "g": "g", "m": "m", r"v_{\text{cm}}": "v_cm", "f": "f", "x": "x",
-    r"\dot x": "v", r"\ddot\theta": "a",
+    r"\dot x": "v", r"\theta_1": "theta_1", r"\ddot\theta": "a",
 }  # fmt: skip
 ROWS = [
     ("omega^2 = (3 g)/(2 ell) (sin theta - sin x)", r"\omega^2 = \frac{3g}{2\ell}(\sin\theta - \sin x)"),
@@ -25,6 +25,7 @@ PACKAGES = [  # what physica adds, and what only forms the page
     ("diaer(theta) = dv(,t) (omega)", r"\ddot\theta = \frac{d}{dt}(\omega)"),
     ("integral_0^x m dd(x) = difference(x)", r"\int_0^x m\,dx = \Delta x"),
     ("m = underbrace(x + g, \"known\") #h(2em) (3.1)", r"m = x + g"),
+    ("m = integral_0^theta_1 f dif x + theta_1^2", r"m = \int_0^{\theta_1} f dx + \theta_1^2"),
     ("x = g ==> m = g", r"x = g \Rightarrow m = g"),
     ("mat(delim: \"[\", x, m; g, f) = x", r"\begin{bmatrix} x & m \\ g & f \end{bmatrix} = x"),
 ]
