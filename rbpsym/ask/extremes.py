@@ -12,6 +12,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import neat
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.events import Way
 
 ENDS = ("at the lower end", "at the upper end")
 
@@ -33,8 +34,9 @@ class Extreme(Frozen):
     crossing: Crossing | None = None
 
 
-def extreme(value: Scalar, name: str, given: Assumptions, sense: int) -> Extreme | None:
-    """The greatest value (`sense` 1) or the least one (-1) on the range; None if it is not decided.
+def extreme(value: Scalar, name: str, given: Assumptions, sense: int, way: Way | None = None) -> Extreme | None:
+    """The greatest value (`sense` 1) or the least one (-1) on the range; None if it is not decided. Of several places that
+    have it, that to which a way comes first.
 
     Ends of the range are looked at as limits; whether they belong to it is for the caller to say.
     """
@@ -44,7 +46,9 @@ def extreme(value: Scalar, name: str, given: Assumptions, sense: int) -> Extreme
     given = where_met(given, found[0].asked) if found else given
     without = next((item for item in found if item.value is None), None)
     best = [item for item in found if all(_is_beyond(item, other, given, sense) for other in found)]
-    return without or (best[0] if best else None)
+    ahead = [item for item in best if way and item.place is not None and settled_sign(way.ahead(item.place), given) in (0, 1)]
+    first = (one for one in ahead if all(settled_sign((o.place - one.place) * way.sense, given) in (0, 1) for o in ahead))
+    return without or next(first, best[0] if best else None)
 
 
 def _is_beyond(item: Extreme, other: Extreme, given: Assumptions, sense: int) -> bool:

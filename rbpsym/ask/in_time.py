@@ -62,11 +62,27 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     formula gives it."""
     study = asked.study(place)
     name = subject.removesuffix("_dot")
+    found = courses_of(study, manner)
+    time, asked_for = first_time(study, subject, value, found)
+    made = at_time(asked, place, substitute(time, _letters(found)), manner, is_solved=True)
+    at = {*found, *(f"{n}_dot" for n in found)}
+    is_given = name not in (subject, *study.system.unknowns) and not names_in(value) & at
+    there = {**made.state.speeds, **({name: value} if is_given else {})}  # by its own meaning, not by a long formula
+    return replace(made, state=replace(made.state, speeds=there, valid=asked_for), watched=(subject, value, time))
+
+
+def _letters(found: Mapping[str, Course]) -> dict[str, Scalar]:
+    return {letter: value for one in found.values() for letter, value in one.letters.items()}
+
+
+def first_time(study: Study, subject: str, value: Scalar, found: Mapping[str, Course]) -> tuple[Scalar, tuple[Demand, ...]]:
+    """When, in the letters of the courses, a coordinate, a speed or an unknown force first has a value, and where it does.
+    Raises NotApplicable where no formula gives it, StatementError where it never does."""
+    name = subject.removesuffix("_dot")
     is_force = subject in study.system.unknowns
     moving = study.on_motion(symbol(subject)) if is_force else of_coordinate(study, name)[subject != name]
-    found = courses_of(study, manner)
     at = {n: one.place for n, one in found.items()} | {f"{n}_dot": derivative(one.place, "t") for n, one in found.items()}
-    letters = {letter: value for one in found.values() for letter, value in one.letters.items()}
+    letters = _letters(found)
     gap = short(substitute(moving - substitute(value, study.system.dependent), at))
     known = solutions.Given(Form(NOTHING), NOTHING, NOTHING, study, "")  # signs are all that is asked of it
     # the end of a declared range may be where the motion is to come
@@ -79,10 +95,7 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     asked_for = settle((*_valid(found, substitute(time, letters)), *valid), study.assumptions)
     if asked_for is None:
         raise StatementError(f"“{subject}” does not come to this value in this motion")
-    made = at_time(asked, place, substitute(time, letters), manner, is_solved=True)
-    is_given = subject != name and not is_force and not names_in(value) & {*at}
-    there = {**made.state.speeds, **({name: value} if is_given else {})}  # by its own meaning, not by a long formula
-    return replace(made, state=replace(made.state, speeds=there, valid=asked_for), watched=(subject, value, time))
+    return time, asked_for
 
 
 def time_of_swing(asked: Asked, moment: Moment) -> tuple[Scalar, str] | None:
@@ -104,5 +117,4 @@ def write(draft: Draft, moment: Moment) -> tuple[str, ...]:
     told = tuple(course.told(draft, name, one, laws.get(name) or "", moment.courses) for name, one in moment.courses.items())
     if moment.watched is None:
         return told
-    letters = {letter: value for one in moment.courses.values() for letter, value in one.letters.items()}
-    return (*told, course.reached(draft, *moment.watched, moment.state, letters))
+    return (*told, course.reached(draft, *moment.watched, moment.state, _letters(moment.courses)))

@@ -174,7 +174,14 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
         return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places)))
     state = moment.state
     way = partial(_on_way, study, None, state.time, moment.courses)
-    return _decided(lambda: (*slipping(study, state), *never_lost(study, state), *way()))
+    return _decided(lambda: (*slipping(study, state), *never_lost(study, state, moment.courses), *way()))
+
+
+def _pushing(study: Study, places: Mapping[str, Scalar] | None) -> Iterator[Demand]:
+    """The forces that vanish under conditions only: that they push at a place does not say that they did on the way to it."""
+    for loss in study.losses:
+        if places and loss.coordinate in places and (loss.valid or not loss.at):
+            yield Demand(study.reactions_along_motion[loss.force], ">=")
 
 
 def _goes_on(study: Study, name: str, value: Scalar) -> bool:
@@ -188,10 +195,29 @@ def _goes_on(study: Study, name: str, value: Scalar) -> bool:
     return is_uniform and sign(first * value, study.assumptions).is_nonnegative
 
 
-def never_lost(study: Study, state: State) -> Iterator[Demand]:
-    """No contact is lost on the whole motion where that depends on one condition; else its force still pushes in a state."""
+def never_lost(study: Study, state: State, courses: Mapping[str, Course]) -> Iterator[Demand]:
+    """No contact is lost on the whole motion where that depends on one condition; else not up to the time of a state, as far as
+    `courses` tell that: before it comes to the place, or as long as its force pushes."""
+    from rbpsym.ask.in_time import first_time
+
     for loss, (_, here) in zip(study.losses, contacts_last(study, state.places), strict=True):
-        yield Demand(-loss.valid[0].value, OPPOSITE[loss.valid[0].op]) if len(loss.valid) == 1 else here
+        name = loss.coordinate
+        if len(loss.valid) == 1:
+            yield Demand(-loss.valid[0].value, OPPOSITE[loss.valid[0].op])
+        elif name not in courses:
+            yield here
+        elif loss.valid or not loss.at:
+            force = study.reactions_along_motion[loss.force]
+            yield from _least_until(study, Demand(force, ">="), state.time, courses)
+        else:
+            try:
+                time, _ = first_time(study, name, loss.at[name], courses)
+            except NotApplicable as error:
+                raise Undecided(error.what) from None
+            left = Demand(substitute(time, courses[name].letters) - state.time, ">=")
+            if settle([left], study.assumptions) is None:
+                raise StatementError(f"“{loss.force}” vanishes before, and with it the motion that is stated ends")
+            yield left
 
 
 OPPOSITE = {">": ">=", ">=": ">"}
@@ -220,7 +246,7 @@ def _on_way(
             if settle(found, study.assumptions) is None:
                 raise StatementError("a string runs out, or a spring turns over, before: the motion that is stated ends there")
             yield from found
-    for demand in held(study):
+    for demand in (*held(study), *_pushing(study, places)):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
         if len(names) > 1 or any(name not in study.squares and _driven(study, name, places) is None for name in names):
             if time is None:
@@ -282,11 +308,8 @@ def _least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scal
     world, given = Scene(study), study.assumptions
     try:
         driven = None if name in study.squares else _driven(study, name, places)
-        if driven is None and places is None:
-            ways = to_and_fro(world, name, given)
-        else:
-            ways = [driven or way_to(world, name, places[name], given)]
-        found = [] if places is None else [Demand(way.ahead(places[name])) for way, _ in ways]
+        ways = [driven or way_to(world, name, places[name], given)] if driven or places else to_and_fro(world, name, given)
+        found = [Demand(way.ahead(places[name])) for way, _ in ways if places]
         for way, within in ways:
             found += least_values(world, Wanted((demand.value,), within, name, asked=way.asked))
     except RbpsymError as error:

@@ -23,6 +23,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.roots import period
 
 
@@ -51,8 +52,9 @@ def extremum(
         return Finding(undecided("whether the motion goes on as it is stated through a whole period is not decided"))
     closed = name in (*world.coordinates, "t") or low is not None
     found = []
-    for _, range_ in ways:
-        parts = [of_extreme(one, name, range_, sense, phrase, closed=closed, by_place=by_place) for one in (value, *back)]
+    for _, range_, way in ways:
+        both = (value, *back)
+        parts = [of_extreme(one, name, range_, sense, phrase, closed=closed, by_place=by_place, way=way) for one in both]
         found.append(_lasting(world, name, _best(parts, sense, range_, by_place=by_place)))
     if is_turned:
         says = f"“{phrase}” is negative: its magnitude is meant"
@@ -62,9 +64,9 @@ def extremum(
     if any(len(one.values) != 1 for one in found) and len(found) > 1:
         return Finding(undecided("it depends on the sense in which the motion sets out"))
     if any(not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
-        values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, _ in ways)
+        values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, *_ in ways)
         return replace(found[0], **together(*found), values=values, asked=asked, place=None)
-    common = [demand for demand in ways[0][0] if all(demand in asked for asked, _ in ways)]
+    common = [demand for demand in ways[0][0] if all(demand in asked for asked, *_ in ways)]
     asked = (*common, *inner.valid)
     valid = settle((*found[0].valid, *asked), world.motion.assumptions) if asked else None
     if phrase.endswith(f" as a function of {name}") and not fits(world, valid or found[0].valid):
@@ -136,30 +138,30 @@ def _turns(name: str, value: Scalar) -> bool:
     return name == "t" and period(value, "t") is not None
 
 
-Ways = list[tuple[tuple[Demand, ...], Assumptions]]
+Ways = list[tuple[tuple[Demand, ...], Assumptions, Way | None]]
 
 
 def _ways(
     world: Scene, name: str, value: Scalar, given: Assumptions, between: tuple[str | None, str | None], *, is_over: bool
 ) -> Ways | None:
-    """The ranges in which it is looked for, each with what it asks for; None where what that is is not decided."""
+    """The ranges in which it is looked for, each with what it asks for and the way through it; None where that is not decided."""
     low, high = between
     if low is not None:
         ends = place_in(world, name, low), place_in(world, name, high)
         if not precedes(*ends, given):
             raise StatementError(f"“{low}” is not surely less than “{high}”", instead="write the lower end first.")
-        return [((), given.with_range(name, *ends))]
+        return [((), given.with_range(name, *ends), None)]
     if name in world.motion.squares and name in world.motion.scope.start:
         whole = whole_ways(world, name, given)
-        return [(way.asked, one_period(value, range_, name, way.start, way.sense)) for way, range_ in whole]
+        return [(way.asked, one_period(value, range_, name, way.start, way.sense), way) for way, range_ in whole]
     if name == "t":
         within = one_period(value, given)
         asked = _all_along(world, within) if _turns(name, value) else ()
-        return None if None in asked else [(asked, within)]
+        return None if None in asked else [(asked, within, None)]
     if not is_over and name in world.coordinates:
         what = f"how far {name} goes in this motion is not known as a function of the position"
         raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
-    return [((), given)]
+    return [((), given, None)]
 
 
 def _all_along(world: Scene, given: Assumptions) -> tuple[Demand | None, ...]:
@@ -230,10 +232,10 @@ BEYOND = "where it would be, the motion is not the one that is stated"
 
 
 def of_extreme(
-    value: Scalar, name: str, given: Assumptions, sense: int, phrase: str, *, closed: bool, by_place: bool
+    value: Scalar, name: str, given: Assumptions, sense: int, phrase: str, *, closed: bool, by_place: bool, way: Way | None = None
 ) -> Finding:
     """The greatest (least) value on a range, or where it lies; `closed`: its ends belong to it."""
-    found = extreme(value, name, given, sense)
+    found = extreme(value, name, given, sense, way)
     word = "largest" if sense > 0 else "least"
     if found is None:
         return Finding(undecided("the signs of the slope on the range are not decided"), name if by_place else "")

@@ -168,7 +168,8 @@ def setting_of(system: System, where) -> Setting:
     """What the laws of force may look at."""
     numbers = sample(system.problem)
     numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
-    names = [*system.coordinates, *(f"{n}_dot" for n in system.coordinates), "t"]
+    every = (*system.coordinates, *system.dependent)
+    names = [*every, *(f"{n}_dot" for n in every), "t"]
 
     def is_positive(value: Scalar) -> bool | None:
         found = number(value, numbers)

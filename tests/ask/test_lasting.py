@@ -130,6 +130,69 @@ ASKED = [
 ]  # fmt: skip
 
 
+BOB = """
+title = "Bob on a string, struck where it hangs"
+[parameters]
+m = "mass: bob"
+R = "length: string"
+v_0 = "speed: at first"
+g = "acceleration: gravity"
+[coordinates.theta]
+start = "0"
+speed = "v_0/R"
+[bodies.bob]
+shape = "particle"
+mass = "m"
+center = ["R*sin(theta)", "-R*cos(theta)"]
+[interactions.W]
+type = "gravity"
+[constraints.S]
+type = "string"
+path = ["O", "bob.center"]
+"""
+ASKED += [(BOB, question, "v_0**2 - 5*g*R >= 0") for question in (
+    "S where theta = 7*pi/6", "speed of bob.center where theta = 5*pi/2", "speed of theta where theta = 2*pi",
+)]  # fmt: skip
+WALL = """
+title = "A spring that is pressed against a wall"
+[parameters]
+m = "mass: block"
+M = "mass: plate at the wall"
+k = "stiffness: spring"
+l = "length: natural length"
+d = "length < l: compression"
+[coordinates.x]
+dimension = "length"
+start = "l - d"
+[bodies.plate]
+shape = "particle"
+mass = "M"
+center = ["0", "0"]
+[bodies.block]
+shape = "particle"
+mass = "m"
+center = ["x", "0"]
+[interactions.S]
+type = "spring"
+between = ["plate.center", "block.center"]
+stiffness = "k"
+natural_length = "l"
+[constraints.G]
+type = "guide"
+point = "block.center"
+line = "y = 0"
+[constraints.H]
+type = "guide"
+point = "plate.center"
+line = "y = 0"
+[constraints.N]
+type = "contact"
+point = "plate.center"
+line = "x = 0"
+side = "positive"
+"""
+
+
 def conditions(text: str, question: str):
     [found] = ask(load_text(text), question)
     return found, [to_machine(node) for node in found.valid]
@@ -150,6 +213,18 @@ def test_what_is_not_decided_on_the_way_is_not_proved_and_leaves_no_free_coordin
 def test_a_declared_range_is_a_condition_of_a_motion_in_time() -> None:
     _, said = conditions(TUBE, "r as a function of t")
     assert any("L" in one and "exp" in one for one in said)
+
+
+def test_after_a_contact_is_lost_no_formula_of_the_time_is_told() -> None:
+    _, said = conditions(WALL, "x as a function of t")
+    assert any(_is_said("pi*sqrt(m*k) - 2*k*t >= 0", one) for one in said)
+    with pytest.raises(StatementError, match="“N” vanishes before"):
+        conditions(WALL, "x where t = 2*pi*sqrt(m/k)")
+
+
+def test_of_several_places_that_is_told_to_which_the_motion_comes_first() -> None:
+    [found] = ask(load_text(BOB), "where is S least")
+    assert equal(read_infix(found.text, ["v_0", "g", "R"]), read_infix("acos(1 - v_0**2/(2*g*R))", ["v_0", "g", "R"])).is_proved
 
 
 GRIPS = "mu*(1 + c)*cos(beta) - c*sin(beta) >= 0"
