@@ -21,7 +21,7 @@ from rbpsym.algebra.normal import (
     tidy,
 )
 from rbpsym.algebra.poly import ONE, UNIT, ZERO, Coefficient, Monomial, Poly, accumulate, generator, inverse, times
-from rbpsym.algebra.present import atom_node, present_ratio
+from rbpsym.algebra.present import atom_node
 from rbpsym.algebra.ring import factors
 from rbpsym.algebra.roots import simplified_root, with_image, with_root_taken_out, without_even_roots, without_roots_below
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, generator_of, lift, name_of, quotient, show, symbol, total

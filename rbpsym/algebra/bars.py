@@ -29,13 +29,6 @@ def fraction(above: list[t.Node], below: list[t.Node], sums: list[Piece], lower:
     return t.mul(whole, *sums_before_functions([*functions, *outside]))
 
 
-def ratio(above: list[t.Node], sums: list[Piece], lower: list[t.Node], functions: list[t.Node]) -> t.Node:
-    """g ℓ (m/2 + M)/(m ℓ²/3 + M ℓ²): what is no sum stands before a ratio of sums."""
-    inside = [node for node, moving in sums if not moving]
-    outside = [node for node, moving in sums if moving]
-    return t.mul(*above, t.div(t.mul(*inside), t.mul(*lower)), *sums_before_functions([*functions, *outside]))
-
-
 def over(head: t.Div, sums: list[Piece], behind: list[t.Node]) -> t.Node:
     """A fraction that has a parameter below it, times sums and what moves.
 

@@ -18,7 +18,6 @@ from rbpsym.algebra.bars import (
     is_half,
     is_over_parameter,
     over,
-    ratio,
     sums_before_functions,
     with_joined_angles,
     without_shared,
@@ -63,14 +62,13 @@ def _presented(value: Scalar, style: Style, factor: bool) -> t.Node:
     value = with_numbers_inside(value)
     if value.den is ONE:
         return present_poly(with_joined_angles(value.num), style, factor)
-    return present_ratio(value.num, value.den, replace(style, whole=True), factor=factor)
+    return _ratio(value.num, value.den, replace(style, whole=True), factor)
 
 
-def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = False, as_ratio: bool = False) -> t.Node:
-    """num/den with the functions that divide out kept behind the fraction.
+def _ratio(num: Poly, den: Poly, style: Style, factor: bool) -> t.Node:
+    """num/den with the functions that divide out kept behind the fraction, and no fractions in the sums below it.
 
-    What stands before the sums above and below is cancelled, the sums are kept as they are. With
-    `as_ratio`, what is no sum stands before the fraction: g ℓ (m/2 + M)/(...), as a number times a ratio.
+    What stands before the sums above and below is cancelled, the sums are kept as they are.
     """
     if den.is_monomial():
         return present(Scalar(num) / Scalar(den), style, factor=factor)
@@ -79,50 +77,29 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
         num, den = -num, -den
     if below := divisors(den):
         num, den = num.scaled(1, below), den.scaled(1, below)
-    a, low, den = _without_fractions(*taken_out(den, style, fenced=True), style)
+    a, low, den = taken_out(den, style, fenced=True)
+    content = den.content()[0]
+    a, den = a * content, den.scaled(Fraction(1) / content)
     b, high, num = taken_out(num, style, fenced=True)
-    if is_inertia(den, style) and not style.whole and (Fraction(b) / a).denominator != 1 and not low:
-        more, low, den = taken_out(den, replace(style, whole=True), fenced=True)  # no number before moments
-        a = a * more
     same = ratio_to(num.terms, den) if num.terms.keys() == den.terms.keys() else None
     if same is not None:
         b, num, den = b * same, ONE, ONE
-    more, lower = (1, []) if den == ONE else _below(den, style, factor)
+    more, lower = (1, []) if den == ONE else _groups(den, style, factor)
     further, upper = (1, []) if num == ONE else _groups(num, style, factor)
     upper, lower = without_shared(upper, lower)
     coefficient, upper = turned(Fraction(b) * further / (a * more), upper, style)
     coefficient, lower = turned_below(coefficient, lower, style)
-    node = _quotient(size_of(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style, as_ratio)
+    node = _quotient(size_of(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style)
     return t.neg(node) if coefficient < 0 else node
 
 
-def _below(den: Poly, style: Style, factor: bool) -> Pieces:
-    """The factors of a denominator; moments of inertia are seen one by one, with no number before them."""
-    if is_inertia(den, style) and not style.whole:
-        return 1, [(_sum(den, style), False)]
-    return _groups(den, style, factor)
-
-
-def _without_fractions(number: Coefficient, common: Monomial, den: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
-    """Below a bar, a sum has no fractions of its own; masses and moments that add up may."""
-    masses = all(c > 0 and len(m) == 1 for m, c in den.terms.items())
-    if masses or is_inertia(den, style):
-        return number, common, den
-    content = den.content()[0]
-    return number * content, common, den.scaled(Fraction(1) / content)
-
-
-def _quotient(
-    size: Coefficient, common: Monomial, upper: list[Piece], lower: list[t.Node], style: Style, as_ratio: bool
-) -> t.Node:
+def _quotient(size: Coefficient, common: Monomial, upper: list[Piece], lower: list[t.Node], style: Style) -> t.Node:
     """size × common × sums over sums."""
     before, behind = split(common, style)
     behind, tangents = _tangents(behind, style)
     functions = [*_powers(behind, style), *tangents]
     above = [*_number(size.numerator), *_powers(before, style)]
     below = [*_number(size.denominator), *_powers(tuple((i, -e) for i, e in (*before, *behind) if e < 0), style)]
-    if as_ratio and not below and size == 1 and any(not moving for _, moving in upper):
-        return ratio(above, upper, lower, functions)
     return fraction(above, below, upper, lower, functions)
 
 

@@ -106,6 +106,9 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int], *, 
             one = (power > 0) - (power < 0) if power % 2 else 0
             before[factor] += power - one
             sizes = sizes * generator_of("root", Scalar(factor) ** 2) ** one
+    if min(within.values(), default=0) < 0 and max(before.values(), default=0) <= 0:  # one bar, not one below the other
+        low = [factor for factor, power in before.items() if power < 0 and sense(Scalar(factor)) == 1]
+        within |= {factor: within.get(factor, 0) + 2 * before.pop(factor) for factor in low}
     inner = _whole(1 if size > 0 else -1, within)
     inner = tidied(inner, sense) if inner != radicand and inner.den is not ONE else inner
     whole = _whole(number, before) * sizes * root(lift(abs(size)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
 from rbpsym.algebra import granted
@@ -21,6 +21,7 @@ from rbpsym.ask.special import special_problem
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
+from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
 
@@ -41,14 +42,33 @@ class Refused(Frozen):
 def own_answers(study: Study) -> Iterator[Answer | Refused]:
     """What the problem of a study asks itself, each with its answer or with the sentence why there is none."""
     asked, questions = Asked(study.problem, study), study.problem.questions
-    for place, text in enumerate(questions, 1):
-        letter = LETTER if len(questions) == 1 else f"{LETTER}_{place}"
+    stems = [_stem(text, study) for text in questions]
+    for place, (text, stem) in enumerate(zip(questions, stems, strict=True)):
+        letter = stem if stems.count(stem) == 1 else f"{stem}_{stems[: place + 1].count(stem)}"
         try:
             if (text, letter) not in study.answered:
                 study.answered[text, letter] = answered(asked, text, letter)
             yield study.answered[text, letter]
         except RbpsymError as error:
             yield Refused(text, error.what)
+
+
+# what a book calls a quantity of this name: along a line, of an angle
+STEMS: Mapping[str, tuple[str, str]] = {
+    "period": ("T", "T"), "frequency": ("Omega", "Omega"), "moment of inertia": ("I", "I"),
+    "speed": ("v", "omega"), "velocity": ("v", "omega"), "acceleration": ("a", "alpha"),
+    "angular velocity": ("omega", "omega"), "angular acceleration": ("alpha", "alpha"),
+}  # fmt: skip
+ASKED = re.compile(rf"(?:the )?(?:(?:lowest|highest|damped) )?({'|'.join(STEMS)})\b(?: of (\w+)\b)?")
+
+
+def _stem(text: str, study: Study) -> str:
+    """The letter of a question's answer: the usual one of its quantity, if the problem has no other use for it."""
+    if not (said := ASKED.match(text)):
+        return LETTER
+    turns = any(said[2] == c.name and c.quantity.dimension == NUMBER for c in study.problem.coordinates)
+    wanted = STEMS[said[1]][turns]
+    return wanted if study.letters.free(wanted) == wanted else LETTER
 
 
 def found_in(study: Study, text: str) -> Found | Finding:

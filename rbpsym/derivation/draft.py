@@ -238,14 +238,6 @@ def length(node: t.Node) -> int:
     return sum(1 for _ in t.walk(node))
 
 
-def with_shorter(draft: Draft, raw: t.Node, value: Scalar) -> list[t.Node]:
-    """The form, and the one that all cancelling leads to if it is much shorter or a quantity drops out."""
-    shown = draft.show(value, factor=True)
-    cancels = t.names(shown) < t.names(raw)
-    return [raw, shown] if cancels or length(shown) <= MUCH_SHORTER * length(raw) else [raw]
-
-
-
 def acceleration_symbol(name: str) -> t.Sym:
     """The acceleration of a coordinate as a tree."""
     return t.Sym(f"{name}_ddot")

@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from importlib.util import find_spec
 
-from rbpsym.ask.answer import Answer
-from rbpsym.ask.asking import Refused, own_answers
+from rbpsym.ask.asking import own_answers
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, in_page_order, repeated
 from rbpsym.document.language import common_notation, problem_notation
@@ -16,12 +15,12 @@ from rbpsym.document.needless import is_still, needless, owed_by
 from rbpsym.document.notes_checks import Told, checks_section, course_checks_section, results_section, with_remarks
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
-from rbpsym.document.notes_phases import CHAPTERS, GOES_ON, is_asked_about, new_steps, phase_results, phase_sections
+from rbpsym.document.notes_phases import CHAPTERS, new_steps, phase_results, phase_sections
 from rbpsym.document.notes_question import answer_section, asked, boxes_of_answers, in_known_forms, question_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
 from rbpsym.document.places import locator
-from rbpsym.document.used import retold, used
+from rbpsym.document.used import reaches_beyond, retold, used
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.course import CoursePart
@@ -122,7 +121,7 @@ def problem_sections(
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
     said = replace(said, is_brief=is_brief, is_posed=True, level=DETAILS[detail])
     answers = tuple(in_known_forms(own_answers(derivation.study), derivation.all_steps))
-    speaker = phase_words(derivation, detail, language, answers)
+    speaker = phase_words(derivation, detail, language)
     later = list(phase_results(derivation, said, speaker))
     drawn = _curves(derivation, said, level, [(said, derivation.steps), *later]) if plots and not is_still(derivation) else None
     answered, stated = answer_section(answers, ((said, derivation.steps), *later), said, level)
@@ -153,10 +152,10 @@ def _curves(derivation: Derivation, said: Words, level: int, told: Iterable[Told
 
 
 def phase_words(
-    derivation: Derivation, detail: str, language: str, answers: Iterable[Answer | Refused] = ()
+    derivation: Derivation, detail: str, language: str
 ) -> Callable[[Derivation, str], Words]:
     """How notes speak of the later phases of a derivation: of what is new in each."""
-    chapters = CHAPTERS if detail == "full" or is_asked_about(derivation, answers) else GOES_ON
+    chapters = CHAPTERS if detail == "full" or reaches_beyond(derivation) else ("inertia",)
     told = shown_steps(derivation, detail)
 
     def speaker(phase: Derivation, prefix: str) -> Words:

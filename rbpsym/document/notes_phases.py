@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from itertools import chain, groupby
 
-from rbpsym.ask.answer import Answer
-from rbpsym.ask.asking import Refused
 from rbpsym.derivation.chapters.endings import begun
 from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
-from rbpsym.document.chapters import chapter_sections, manner_of_solution
+from rbpsym.document.chapters import chapter_blocks, chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.needless import owed_by
 from rbpsym.document.telling import Teller
+from rbpsym.document.used import used_to_begin
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Phase
 
 # of a later phase: what is new in it
-CHAPTERS = ("kinematics", "instant", "motion", "energy", "contact", "oscillations", "course")
+CHAPTERS = ("kinematics", "inertia", "instant", "motion", "energy", "contact", "oscillations", "course")
 NEW: Mapping[str, Collection[str]] = {
     "kinematics": ("constraint", "no_slip", "taut", "tied"),
+    "inertia": (),
     "energy": ("conservation", "first_integral"),
 }
-GOES_ON = CHAPTERS[:3]  # where no question reaches beyond its beginning: how it goes on is told, and no more
 LASTING = ("conservation", "substitution", "linearization")  # left out one by one where they say the same as before
 Speaker = Callable[[Derivation, str], Words]
 
@@ -36,11 +35,13 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
     """
     told = zip(derivation.phases, derivation.study.problem.phases, phase_words(derivation, said, speaker), strict=False)
     for number, (phase, stated, (first, own)) in enumerate(told, 2):
-        begins = (*_event(stated, first), *_begins(phase, first), *_motion_again(phase.derivation, own), *_clock(phase, own))
+        inertia = chapter_blocks("inertia", phase.derivation, own)
+        own = replace(own, shown=own.shown.difference(step.id for step in phase.derivation.chapter("inertia")))
+        begins = (*_event(stated, first), *_begins(phase, first, inertia), *_motion_again(phase.derivation, own))
         title = said.say("phases.title", number=number, name=said.named(phase.name))
         below = tuple(chapter_sections(phase.derivation, own, level + 1))
         told = () if own.is_full else chain.from_iterable(section.blocks for section in below)
-        yield Section(title, (*begins, *told), first.prefix + "section", level)
+        yield Section(title, (*begins, *_clock(phase, own), *told), first.prefix + "section", level)
         yield from below if own.is_full else ()
 
 
@@ -52,7 +53,7 @@ def phase_words(derivation: Derivation, said: Words, speaker: Speaker) -> Iterat
         own = replace(speaker(phase.derivation, prefix), locate=said.locate)  # ends are called as the figure shows them
         own = without_repetition(phase.derivation, own, before)
         before.append((phase.derivation, own))
-        yield begin_words(phase, said, prefix), own
+        yield begin_words(phase, derivation, said, prefix), own
 
 
 def without_repetition(derivation: Derivation, own: Words, before: list[tuple[Derivation, Words]]) -> Words:
@@ -93,9 +94,10 @@ def _clock(phase: DerivedPhase, own: Words) -> Iterator[Block]:
         yield Paragraph(own.say("phases.clock", time=t.Sym("t")))
 
 
-def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:
+def begin_words(phase: DerivedPhase, whole: Derivation, said: Words, prefix: str) -> Words:
     """How the steps by which a phase begins are spoken of."""
     shown = frozenset(step.id for step in phase.begins if step.level <= max(said.level, STANDARD))
+    shown = shown if said.is_full else shown & used_to_begin(phase, whole)
     return replace(said, prefix=prefix, shown=shown, same={}, owed=owed_by(phase.begins, shown))
 
 
@@ -106,29 +108,25 @@ def phase_results(derivation: Derivation, said: Words, speaker: Speaker) -> Iter
         yield own, phase.derivation.steps
 
 
-def _begins(phase: DerivedPhase, own: Words) -> Iterator[Block]:
-    """From the end of the phase before to the state in which this one begins; what a blow keeps before what it changes."""
+def _begins(phase: DerivedPhase, own: Words, inertia: Iterator[Block]) -> Iterator[Block]:
+    """From the end of the phase before to the state in which this one begins; of a blow the moments of inertia that it asks for,
+    and what it keeps before what it changes."""
     teller, shown = Teller(own), [step for step in phase.begins if step.id in own.shown]
     is_kept = any(step.rule == "jump" for step in shown)
     leads = {"jump": "phases.blow", "impulse": "phases.impulses_then" if is_kept else "phases.impulses"}
     for rule, group in groupby(shown, key=lambda step: step.rule):
         steps = list(group)
         if rule in leads:
+            yield from inertia  # once
             yield Paragraph(own.say(leads[rule], count=len(phase.derivation.study.system.bodies)))
         yield from teller.steps(steps)
-
-
-def is_asked_about(derivation: Derivation, answers: Iterable[Answer | Refused]) -> bool:
-    """May a question reach beyond the beginnings of the later phases of a derivation?"""
-    own = {step.id for phase in derivation.phases for step in phase.derivation.steps}
-    asked = {step.id for found in answers if isinstance(found, Answer) for step in found.steps}
-    return not asked or not own.isdisjoint(asked)
 
 
 def new_steps(phase: Derivation, shown: frozenset[str], told: frozenset[str], chapters: Collection[str]) -> frozenset[str]:
     """The steps of a later phase that are not a repetition of the first one's, of which these were `told`."""
     kept = (step for step in phase.steps if step.id in shown and (step.chapter in chapters or _is_nothing(step)))
-    return frozenset(step.id for step in kept if _is_new(step) or (step.id not in told and chapters == CHAPTERS))
+    again = CHAPTERS if chapters == CHAPTERS else ("inertia",)
+    return frozenset(step.id for step in kept if _is_new(step) or (step.id not in told and step.chapter in again))
 
 
 def _is_new(step: Step) -> bool:

@@ -16,7 +16,7 @@ from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemLis
 from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
 from rbpsym.document.translated import translated
-from rbpsym.document.words import Words, sentences
+from rbpsym.document.words import Words, capital, sentences
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import RELATION_SIGNS
 
@@ -119,7 +119,7 @@ def answer_section(
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
         stated |= {number: mark} if not said.is_brief and (mark := _stated(found, shown)) else {}
         road += () if said.is_brief else _outcome(found, said, () if _states(found) else _box(found), alone=not together)
-        head = [Paragraph((Emph(question(text_of(found), said)),))] if road and len(answers) > 1 else []
+        head = [Paragraph((Emph(capital(question(text_of(found), said))),))] if road else []
         blocks += [*head, *road]
     if together and blocks and not said.is_brief:
         steps = [step for found in answers for step in found.steps]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping
 
 from rbpsym.ask.asking import Refused, own_answers
-from rbpsym.derivation.step import STANDARD, Derivation, Step
+from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step
 from rbpsym.document.needless import is_struck
 from rbpsym.notation import tree as t
 
@@ -29,10 +29,32 @@ def used(derivation: Derivation, whole: Derivation) -> frozenset[str]:
     both = _in_both_parts(derivation)
     ends = [step.id for step in _ends(derivation, both, _asked(whole))]
     ends += [id for phase in derivation.phases[:1] for step in phase.begins for id in step.reasons]
+    steady = () if is_struck(derivation) else filter(solved_zero, derivation.chapter("motion"))
+    ends += [id for step in steady for id in step.reasons]
     found = led_to(derivation.steps, ends)
     own = {step.id for step in derivation.steps}
     done = (s for s in derivation.steps if s.rule == "work_done" and s.id.split(".", 2)[2] in both)
     return found.union(step.id for step in done if found.issuperset(own.intersection(step.reasons)))
+
+
+def used_to_begin(phase: DerivedPhase, whole: Derivation) -> frozenset[str]:
+    """Of the steps by which a phase begins those that are needed: by the last one only what leads to an answer, and the energy
+    that is lost; all where nothing of it is asked, or what comes after."""
+    stated = {each.value for each in whole.study.problem.phases}  # a place that is said to be reached
+    places = [step for step in phase.begins if step.phrase == "phases.state.place"]
+    told = [step.id for step in places if {row.items[-1] for row in t.rows(step.statement)} <= stated]
+    ids = frozenset(step.id for step in phase.begins).difference(told)
+    asked = None if phase is not whole.phases[-1] or reaches_beyond(whole) else _asked(whole)
+    ends = [step.id for step in phase.begins if step.statement in (asked or ())]
+    lost = [step.id for step in phase.begins if step.rule == "energy_jump"]
+    return ids.intersection([*led_to(phase.begins, ends), *lost]) if ends else ids
+
+
+def reaches_beyond(whole: Derivation) -> bool:
+    """May a question reach beyond the beginnings of the later phases?"""
+    own = {step.id for phase in whole.phases for step in phase.derivation.steps}
+    asked = {step.id for found in own_answers(whole.study) if not isinstance(found, Refused) for step in found.steps}
+    return not asked or not own.isdisjoint(asked)
 
 
 def _asked(whole: Derivation) -> frozenset[t.Node] | None:
@@ -50,9 +72,12 @@ def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Nod
     if is_struck(derivation):
         return derivation.chapter("inertia")
     system = derivation.study.system
-    without = "energy" if system.has_clock and not system.independent else ""
+    is_given = not system.independent
+    without = {"energy"} if system.has_clock and is_given else set()
+    if asked is not None and (is_given or all(solved_zero(step) for step in derivation.chapter("motion") if step.is_result)):
+        without |= {"work", "energy"}  # of a motion that is given, or goes on as it is, nothing but what is asked
     again = retold(derivation)
-    found = (step for step in derivation.steps if step.chapter != without and step.id not in again)
+    found = (step for step in derivation.steps if step.chapter not in without and step.id not in again)
     told = ("forces", "work" if both else "") if len(system.bodies) == 1 else ()  # of one body every force, and what it does
     return [s for s in found if _is_end(s, both, asked) or (s.chapter in told and s.rule in LEDGER)]
 
@@ -65,7 +90,7 @@ def _is_end(step: Step, both: Collection[str], asked: Collection[t.Node] | None)
 
 
 LEDGER = ("torque", "force", "work")
-FORCES = ("newton_euler.reaction", "contact.along", "contact.other_force")  # of an unknown force: what it is
+FORCES = ("newton_euler.reaction", "newton_euler.known", "contact.along", "contact.other_force")  # what an unknown force is
 
 
 # of the works, what the chapter on the energy says once more of the whole
@@ -74,7 +99,8 @@ OF_THE_WHOLE = ("work.together.", "work.alone", "work.theorem.whole", "work.axis
 
 def retold(derivation: Derivation) -> frozenset[str]:
     """Ids of steps that say what others on the page do: the energy of the whole in terms of works, the rate at which it is
-    lost, of several bodies the works of forces that turn none, the balances of a body from which the motion was found."""
+    lost, of several bodies the works of forces that turn none, the balances of a body from which the motion was found, that
+    something does not accelerate of which the balance is zero."""
     ends = {row.items[-1] for step in derivation.chapter("energy") if step.is_result for row in t.rows(step.statement)}
     is_kept = any(step.id == "energy" for step in derivation.steps)
     phrases = (*OF_THE_WHOLE, "work.theorem.") if is_kept else OF_THE_WHOLE
@@ -84,7 +110,13 @@ def retold(derivation: Derivation) -> frozenset[str]:
         turning = {step.id.split(".")[1] for step in works if step.rule == "work" and _turns(step)}
         again += [s.id for s in works if s.rule in ("work", "workless") and s.id.split(".")[1] not in turning]
     again += [s.id for s in derivation.chapter("reactions") if _is_balanced(s, derivation)]
+    again += [s.id for s in derivation.chapter("motion") if solved_zero(s) and len(s.slots["sources"]) == 1]
     return frozenset(again)
+
+
+def solved_zero(step: Step) -> bool:
+    """Does a coordinate not accelerate, as the balance says from which that follows?"""
+    return step.phrase == "torque.solved_zero"
 
 
 def _turns(step: Step) -> bool:

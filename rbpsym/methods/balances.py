@@ -10,9 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from rbpsym.algebra import EX, EY, NOTHING, ONE, Scalar, Vector, depends_on, derivative, is_zero, present_ratio, short, substitute
-from rbpsym.algebra.normal import without_even_roots
-from rbpsym.derivation.draft import Draft, with_shorter
+from rbpsym.algebra import EX, EY, NOTHING, Scalar, Vector, derivative, is_zero, short
 from rbpsym.derivation.step import PhraseRef
 from rbpsym.errors import LimitError
 from rbpsym.frozen import Frozen
@@ -227,36 +225,3 @@ def may_close(chosen: tuple[Balance, ...], size: int, wanted: tuple[str, ...]) -
 def _ordered(chosen: tuple[Balance, ...]) -> list[Balance]:
     """Those with the fewest unknowns first: they can be used at once."""
     return sorted(chosen, key=lambda b: (len(b.unknowns), len(b.bodies), b.cost))
-
-
-def isolated(draft: Draft, left: Scalar, right: Scalar, name: str, *, as_ratio: bool = False) -> t.Node:
-    """The unknown of one linear equation as a quotient that keeps the form of both sides.
-
-    With `as_ratio`, what is no sum stands before it (see `present_ratio`).
-    """
-    coefficient = derivative(left - right, name)
-    rest = substitute(right - left, {name: NOTHING})
-    if is_zero(rest):
-        return draft.show(NOTHING)
-    if coefficient.den is not ONE or rest.den is not ONE or _varies(coefficient, draft):
-        return draft.show(rest / coefficient, factor=True)
-    above, below = without_even_roots(rest.num), without_even_roots(coefficient.num)
-    return present_ratio(above, below, draft.study.style, factor=below.is_monomial(), as_ratio=as_ratio)
-
-
-def isolated_again(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
-    """The unknown of one linear equation, in the form in which it was found before where that has the same sides."""
-    forms = [isolated(draft, left, right, name, as_ratio=as_ratio) for as_ratio in (False, True)]
-    found = [step for step in draft.steps if step.id == f"motion.{name.removesuffix('_ddot')}"]
-    known = [item for step in found if isinstance(step.statement, t.Chain) for item in step.statement.items]
-    return next((form for form in forms if form in known), forms[0])
-
-
-def _varies(coefficient: Scalar, draft: Draft) -> bool:
-    """Whether the inertia depends on position: then common factors are cancelled first."""
-    return any(depends_on(coefficient, name) for name in draft.study.system.coordinates)
-
-
-def solved_for(draft: Draft, name: str, raw: t.Node, value: Scalar) -> t.Chain:
-    """unknown = form that keeps both sides of the equation (= the same with all that cancels taken out)."""
-    return t.equation(t.Sym(name), *with_shorter(draft, raw, value))

@@ -10,7 +10,6 @@ from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import StepRef
 from rbpsym.mechanics import energy
-from rbpsym.methods.balances import isolated_again, solved_for
 from rbpsym.methods.net_work import is_kinetic, net_power, work_symbols
 from rbpsym.notation import tree as t
 
@@ -245,11 +244,10 @@ def _acceleration(draft: Draft, kept: Scalar) -> Mapping[str, Scalar] | None:
     statement = t.equation(t.Deriv(t.Sym(draft.free("E", "tot"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
     draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"), speed=speed)
     value = short(-(rest / slope))
-    shown = isolated_again(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
     draft.add(
         "motion.from_energy",
         "solution",
-        solved_for(draft, f"{name}_ddot", shown, value),
+        t.equation(t.Sym(f"{name}_ddot"), draft.show(value, factor=True)),
         "energy.motion",
         premises=["energy.rate"],
         source=StepRef("energy.rate"),

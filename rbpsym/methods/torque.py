@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra import NOTHING, UNITY, Scalar, Space, at_most, is_zero, positive_first, same, short, symbol
-from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra.calculus import names_in
 from rbpsym.derivation.draft import Draft, acceleration_symbol, length
 from rbpsym.derivation.step import Step, StepRef, bodies_named
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import solve_linear
-from rbpsym.methods.balances import Balance, Plan, isolated, outer_forces, plan, silent_forces, solved_for
+from rbpsym.methods.balances import Balance, Plan, outer_forces, plan, silent_forces
 from rbpsym.methods.body_by_body import along_k, by_bodies
 from rbpsym.notation import tree as t
 
@@ -202,13 +202,12 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
     solution = solve_linear([b.row for b in found.balances], found.unknowns)
     values = {n: solution.values[n] for n in draft.study.system.accelerations}
     for name, value in values.items():
-        source = next((s for s, b in zip(steps, found.balances, strict=True) if b.unknowns == {name}), None)
-        shown, premises = _shown(draft, found, steps, name, value, source)
+        premises = _sources(draft, found, steps, name)
         coordinate = name.removesuffix("_ddot")
         draft.add(
             f"motion.{coordinate}",
             "solution",
-            _as_second_rate(draft, coordinate, solved_for(draft, name, shown, value)),
+            t.equation(t.Sym(name), *_as_second_rate(draft, coordinate), draft.show(value, factor=True)),
             "torque.solved" if value else "torque.solved_zero",
             premises=premises,
             is_result=bool(value) or not any(values.values()),
@@ -220,34 +219,21 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
     return values
 
 
-def _as_second_rate(draft: Draft, coordinate: str, solved: t.Chain) -> t.Chain:
-    """α = d²θ/dt² = ... where the acceleration has a letter of its own, so that one sees the differential equation."""
-    if f"{coordinate}_ddot" not in draft.study.problem.notation:
-        return solved
-    first, *others = solved.items
-    return t.equation(first, t.Deriv(t.Sym(coordinate), "t", 2), *others)
+def _as_second_rate(draft: Draft, coordinate: str) -> tuple[t.Node, ...]:
+    """d²θ/dt² where the acceleration has a letter of its own, so that one sees the differential equation."""
+    has_letter = f"{coordinate}_ddot" in draft.study.problem.notation
+    return (t.Deriv(t.Sym(coordinate), "t", 2),) if has_letter else ()
 
 
-def _shown(
-    draft: Draft, found: Plan, steps: list[Step], name: str, value: Scalar, source: Step | None
-) -> tuple[t.Node, list[str]]:
-    """The isolated form from one equation, with what the others say of its further unknowns if that is zero.
-
-    A net torque stands over the moment of inertia of one body; what follows from equations of several
-    bodies is a ratio of sums.
-    """
-    if source is not None:
-        balance = found.balances[steps.index(source)]
-        added = _is_of_parts(draft, balance)
-        return isolated(draft, balance.left, balance.right, name, as_ratio=added), [source.id]
-    zeros = {n: NOTHING for n in draft.study.system.accelerations if n != name and _vanishes(draft, n)}
-    for balance in found.balances:
-        if balance.unknowns - set(zeros) == {name}:
-            left, right = substitute(balance.left, zeros), substitute(balance.right, zeros)
-            own = steps[found.balances.index(balance)]
-            used = [s for s, b in zip(steps, found.balances, strict=True) if s is own or b.unknowns <= set(zeros)]
-            return isolated(draft, left, right, name, as_ratio=_is_of_parts(draft, balance)), [s.id for s in used]
-    return draft.show(value), [s.id for s in steps]
+def _sources(draft: Draft, found: Plan, steps: list[Step], name: str) -> list[str]:
+    """The one equation that holds no other unknown, with those that say of its others that they are zero; else all."""
+    zeros = {n for n in draft.study.system.accelerations if n != name and _vanishes(draft, n)}
+    for known in (set(), zeros):
+        for own, balance in zip(steps, found.balances, strict=True):
+            if balance.unknowns - known == {name}:
+                pairs = zip(steps, found.balances, strict=True)
+                return [s.id for s, b in pairs if s is own or (known and b.unknowns <= known)]
+    return [s.id for s in steps]
 
 
 def _vanishes(draft: Draft, name: str) -> bool:

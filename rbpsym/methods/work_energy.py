@@ -17,7 +17,6 @@ from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.methods import known_works, net_work, spring_works, work_by_bodies, works_together
-from rbpsym.methods.balances import isolated_again, solved_for
 from rbpsym.methods.known_works import over_coordinates
 from rbpsym.methods.net_work import HALVES
 from rbpsym.notation import tree as t
@@ -208,11 +207,10 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     slope = derivative(row, f"{name}_ddot")
     rest = substitute(row, {f"{name}_ddot": NOTHING})
     value = short(-(rest / slope))
-    shown = isolated_again(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
     draft.add(
         "motion.from_work",
         "solution",
-        solved_for(draft, f"{name}_ddot", shown, value),
+        t.equation(t.Sym(f"{name}_ddot"), draft.show(value, factor=True)),
         "work.motion",
         premises=["theorem.whole"],
         source=StepRef("theorem.whole"),

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, Scope, Value, depends_on, is_zero, present_ratio, root, substitute, value
+from rbpsym.algebra import NOTHING, Scalar, Scope, Value, depends_on, is_zero, root, substitute, value
 from rbpsym.algebra.present import present
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.assertions import told
@@ -67,7 +67,7 @@ def _oscillation(studies: tuple[Study, Study], part: CoursePart) -> Compared | N
     if None in places:
         return None
     squares = tuple(place.frequencies_squared[0] for place in places)
-    shown = tuple(map(_quotient, studies, places, squares))
+    shown = tuple(present(square, study.style, factor=True) for study, square in zip(studies, squares, strict=True))
     return Compared("oscillation", ("vartheta_1", "vartheta_2"), 2, squares, shown)
 
 
@@ -75,15 +75,6 @@ def _place(study: Study, coordinate: str) -> Equilibrium | None:
     """The first stable position of rest about which the system oscillates with one frequency."""
     stable = (item for item in study.equilibria if item.stable and item.frequencies_squared)
     return next((item for item in stable if not coordinate or coordinate in item.at), None)
-
-
-def _quotient(study: Study, place: Equilibrium, square: Scalar) -> t.Node:
-    """Stiffness over inertia of the coordinate that oscillates, as the equation of motion has them."""
-    for row, inertia in zip(place.stiffness, place.inertia, strict=True):
-        for k, m in zip(row, inertia, strict=True):
-            if k and m and k.den is ONE and m.den is ONE and is_zero(k / m - square):
-                return present_ratio(k.num, m.num, study.style, as_ratio=True)
-    return present(square, study.style, factor=True)
 
 
 def _acceleration(studies: tuple[Study, Study], part: CoursePart) -> Compared | None:

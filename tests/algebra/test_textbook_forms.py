@@ -9,7 +9,7 @@ from rbpsym.algebra.calculus import function, root
 from rbpsym.algebra.evaluate import Scope, scalar, value
 from rbpsym.algebra.grouping import perfect_power
 from rbpsym.algebra.normal import same
-from rbpsym.algebra.present import present, present_ratio
+from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import tidied
 from rbpsym.algebra.scalar import Scalar, generator_of, lift, symbol
 from rbpsym.algebra.style import COEFFICIENT, Style
@@ -65,17 +65,13 @@ def test_a_value_is_printed_so(latex):
 
 def test_what_stands_above_and_below_is_cancelled():
     above, below = 5 * m * g * (R - a), 7 * m * (R - a) ** 2
-    shown = present_ratio(above.num, below.num, STYLE)
+    shown = present(above / below, STYLE)
     assert to_latex(shown, DEFAULT) == r"\frac{5 g}{7 (R - a)}"
 
 
-def test_moments_of_inertia_stay_one_by_one_below_a_bar():
+def test_a_moment_of_inertia_below_a_bar_brings_no_fraction_with_it():
     moment, torque = m * ell**2 / 3 + M * ell**2, g * ell * (m / 2 + M)
-    divided = present_ratio(torque.num, moment.num, STYLE)
-    ratio = present_ratio(torque.num, moment.num, STYLE, as_ratio=True)
-    sums = r"\frac{m}{2} + M", r"\frac{m \ell^2}{3} + M \ell^2"
-    assert to_latex(divided, DEFAULT) == rf"\frac{{g \ell \left( {sums[0]} \right)}}{{{sums[1]}}}"
-    assert to_latex(ratio, DEFAULT) == rf"g \ell \frac{{{sums[0]}}}{{{sums[1]}}}"
+    assert to_latex(present(torque / moment, STYLE, factor=True), DEFAULT) == r"\frac{3 g (m + 2 M)}{2 \ell (m + 3 M)}"
 
 
 def test_the_greater_one_comes_first():
@@ -104,6 +100,7 @@ def _root(radicand):
         (_root(g / (m - M) ** 2), r"\frac{\sqrt{g}}{\lvert m - M \rvert}"),
         (_root(g * (m - M) ** 2) / (m - M) ** 2, r"\frac{\sqrt{g}}{\lvert m - M \rvert}"),
         (root(lift(2)) / 4 * _root(g * ell), r"\frac{\sqrt{2 g \ell}}{4}"),
+        (_root(g * (R + a) / R) / ell, r"\sqrt{\frac{g (R + a)}{R \ell^2}}"),
         (_root((m - M) ** 2) * g, r"g \lvert m - M \rvert"),
         (_root((m - M) ** 2) ** 2 * g, r"g (m - M)^2"),
         (function("exp", _root((m - M) ** 2)) + function("exp", -_root((m - M) ** 2)), r"\exp(M - m) + \exp(m - M)"),

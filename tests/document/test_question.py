@@ -36,14 +36,14 @@ def test_an_answer_that_stands_in_the_text_is_boxed_there_and_referred_to():
     boxed = [part for part in parts(page) if isinstance(part, Display) and part.boxed]
     assert [part.label.startswith("ask") for part in boxed] == [False, True]
     marks = [part.label for part in parts(page.sections[0]) if isinstance(part, Ref)]
-    assert marks[:1] == [boxed[0].label] and "What is asked, Q" not in text(page.sections[:-2])
+    assert marks[:1] == [boxed[0].label] and "The answer, " not in text(page.sections[:-2])
 
 
 def test_several_answers_have_letters_of_their_own():
     page = notes(asking("F_y in equilibrium", "period of theta"))
     [answer] = [found for found in page.sections if found.label == "section.answer"]
     boxed = [part.node.items[0] for part in parts(answer) if isinstance(part, Display) and part.boxed]
-    assert boxed == [t.Sym("F_y_1"), t.Sym("Q_2")]  # a force keeps its letter
+    assert boxed == [t.Sym("F_y_1"), t.Sym("T")]  # a force keeps its letter, a period has the usual one
 
 
 def test_a_question_without_an_answer_is_told_with_its_reason():

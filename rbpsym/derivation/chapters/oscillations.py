@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, depends_on, is_rooted, is_zero, present_ratio, root, short
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, root, short
 from rbpsym.derivation.chapters import decay, modes, open_balance
-from rbpsym.derivation.draft import Draft, with_shorter
+from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.oscillation import Equilibrium
@@ -85,9 +85,9 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
     square, damping = _square(item), NOTHING
     if item.linear.is_damped:
         damping = short(item.linear.damping[0][0] / item.inertia[0][0])
-    shown = with_shorter(draft, _frequency(draft, item, square), square)
+    shown = draft.show(square, factor=True)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
-    pull = _linear(shown[-1], deviation)
+    pull = _linear(shown, deviation)
     drag = t.neg(t.mul(draft.show(damping, factor=True), t.Sym(f"{name}_dot"))) if damping else t.ZERO
     draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", t.add(pull, drag)),
               f"{phrase}_damped" if damping and item.stable else phrase, place=there,
@@ -105,12 +105,12 @@ def _square(item: Equilibrium) -> Scalar:
     return item.frequencies_squared[0]
 
 
-def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: list[t.Node], damping: Scalar) -> None:
+def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: t.Node, damping: Scalar) -> None:
     """ϑ without damping, and with it."""
     square = _square(item)
     letter = t.Sym(draft.free(_letter(draft, item)))
     draft.context.scalars[letter.name] = root(square)
-    draft.add(f"frequency.{place}", "motion_of_mode", t.equation(t.Pow(letter, t.TWO), *shown),
+    draft.add(f"frequency.{place}", "motion_of_mode", t.equation(t.Pow(letter, t.TWO), shown),
               f"oscillations.frequency{'_undamped' if damping else ''}.alone", name=t.Sym(next(iter(item.at))),
               premises=[f"linear.{place}"], is_result=not damping, letter=letter,
               data={**item.facts, "decay": NOTHING, "square": square, "undamped": bool(damping)})  # fmt: skip
@@ -124,15 +124,6 @@ def _letter(draft: Draft, item: Equilibrium) -> str:
     if item.at not in stable:
         stable += [other.at for other in draft.study.equilibria if other.where is not None]
     return f"vartheta_{stable.index(item.at) + 1}" if item.at in stable and len(stable) > 1 else "vartheta"
-
-
-def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:
-    """Stiffness over inertia for one degree of freedom, else the root as it is."""
-    if len(item.stiffness) == 1 and not is_rooted(square.num):
-        [[stiffness]], [[inertia]] = item.stiffness, item.inertia
-        if stiffness.den is ONE and inertia.den is ONE:
-            return present_ratio(stiffness.num, inertia.num, draft.study.style, as_ratio=True)
-    return draft.show(square, factor=True)
 
 
 def _linear(shown: t.Node, deviation: t.Node) -> t.Node:
