@@ -30,3 +30,11 @@ def test_equal_quantities_are_printed_in_one_form(name: str) -> None:
     for node in ends(document):
         shown = to_text(node, document.notation)
         assert known.setdefault(value(node), shown) == shown
+        assert not any(is_stacked(part) for part in t.walk(node)), shown
+
+
+def is_stacked(node: t.Node) -> bool:
+    """Has a fraction another one below its bar, or a sum of fractions above it?"""
+    sums = [part for part in t.walk(node.num) if isinstance(part, t.Add)] if isinstance(node, t.Div) else []
+    below = [node.den] if isinstance(node, t.Div) else []
+    return any(isinstance(part, t.Div) for whole in (*sums, *below) for part in t.walk(whole))
