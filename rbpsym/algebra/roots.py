@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import inside, root
-from rbpsym.algebra.normal import has_roots, tidy
+from rbpsym.algebra.normal import has_roots, partner, tidy, without_squares
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, inverse, times
 from rbpsym.algebra.ring import factors
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, name_of, total
@@ -82,7 +82,7 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int], *, 
     """A product of powers and a rest, its roots made one: of each factor an even power stands before the root."""
     radicand = math.prod((atoms.atom(i).arg ** e for i, e in powers if is_root(i)), start=UNITY)
     rest = rest * Scalar(Poly({tuple(item for item in powers if not is_root(item[0])): 1}))
-    size, within = _factored(radicand)
+    size, within = _squared(radicand) or _factored(radicand)
     if not within:
         return rest * root(radicand)
     number, before = _factored(rest)
@@ -135,11 +135,19 @@ def _whole(number: Fraction | int, powers: Mapping[Poly, int]) -> Scalar:
 
 def side_of(radicand: Scalar) -> Scalar | None:
     """x, for x²; None for what is no square."""
-    number, powers = _factored(radicand)
-    size = root(lift(number)).number() if number > 0 and powers else None
-    if size is None or any(power % 2 for power in powers.values()):
-        return None
-    return _whole(size, {factor: power // 2 for factor, power in powers.items()})
+    number, powers = _squared(radicand) or (Fraction(0), {})
+    size = root(lift(number)).number() if number > 0 else None
+    return None if size is None else _whole(size, {factor: power // 2 for factor, power in powers.items()})
+
+
+def _squared(radicand: Scalar) -> tuple[Fraction, dict[Poly, int]] | None:
+    """A number and squares of factors: as it is, or without the square of a sine (a cosine); None where it has no such form."""
+    waves = {i for m in radicand.num.terms for i, e in m if e > 1 and partner(i) is not None}
+    for num in (radicand.num, *(without_squares(radicand.num, index) for index in sorted(waves))):
+        number, powers = _factored(Scalar(num, radicand.den))
+        if powers and all(power % 2 == 0 for power in powers.values()):
+            return number, powers
+    return None
 
 
 def _sizes(value: Scalar) -> Iterator[int]:

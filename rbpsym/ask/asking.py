@@ -73,7 +73,8 @@ def _stem(text: str, study: Study) -> str:
 
 def found_in(study: Study, text: str) -> Found | Finding:
     """What is found in a study for a question of its problem, without steps. Raises RbpsymError."""
-    asked, plain = Asked(study.problem, study), _plain(text)
+    asked = Asked(study.problem, study)
+    plain = _plain(asked, text)
     about = finding(asked, plain)
     return about[1] if about else found_of(asked, read_question(plain))
 
@@ -90,9 +91,11 @@ _VALUE = r"\w+ ?= ?[^\s,=]+"
 WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) (?:the )?\w+|(?:for|in the limit) .+)")
 
 
-def _plain(text: str) -> str:
-    """The words of a question, values of parameters (“with F = 0”) at the end."""
+def _plain(asked: Asked, text: str) -> str:
+    """The words of a question, values of parameters (“with F = 0”) at the end, “in phase rolling” for “in rolling”."""
     plain = " ".join(text.split()).rstrip(" ?.")
+    named = "|".join(re.escape(name) for name in asked.names if name not in ("rest", "equilibrium"))
+    plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
     return " ".join((said[1], said[3], said[2])) if (said := WITHIN.fullmatch(plain)) else plain
 
 
@@ -118,7 +121,7 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
 
 
 def _whole(asked: Asked, text: str, letter: str) -> Answer:
-    plain = _plain(text)
+    plain = _plain(asked, text)
     if plain != (own := " ".join(text.split()).rstrip(" ?.")):
         found = _whole(asked, plain, letter)
         return replace(found, question=replace(found.question, text=own))

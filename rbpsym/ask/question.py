@@ -72,6 +72,7 @@ OTHERWISE = (
     (r"\b(functions? of) (?:the )?time\b", r"\1 t"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
+    (r"\b(period|frequency|frequencies) of (?:the )?small (?:oscillations?|swings)\b", r"\1"),
     (r"\b(?:just|right|shortly|immediately) before (?:it )?(?=\w+ (?:=|reaches) )", "where "),
     (r"^(?:the )?(?:stopping|braking|sliding) distance of (\w+)$", r"displacement of \1 where \1 comes to rest"),
     (r"\b(until|when|where) (\w+) (?:meets|catches(?: up with)?|overtakes) (\w+)$", r"\1 \2 = \3"),

@@ -7,7 +7,7 @@ from math import prod
 
 from rbpsym.algebra import ONE, Poly, Scalar, atoms, factors, inverse, quotient, shorten, symbol, with_exponentials_joined
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, root, substitute
-from rbpsym.algebra.normal import has_roots, normal
+from rbpsym.algebra.normal import has_roots, normal, short
 from rbpsym.algebra.roots import side_of, simplified_root, tidied, with_image, without_even_roots
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
@@ -44,7 +44,7 @@ def rooted(value: Scalar, given: Assumptions) -> Scalar:
 
 def root_of(value: Scalar, given: Assumptions) -> Scalar:
     """√value, with what is declared positive and squared taken out."""
-    return simplified_root(without_even_roots(value), lambda name: given.sign_of(name) == "positive")
+    return simplified_root(short(without_even_roots(value)), lambda name: given.sign_of(name) == "positive")
 
 
 def neat(value: Scalar, given: Assumptions) -> Scalar:

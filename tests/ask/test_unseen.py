@@ -230,6 +230,12 @@ ANSWERS = (
     ("free-hinged-rods", "speed of theta when struck begins", "-9*P/(4*m*a)"),
     ("free-hinged-rods", "kinetic energy when struck begins", "7*P**2/(4*m)"),
     ("free-hinged-rods", "impulse of N_y when struck begins", "-P/4"),
+    ("ball-onto-incline", "speed of ball right after climb begins", "v*(2+5*cos(beta))/7"),
+    ("ball-onto-incline", "energy lost when climb begins", "m*v**2*(1-cos(beta))*(9+5*cos(beta))/14"),
+    ("ball-onto-incline", "f_S in climb", "2*m*g*sin(beta)/7"),
+    ("ball-onto-incline", "acceleration of x in the climb phase", "-5*g*sin(beta)*cos(beta)/7"),
+    ("rod-in-lift", "frequency of small oscillations", "sqrt(3*(a+g)/(2*ell))"),
+    ("rod-in-lift", "the period of small oscillations of theta", "2*pi*sqrt(2*ell/(3*(a+g)))"),
     ("orbit", "v_0 for which r stays constant", "r_0*sqrt(k/m)"),
     ("orbit", "v_0 for which r stays r_0", "r_0*sqrt(k/m)"),
 )  # fmt: skip
@@ -238,6 +244,12 @@ ANSWERS = (
 @cache
 def asked(name: str) -> Asked:
     return Asked(load_text((HERE / f"{name}.toml").read_text(encoding="utf-8"), f"{name}.toml"))
+
+
+def test_the_root_of_a_square_is_told_without_it() -> None:
+    """(2 + 5 cos β)² may stand in the root as 29 + 20 cos β - 25 sin² β."""
+    assert answered(asked("ball-onto-incline"), "speed of ball right after climb begins").text == "v/7*(2 + 5*cos(beta))"
+    assert "sin(beta)**2 + cos(beta)**2" not in answered(asked("ball-onto-incline"), "speed of ball in climb").text
 
 
 @pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: value[:60])
