@@ -36,12 +36,8 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
 
 def _is_quantity(world: Scene, name: str) -> bool:
     with suppress(RbpsymError):
-        return bool(parts_seen(_afresh(world), name))
+        return bool(parts_seen(world.afresh(), name))
     return False
-
-
-def _afresh(world: Scene) -> Scene:
-    return replace(world, used=[], lasting=[], doubts=[], standing=[])
 
 
 def comes_first(world: Scene, text: str) -> Finding:
@@ -85,7 +81,7 @@ def _free(world: Scene, name: str = "") -> list[str]:
 
 def _limit(world: Scene, load: str, text: str, name: str = "") -> tuple[Scalar, Finding]:
     """The greatest value of a parameter for which a condition holds, whatever else happens before. Raises StatementError."""
-    alone = _afresh(world)
+    alone = world.afresh()
     found = region_of(alone, parameter(world, load), replace(wanted(alone, text, name), beside=()), text, 1)
     if len(found.values) != 1 or found.relation != "=":
         raise StatementError(f"there is no largest {load} of that kind")
@@ -112,7 +108,7 @@ def _bounds(world: Scene, superlative: str, phrase: str, text: str) -> Iterator[
     """What a quantity is at most where a parameter that changes it meets a condition, for each that bounds it."""
     for name in _free(world):
         with suppress(RbpsymError):
-            alone = _afresh(world)
+            alone = world.afresh()
             phrase, value = optima.sized(alone, phrase)
             region = critical.which(alone, None, name, text) if depends_on(value, name) else Finding()
             if len(region.values) != 1 or region.relation not in OPS:

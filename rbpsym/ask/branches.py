@@ -29,7 +29,7 @@ def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
     quantity = next((each for each in problem.parameters if each.name == name), None)
     starts = asked_of_start(world.asked.first) if quantity is not None else ()
     slips = [value for element, what, value in starts if what == "slip" and element.values.get("slip") == "auto"]
-    moments = [demand.value for demand in world.demands if demand.op == ">"]
+    moments = [demand.value for demand in (*world.demands, *world.senses) if demand.op == ">"]
     for value in (*slips, *moments) if quantity is not None else ():
         ends = [end for end in zeros(value, name) if sign(end, given).kind == "positive"] if depends_on(value, name) else []
         side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(value, name), given).kind)

@@ -35,18 +35,18 @@ VANISHES = re.compile(r"(\w+) vanishes((?: (?:until|before) .+)?)")
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
 
-def which(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
-    """SYMBOL for which a condition is met, or its opposite; the smallest or largest of them."""
+def which(world: Scene, superlative: str | None, name: str, text: str, opposite: str = "") -> Finding:
+    """SYMBOL for which a condition is met, or its opposite (as it was asked for); the smallest or largest of them."""
     text = of_contact(world, text)
-    opposite = OPPOSITE.fullmatch(text)
-    slides = begins_to_slip(world, opposite[1]) if opposite and opposite[2] == "slip" and not opposite[3] else None
-    if opposite and slides is None:
-        return _opposite(world, superlative, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
+    turned = OPPOSITE.fullmatch(text)
+    slides = begins_to_slip(world, turned[1]) if turned and turned[2] == "slip" and not turned[3] else None
+    if turned and slides is None:
+        return _opposite(world, superlative, name, text, f"{turned[1]} {KEPT[turned[2]]}{turned[3]}")
     if (never := NEVER.fullmatch(text)) and (never[1] in world.coordinates or "never" in text or "does" in text):
-        return _opposite(world, superlative, name, f"{never[1]} reaches {never[2]}")
+        return _opposite(world, superlative, name, text, f"{never[1]} reaches {never[2]}")
     vanishing = VANISHES.fullmatch(text) if superlative and name not in world.coordinates else None
     if vanishing and vanishing[1] in world.study.system.unknowns and moving(world, (seen(world, vanishing[1]),)):
-        return _opposite(world, superlative, name, f"{vanishing[1]} stays positive{vanishing[2]}")  # somewhere on the way
+        return _opposite(world, superlative, name, text, f"{vanishing[1]} stays positive{vanishing[2]}")  # somewhere on the way
     ways = (stays, comes_to_rest, rises)
     condition = slides or next(filter(None, (find(world, text) for find in ways)), None) or wanted(world, text, name)
     if condition.equal:
@@ -54,23 +54,25 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     stated = premises(world, condition)
     own = (demand.value for demand in stated if depends_on(demand.value, name) and demand.op != "!=")
     condition = replace(condition, beside=(*condition.beside, *own))
-    found = region_of(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
+    found = region_of(world, name, condition, text, SUPERLATIVES.get(superlative, 0), opposite)
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
     asked = [demand for demand in (*condition.asked, *stated) if not depends_on(demand.value, name)]
-    asked += [] if found.values else _case(world)
+    asked += [] if found.values else [demand for demand in _case(world) if not (found.is_none and depends_on(demand.value, name))]
     left = settle((*found.valid, *asked), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
 
 
-def _opposite(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
-    """The same for the opposite of a condition."""
+def _opposite(world: Scene, superlative: str | None, name: str, text: str, other: str) -> Finding:
+    """The same for the opposite of another condition."""
     turned = superlative and ("largest" if SUPERLATIVES[superlative] < 0 else "smallest")
-    found = which(world, turned, name, text)
+    found = which(world, turned, name, other, text)
     relation = FLIPPED.get(found.relation, found.relation)
     says = f"every such {name} does" if superlative and relation != "=" else ""
     grounds = tuple((rule, {**data, "opposite": True}) for rule, data in found.grounds)
-    return replace(found, relation=relation, says=says, grounds=grounds) if found.values else found
+    if not found.values:
+        return replace(found, grounds=grounds) if f"“{text}”" in found.says else found
+    return replace(found, relation=relation, says=says, grounds=grounds)
 
 
 # --- equalities
@@ -176,9 +178,11 @@ def on_what(world: Scene, value: Scalar) -> str:
 # --- regions
 
 
-def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int) -> Finding:
-    """For which values of a parameter what is wanted is positive; `sense`: of which bound it is asked."""
+def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int, opposite: str = "") -> Finding:
+    """For which values of a parameter what is wanted is positive; `sense`: of which bound it is asked; `opposite`: the text of
+    what is asked for instead, where that is the contrary."""
     along = condition.along
+    world.senses.extend(condition.asked)
     if condition.others and any(depends_on(demand.value, name) for demand in condition.asked):
         return Finding(undecided(f"the sense in which it sets out depends on {name}, and it may come in both"), name)
     own, given, premise = _own_demands(world, name, condition)
@@ -205,11 +209,32 @@ def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int)
         return _in_cases(name, found, parts, given, along, sense)
     if not found.is_empty and (sense or None in (found.lower, found.upper)):
         found = replace(found, asked=alone(found, parts[1], sense or (-1 if found.upper is None else 1)))
+    if opposite and not found.is_empty and not found.is_whole:
+        ends = {end for one in regions[len(own) :] if one for end in (one.lower, one.upper)}
+        bounds = [getattr(found, SIDES[sense])] if sense else []
+        bounds = [end for end in (bounds if bounds != [None] else []) or (found.lower, found.upper) if end is not None]
+        if bounds and not any(bound in ends for bound in bounds):
+            return _never(name, condition, regions[len(own) :], found, premise, opposite)
+        if len(bounds) > 1:
+            return Finding(undecided("it is the contrary of what holds between two bounds"), name)
     said = _said(parts, name, found, given, along, sense)
     told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
     told_ = _otherwise(told_, name, found, parts, given, along, text)
     ends = {end for one in regions if one for end in (one.lower, one.upper)}
     return _stopped(told_, name, condition, pairs, ends, given)
+
+
+def _never(
+    name: str, condition: Wanted, regions: Sequence[Region | None], found: Region, given: Assumptions, text: str
+) -> Finding:
+    """That there is no value for which the contrary of what is wanted holds: the motion ceases to be the stated one before."""
+    within = (end if bound is None else bound for end, bound in zip(given.range_of(name), (found.lower, found.upper), strict=True))
+    given = where_met(given.with_range(name, *within), found.asked)
+    parts = zip(condition.values, regions, strict=True)
+    said = [kept_said([value], condition.along, one.worst if one else (), given, holds=True) for value, one in parts]
+    says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
+    own = [demand for demand in condition.asked if depends_on(demand.value, name)]
+    return Finding(symbol=name, says=says, valid=(*found.asked, *own), **together(*(Finding(**one) for one in said)))
 
 
 def _own_demands(world: Scene, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:

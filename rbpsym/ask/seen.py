@@ -44,7 +44,7 @@ class Scene(ProblemWorld):
 
     demands: under what conditions they have the values that were found; lasting: those of contacts, friction and declared
     ranges on the way to the moments at which they are taken; doubts: what of that is not decided; standing: what the same
-    ask of the parameters where a quantity is taken at no moment.
+    ask of the parameters where a quantity is taken at no moment; senses: what the ways ask along which something has to hold.
     """
 
     asked: Asked | None = None
@@ -54,6 +54,11 @@ class Scene(ProblemWorld):
     lasting: list[Demand] = field(default_factory=list)
     doubts: list[str] = field(default_factory=list)
     standing: list[Demand] = field(default_factory=list)
+    senses: list[Demand] = field(default_factory=list)
+
+    def afresh(self) -> Scene:
+        """The same phase of which nothing is asked yet."""
+        return replace(self, used=[], lasting=[], doubts=[], standing=[], senses=[])
 
     @property
     def demands(self) -> tuple[Demand, ...]:
@@ -203,7 +208,7 @@ def _kept_on(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
-    alone = replace(world, used=[], lasting=[], doubts=[], standing=[])
+    alone = world.afresh()
     with suppress(Undecided):
         asked = tuple(least_values(alone, Wanted(going_on(alone, way, given)[:-1], given, way.name, asked=way.asked)))
         if fits(world, asked):

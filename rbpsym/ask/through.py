@@ -63,7 +63,7 @@ def _is_open(found: Finding) -> bool:
 
 def _over_time(world: Scene, superlative: str, phrase: str, known: Finding) -> Finding:
     """The same by the motion as a function of the time, if that proves it; else what is known."""
-    other = replace(world, used=[], lasting=[], doubts=[], standing=[])
+    other = world.afresh()
     with suppress(RbpsymError):
         found = optima.extremum(other, superlative, phrase, "t", None, None)
         if found.values and not _is_open(found):

@@ -50,8 +50,8 @@ def _kept(way: bool) -> Decided:
     return lambda data: data["kept"] is way
 
 
-FOR_ALL: Row = {"least_on_way": lambda data: data["holds"] is True, "no_change": lambda data: data["best"].number() == 0}
-FOR_NO: Row = {"least_on_way": lambda data: data["holds"] is False, "vanishes_for": lambda data: not data["places"]}
+FOR_ALL: Row = {"least_on_way": _holds(True), "no_change": lambda data: data["best"].number() == 0}
+FOR_NO: Row = {"least_on_way": _holds(False), "vanishes_for": lambda data: not data["places"]}
 GROWS: Row = {"limit": lambda data: data["order"] < 0}
 GOES: Row = {"limit": lambda data: data["order"] > 0}
 BEYOND: Row = {"no_change": _vanishes}

@@ -115,10 +115,13 @@ def _make_room(problem: Problem, numbers: dict[str, float]) -> None:
 
 
 def _keep_bounds(problem: Problem, numbers: dict[str, float]) -> None:
-    """A parameter with declared bounds lies between them; twice, as a bound may hold a later one."""
+    """A parameter with declared bounds lies between them; twice, as a bound may hold a later one. An upper one that is a
+    parameter itself, and would be below the lower one, is raised."""
     for quantity in (*problem.parameters, *problem.parameters):
         low, high = (bound(node, numbers) for node in (quantity.lower, quantity.upper))
         value = numbers[quantity.name]
+        if low is not None and high is not None and low >= high and getattr(quantity.upper, "name", None) in numbers:
+            numbers[quantity.upper.name] = high = low + abs(low)
         if (low is None or value > low) and (high is None or value < high):
             continue
         low = high - abs(high) if low is None else low
