@@ -113,8 +113,8 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
     held, given = [need for place, need in needs.items() if contact in ("it", "nothing", place)], world.motion.assumptions
     if name == COEFFICIENT and name not in given.signs:
         held, given = [replace(need, limit=symbol(name)) for need in held], given.with_signs({name: "positive"})
-    without = next((need.constraint for need in held if need.limit is None), None)
-    if without is not None:
+    without, held = held[0].constraint, [need for need in held if need.limit is not None]  # the others hold as much as is needed
+    if not held:
         raise StatementError(
             f"the contact “{without}” has no coefficient of static friction",
             instead=f'ask for “{COEFFICIENT} for which …”, or write limit = "mu" in [constraints.{without}].',

@@ -20,7 +20,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat, rooted
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.stability import essential
 
 LEAST = {"smallest": -1, "least": -1, "lowest": -1, "minimum": -1, "minimal": -1, "shortest": -1, "slowest": -1}
@@ -28,9 +28,9 @@ GREATEST = {"largest": 1, "greatest": 1, "highest": 1, "maximum": 1, "maximal": 
 SUPERLATIVES = LEAST | GREATEST
 
 
-OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip)s?(?: off| over)?((?: (?:until|before) .+)?)")
+OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip|move)s?(?: off| over)?((?: (?:until|before) .+)?)")
 NEVER = re.compile(r"(\w+) (?:(?:does not|never) (?:reach(?:es)?|gets? to|comes? to)|(?:stays|remains) (?:below|above)) (.+)")
-KEPT = {"slip": "does not slip", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
+KEPT = {"slip": "does not slip", "move": "does not move", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
 VANISHES = re.compile(r"(\w+) vanishes((?: (?:until|before) .+)?)")
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
@@ -39,7 +39,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str, opposite:
     """SYMBOL for which a condition is met, or its opposite (as it was asked for); the smallest or largest of them."""
     text = of_contact(world, text)
     turned = OPPOSITE.fullmatch(text)
-    slides = begins_to_slip(world, turned[1]) if turned and turned[2] == "slip" and not turned[3] else None
+    slides = begins_to_slip(world, turned[1]) if turned and turned[2] in ("slip", "move") and not turned[3] else None
     if turned and slides is None:
         return _opposite(world, superlative, name, text, f"{turned[1]} {KEPT[turned[2]]}{turned[3]}")
     if (never := NEVER.fullmatch(text)) and (never[1] in world.coordinates or "never" in text or "does" in text):
@@ -327,7 +327,7 @@ Parts = tuple[tuple[Scalar, ...], list[Region | None]]  # values and where each 
 def _said(parts: Parts, name: str, found: Region, given: Assumptions, along: str | None, sense: int = 0) -> dict[str, Any]:
     side = sense or (1 if found.lower is None else -1 if found.upper is None else 0)
     values = binding(*parts, found, given, side)
-    given = where_met(given, found.asked)
+    given = assuming(given, found.asked, tighter=True, whole=True)
     if found.crossing:
         return checked("one_zero", equation=found.crossing.equation, name=name, given=given, value=None)
     if found.is_empty and None not in (found.lower, found.upper):

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
 
-from rbpsym.algebra import Scalar, derivative, is_zero, substitute
+from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, names_in, substitute
 from rbpsym.ask.limits import leading
 from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import neat
+from rbpsym.equality.signs import sign
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.events import Way
@@ -80,6 +82,14 @@ def extremes(value: Scalar, name: str, given: Assumptions, sense: int) -> list[E
         if is_open:
             found.append(_near(value, name, (end, side if end is not None else -side), where, given, table))
     return None if None in found else found
+
+
+def by_linear(value: Scalar, along: str, given: Assumptions) -> Iterator[Scalar]:
+    """p + b/a for a p + b with a positive a: it has the sign of the value, and is least in a place that p does not move."""
+    for name in sorted(names_in(value) - {along}):
+        slope = derivative(value, name)
+        if not depends_on(slope, name) and sign(slope, given).kind == "positive":
+            yield value / slope
 
 
 def _near(

@@ -32,7 +32,8 @@ def _over_there(world: Scene, best: str, phrase: str, name: str, place: str) -> 
     return through.extremum(world, best, f"{phrase} {place}", name, None, None)
 
 
-LIMIT = rf"(.+) in the limit {_N} ?(?:->|→|to) ?(.+)"
+_GOES = r"(?:->|→|tends to|goes to)"
+LIMIT = rf"(.+) (?:in the limit|(?:for|as|when)(?= \w+ ?{_GOES})) {_N} ?(?:{_GOES}|to) ?(.+)"
 Rows = tuple[tuple[str, Callable[..., Finding]], ...]
 ROWS: Rows = (
     (rf"does (.+) depend on {_N}", special.depends),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rbpsym.algebra import Scalar, depends_on, is_zero
-from rbpsym.ask.extremes import Extreme, extremes
+from rbpsym.ask.extremes import Extreme, by_linear, extremes
 from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -75,8 +75,9 @@ def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> R
         return Region()
     if not depends_on(value, along):
         return region(value, name, given.without(along))
-    lows = extremes(value, along, given, -1)
-    if lows is None or any(low.crossing is not None for low in lows):
+    ways = (extremes(each, along, given, -1) for each in (value, *by_linear(value, along, given)))
+    lows = next((lows for lows in ways if lows is not None and all(low.crossing is None for low in lows)), None)
+    if lows is None:
         return None
     return common([_of_low(low, name, along, given) for low in lows], given.without(along))
 

@@ -15,7 +15,8 @@ from rbpsym.mechanics.friction import slips
 from rbpsym.statement.model import Element
 
 DOES = r"(?: (?:does not|never|begins to|starts to|just))?"
-OF_BODY = re.compile(rf"(?:the )?(\w+)(?={DOES} (?:slip|leave|lift|tip|lose|let go|hold|stick|roll|keep|stay|remain)s?\b)")
+VERBS = "slip|leave|lift|tip|move|lose|let go|hold|stick|roll|keep|stay|remain"
+OF_BODY = re.compile(rf"(?:the )?(\w+)(?: \w+)??(?={DOES} (?:{VERBS})s?\b)")
 
 
 def of_contact(world: Scene, text: str) -> str:

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import UNITY, Scalar, depends_on, derivative, is_zero, names_in
+from rbpsym.algebra import UNITY, Scalar, depends_on, is_zero
 from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.critical import kept_said
-from rbpsym.ask.extremes import Extreme, extremes
+from rbpsym.ask.extremes import Extreme, by_linear, extremes
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.seen import Scene, moving, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
@@ -140,7 +140,7 @@ def _least(world: Scene, condition: Wanted) -> Iterator[Part]:
             limits = of_symbol(condition.along, given)
             yield value, Extreme((limits.lower, limits.upper)[ends.index(-1)], None), Demand(-UNITY)
             continue
-        ways = (value, *_linear(value, condition.along, given))
+        ways = (value, *by_linear(value, condition.along, given))
         lows = next(filter(None, (_lows(each, condition.along, given) for each in ways)), None)
         if lows is None:
             raise Undecided("where it is least on the way is not decided")
@@ -153,14 +153,6 @@ def _lows(value: Scalar, along: str, given: Assumptions) -> list[Extreme] | None
     """Where it is least, whatever the parameters are; None if that is not decided."""
     lows = extremes(value, along, given, -1)
     return None if lows is None or any(low.crossing is not None or low.asked for low in lows) else lows
-
-
-def _linear(value: Scalar, along: str, given: Assumptions) -> Iterator[Scalar]:
-    """p + b/a for a p + b with a positive a: it has the sign of the value, and is least in a place that p does not move."""
-    for name in sorted(names_in(value) - {along}):
-        slope = derivative(value, name)
-        if not depends_on(slope, name) and sign(slope, given).kind == "positive":
-            yield value / slope
 
 
 def _always(condition: Wanted) -> bool:

@@ -301,6 +301,9 @@ def sign_table(value: Scalar, name: str, given: Assumptions) -> Table:
     if sense:
         return Table(known, (-sense, sense))
     signs = [_sign_between(whole, name, pair, given) for pair in zip([None, *places], [*places, None], strict=True)]
+    if len(places) == 1 and None in signs and not depends_on(derivative(whole, name), name):  # linear: it changes its sign
+        signs = [-signs[1] if side is None and signs[1] else side for side in signs]
+        signs = [-signs[0] if side is None and signs[0] else side for side in signs]
     return Table(known, tuple(signs))
 
 

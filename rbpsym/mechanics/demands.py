@@ -67,7 +67,9 @@ def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...]
     demands = [item for item in demands if item.op != "!=" or item not in parts]  # a factor of what is positive is not zero
     demands = [Demand(item.value) if item in parts else item for item in demands]
     demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
-    demands = [item for k, item in enumerate(demands) if item.op != "!=" or Demand(-item.value, "!=") not in demands[:k]]
+    firm = {one.value * way for one in demands if one.op == ">" for way in (1, -1)}
+    apart = [item for k, item in enumerate(demands) if item.value in firm or Demand(-item.value, "!=") in demands[:k]]
+    demands = [item for item in demands if item.op != "!=" or item not in apart]
     apart = {item.value for item in demands if item.op == "!="}
     demands = [Demand(item.value) if item.op == ">=" and item.value in apart else item for item in demands]
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]
