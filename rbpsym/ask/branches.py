@@ -12,7 +12,7 @@ from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import Scene
-from rbpsym.ask.senses import narrowed
+from rbpsym.ask.senses import narrowed, of_sense
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.mechanics.pushing import asked as asked_of_start
@@ -29,7 +29,8 @@ def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
     quantity = next((each for each in problem.parameters if each.name == name), None)
     starts = asked_of_start(world.asked.first) if quantity is not None else ()
     slips = [value for element, what, value in starts if what == "slip" and element.values.get("slip") == "auto"]
-    moments = [demand.value for demand in (*world.demands, *world.senses) if demand.op == ">"]
+    ways = of_sense(world.asked, world.senses)
+    moments = [demand.value for demand in (*world.demands, *ways) if demand.op == ">"]
     for value in (*slips, *moments) if quantity is not None else ():
         ends = [end for end in zeros(value, name) if sign(end, given).kind == "positive"] if depends_on(value, name) else []
         side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(value, name), given).kind)

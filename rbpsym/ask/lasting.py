@@ -14,6 +14,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time, value_in
+from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, uniform_motion, value_reached
@@ -171,7 +172,8 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))
     if is_place:
-        return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places)))
+        timed = (moment.state.time, moment.courses) if moment.courses else ()
+        return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places, *timed)))
     state = moment.state
     way = partial(_on_way, study, None, state.time, moment.courses)
     return _decided(lambda: (*slipping(study, state), *never_lost(study, state, moment.courses), *way()))
@@ -249,7 +251,7 @@ def _on_way(
     for demand in (*held(study), *_pushing(study, places)):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
         if len(names) > 1 or any(name not in study.squares and _driven(study, name, places) is None for name in names):
-            if time is None:
+            if time is None and places is not None:
                 raise Undecided("their forces are not known on the way")
             found = _least_until(study, demand, time, courses or {})
         else:
@@ -259,19 +261,22 @@ def _on_way(
         yield from found
 
 
-def _least_until(study: Study, demand: Demand, time: Scalar, courses: Mapping[str, Course]) -> list[Demand]:
-    """What is asked for a value not to become negative up to a time, as the courses tell it. Raises Undecided."""
-    from rbpsym.ask.seen import Scene
+def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, Course]) -> list[Demand]:
+    """What is asked for a value not to become negative up to a time (None: ever), as the courses tell it. Raises Undecided."""
+    from rbpsym.ask.seen import Scene, one_period
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
+    if time is None:
+        with suppress(NotApplicable):
+            courses = courses_of(study)
     at = {name: one.whole for name, one in courses.items()} | {f"{name}_dot": one.speed for name, one in courses.items()}
     told, given = short(substitute(demand.value, at)), study.assumptions
     if names_in(told) & {*study.system.coordinates, *study.system.speeds} or not depends_on(told, "t"):
         raise Undecided("their forces are not known on the way")
     if time == symbol("t"):
         return [Demand(told, demand.op)]
-    given = given.with_range("t", NOTHING, time)
+    given = one_period(told, given) if time is None else given.with_range("t", NOTHING, time)
     try:
         return [] if sign(told, given).is_nonnegative else [*least_values(Scene(study), Wanted((told,), given, "t"))]
     except RbpsymError as error:

@@ -30,7 +30,7 @@ from rbpsym.statement.model import Problem
 def whichever(asked: Asked, found: Answer, again: Callable[[Asked], Answer]) -> Answer:
     """The answer without the condition on the sense of the motion, if that of the other sense (asked `again`) is the same and
     asks for nothing more; where nothing sets the motion going, nothing is said."""
-    for sense in _senses(asked, _demands(found)) if found.verdict.is_proved else ():
+    for sense in of_sense(asked, _demands(found)) if found.verdict.is_proved else ():
         with suppress(RbpsymError):
             problem = _turned(asked.problem, asked.first.assumptions, sense)
             rest = [demand for demand in _demands(found) if not is_zero(demand.value - sense.value)]
@@ -43,14 +43,14 @@ def whichever(asked: Asked, found: Answer, again: Callable[[Asked], Answer]) -> 
 
 def turned(asked: Asked, stated: Sequence[Demand], name: str) -> Asked | None:
     """The same with a start on the other side, from which the motion sets out in the other sense; None if it does not tell."""
-    for sense in _senses(asked, [one for one in stated if depends_on(one.value, name)]):
+    for sense in of_sense(asked, [one for one in stated if depends_on(one.value, name)]):
         problem = _turned(asked.problem, asked.first.assumptions, sense)
         if problem is not None and name in {*asked.problem.implicit} - {*problem.implicit}:
             return Asked(problem)
     return None
 
 
-def _senses(asked: Asked, stated: Sequence[Demand]) -> Iterator[Demand]:
+def of_sense(asked: Asked, stated: Sequence[Demand]) -> Iterator[Demand]:
     """The conditions of an answer that tell the sense in which a coordinate sets out."""
     with suppress(RbpsymError):
         motion = asked.world(0).motion

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from types import MappingProxyType
 
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
@@ -12,11 +13,12 @@ from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
-from rbpsym.errors import StatementError
+from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.frozen import Frozen, replace
+from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.roots import period, zeros
 from rbpsym.mechanics.stability import essential
 from rbpsym.statement.source import did_you_mean
 
@@ -86,6 +88,15 @@ def free_place(world: Scene, name: str, text: str) -> tuple[str, Scalar]:
     return found[0]
 
 
+def _in_time(world: Scene, values: tuple[Scalar, ...]) -> tuple[tuple[Scalar, ...], tuple[Demand, ...]]:
+    """The values as functions of the time, with what that asks for; as they are where the motion is not known so."""
+    with suppress(RbpsymError):
+        found = courses_of(world.study)
+        at = {name: one.whole for name, one in found.items()} | {f"{name}_dot": one.speed for name, one in found.items()}
+        return tuple(short(substitute(value, at)) for value in values), tuple(d for one in found.values() for d in one.valid)
+    return values, ()
+
+
 def on_way(
     world: Scene, values: tuple[Scalar, ...], phrase: str, until: str | None, text: str | None, given: Assumptions
 ) -> Wanted:
@@ -93,8 +104,13 @@ def on_way(
     free = moving(world, values)
     if not free:
         return Wanted(values, given)
+    asked = ()
+    if until is None and len(free) > 1:
+        values, asked = _in_time(world, values)
+        free = moving(world, values) or free
     if free == ["t"] and until is None:
-        return Wanted(values, one_period(sum(values, NOTHING), given), "t")
+        turns = {period(value, "t"): value for value in values if depends_on(value, "t")}
+        return Wanted(values, one_period([*turns.values()][0], given) if len(turns) == 1 else given, "t", asked=asked)
     name, end = (free[0], None) if until is None else free_place(world, until, text)
     if len(free) > 1 or name != free[0]:
         raise StatementError(f"“{phrase}” depends on {', '.join(free)} along the motion, and not on one coordinate alone")

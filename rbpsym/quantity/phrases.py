@@ -336,6 +336,8 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"cent(?:re|er) of mass(?: of {_B})?", _centre, "centre of mass of BODY"),
     (rf"(velocity|acceleration) of (?:the )?cent(?:re|er) of mass(?: of {_B})?", _rate_of_centre,
      "velocity of the centre of mass"),
+    (rf"speed of ((?:the )?cent(?:re|er) of mass(?: of {_B})?)", lambda world, of, *_: _magnitude(world, f"velocity of {of}"),
+     "speed of the centre of mass"),
     (r"(?:(tension|normal force|friction force|friction|reaction|weight|couple|force|thrust) )?(\w+)", _size, "tension FORCE"),
     (rf"radius of gyration of {_B}{_ABOUT}", _gyration, "radius of gyration of BODY about O"),
     (rf"power of {_F}{_ON}?{_HALF}", _power, "power of FORCE on BODY"),
