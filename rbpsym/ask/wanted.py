@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from types import MappingProxyType
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
+from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, way_to, whole_motion
 from rbpsym.ask.zeros import where_met
 from rbpsym.derivation.step import Step

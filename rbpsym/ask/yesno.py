@@ -18,7 +18,6 @@ from rbpsym.derivation.chapters import contact, oscillations
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
 from rbpsym.mechanics.demands import Demand, settle
