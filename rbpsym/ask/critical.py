@@ -14,7 +14,7 @@ from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, seen, told, way_to
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
-from rbpsym.ask.wanted import Wanted, arrives, premises
+from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises
 from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat, rooted
@@ -27,11 +27,11 @@ LEAST = {"smallest": -1, "least": -1, "lowest": -1, "minimum": -1, "minimal": -1
 GREATEST = {"largest": 1, "greatest": 1, "highest": 1, "maximum": 1, "maximal": 1, "longest": 1, "fastest": 1}
 SUPERLATIVES = LEAST | GREATEST
 
-
-OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip|move)s?(?: off| over)?((?: (?:until|before) .+)?)")
+_BEFORE = r"((?: (?:until|before) .+)?)"
+OPPOSITE = re.compile(rf"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip|move)s?(?: off| over)?{_BEFORE}")
 NEVER = re.compile(r"(\w+) (?:(?:does not|never) (?:reach(?:es)?|gets? to|comes? to)|(?:stays|remains) (?:below|above)) (.+)")
 KEPT = {"slip": "does not slip", "move": "does not move", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
-VANISHES = re.compile(r"(\w+) vanishes((?: (?:until|before) .+)?)")
+VANISHES = re.compile(rf"(\w+) vanishes{_BEFORE}")
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
 
@@ -57,9 +57,9 @@ def which(world: Scene, superlative: str | None, name: str, text: str, opposite:
     found = region_of(world, name, condition, text, SUPERLATIVES.get(superlative, 0), opposite)
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
+    whole = () if found.values else [d for d in case_of(world) if not (found.is_none and depends_on(d.value, name))]
     asked = [demand for demand in (*condition.asked, *stated) if not depends_on(demand.value, name)]
-    asked += [] if found.values else [demand for demand in _case(world) if not (found.is_none and depends_on(demand.value, name))]
-    left = settle((*found.valid, *asked), world.motion.assumptions)
+    left = settle((*found.valid, *asked, *whole), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
 
 
@@ -110,7 +110,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
         away = [[one.value for one in _there((*world.demands, *world.standing), name, place)] for place in every]
         others = (Finding(**kept_said(one, None, (), given, holds=False)) for one in away)  # there it is another motion
         says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
-        return Finding(symbol=name, says=says, valid=(*asked, *_case(world)), **together(found, *others))
+        return Finding(symbol=name, says=says, valid=(*asked, *case_of(world)), **together(found, *others))
     if superlative is not None and len(zeros) > 1:
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
     places = tuple(neat(zero.place, given) for zero in zeros)
@@ -159,20 +159,8 @@ def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: s
     """What does not depend on the symbol."""
     if is_zero(value):
         said = checked("no_change", value=value, names=(name,), best=NOTHING, given=given)
-        return Finding(**said, symbol=name, says=f"“{text}” holds for every {name}", valid=_case(world))
+        return Finding(**said, symbol=name, says=f"“{text}” holds for every {name}", valid=case_of(world))
     raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, value))
-
-
-def _case(world: Scene) -> tuple[Demand, ...]:
-    """What the motion that was told asks of the parameters."""
-    asked = (demand for demand in (*world.demands, *world.standing) if not moving(world, (demand.value,)))
-    return settle(asked, world.motion.assumptions) or ()
-
-
-def on_what(world: Scene, value: Scalar) -> str:
-    """The parameters on which a value depends, as advice."""
-    known = [q.name for q in world.study.problem.parameters if depends_on(value, q.name)]
-    return f"it depends on {', '.join(known)}." if known else ""
 
 
 # --- regions
@@ -210,10 +198,9 @@ def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int,
     if not found.is_empty and (sense or None in (found.lower, found.upper)):
         found = replace(found, asked=alone(found, parts[1], sense or (-1 if found.upper is None else 1)))
     if opposite and not found.is_empty and not found.is_whole:
-        ends = {end for one in regions[len(own) :] if one for end in (one.lower, one.upper)}
-        bounds = [getattr(found, SIDES[sense])] if sense else []
-        bounds = [end for end in (bounds if bounds != [None] else []) or (found.lower, found.upper) if end is not None]
-        if bounds and not any(bound in ends for bound in bounds):
+        bounds = [end for end in (found.lower, found.upper) if end is not None]
+        bounds = [end for end in bounds if sense and end == getattr(found, SIDES[sense])] or bounds
+        if bounds and not any(end in bounds for one in regions[len(own) :] if one for end in (one.lower, one.upper)):
             return _never(name, condition, regions[len(own) :], found, premise, opposite)
         if len(bounds) > 1:
             return Finding(undecided("it is the contrary of what holds between two bounds"), name)
@@ -228,8 +215,8 @@ def _never(
     name: str, condition: Wanted, regions: Sequence[Region | None], found: Region, given: Assumptions, text: str
 ) -> Finding:
     """That there is no value for which the contrary of what is wanted holds: the motion ceases to be the stated one before."""
-    within = (end if bound is None else bound for end, bound in zip(given.range_of(name), (found.lower, found.upper), strict=True))
-    given = where_met(given.with_range(name, *within), found.asked)
+    ends = zip(given.range_of(name), (found.lower, found.upper), strict=True)
+    given = where_met(given.with_range(name, *(end if bound is None else bound for end, bound in ends)), found.asked)
     parts = zip(condition.values, regions, strict=True)
     said = [kept_said([value], condition.along, one.worst if one else (), given, holds=True) for value, one in parts]
     says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"

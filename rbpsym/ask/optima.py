@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from rbpsym.algebra import Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.ask.answer import on_way_back
-from rbpsym.ask.critical import SUPERLATIVES, on_what
+from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
@@ -16,6 +16,7 @@ from rbpsym.ask.limits import leading
 from rbpsym.ask.regions import region
 from rbpsym.ask.seen import Scene, comes_back, fits, moving, one_period, parameter, parts_seen, place_in, seen, told, whole_ways
 from rbpsym.ask.special import limit_said
+from rbpsym.ask.wanted import on_what
 from rbpsym.ask.zeros import precedes, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat

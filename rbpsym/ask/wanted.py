@@ -16,7 +16,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.coupled import courses_of
-from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import period, zeros
 from rbpsym.mechanics.stability import essential
@@ -71,6 +71,18 @@ def _without_divisor(demand: Demand, standing: list[Demand], given: Assumptions)
     return replace(demand, value=short(demand.value * Scalar(demand.value.den))) if below == "positive" else demand
 
 
+def case_of(world: Scene) -> tuple[Demand, ...]:
+    """What the motion that was told asks of the parameters."""
+    asked = (demand for demand in (*world.demands, *world.standing) if not moving(world, (demand.value,)))
+    return settle(asked, world.motion.assumptions) or ()
+
+
+def on_what(world: Scene, value: Scalar) -> str:
+    """The parameters on which a value depends, as advice."""
+    known = [q.name for q in world.study.problem.parameters if depends_on(value, q.name)]
+    return f"it depends on {', '.join(known)}." if known else ""
+
+
 def free_place(world: Scene, name: str, text: str) -> tuple[str, Scalar]:
     """The coordinate that is free, and its value where another one that is tied to it has a value."""
     if name not in world.coordinates:
@@ -110,7 +122,7 @@ def on_way(
         free = moving(world, values) or free
     if free == ["t"] and until is None:
         turns = {period(value, "t"): value for value in values if depends_on(value, "t")}
-        return Wanted(values, one_period([*turns.values()][0], given) if len(turns) == 1 else given, "t", asked=asked)
+        return Wanted(values, one_period(next(iter(turns.values())), given) if len(turns) == 1 else given, "t", asked=asked)
     name, end = (free[0], None) if until is None else free_place(world, until, text)
     if len(free) > 1 or name != free[0]:
         raise StatementError(f"“{phrase}” depends on {', '.join(free)} along the motion, and not on one coordinate alone")
