@@ -205,7 +205,7 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
     yield telling.forces_table(short, derivation, said)
     if long:
         yield Paragraph(said.say("forces.long", forces=[step.slots["force"] for step in long]))
-        yield from (telling.joined([step], said) for step in long)
+        yield from telling.long_forces(long, derivation, said)
     yield from telling.Teller(said).conditions(steps)
 
 

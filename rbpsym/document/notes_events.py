@@ -8,7 +8,7 @@ from rbpsym.derivation.chapters.endings import begun
 from rbpsym.document.model import Inlines
 from rbpsym.document.notes_sentences import sentences_of, touched
 from rbpsym.document.pose import DrawnPose
-from rbpsym.document.words import Words
+from rbpsym.document.words import Words, small
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, Phase, Problem
 
@@ -42,7 +42,7 @@ def _changes(problem: Problem, before: Problem, pose: DrawnPose, said: Words) ->
     if gone := [_letter(e) for e in old if e.name not in kept]:
         told.append(said.say("statement.gone", letters=gone, count=len(gone)))
     if told:
-        yield said.say("statement.from_then", sentence=told[0])
+        yield said.say("statement.from_then", sentence=small(told[0]))
         yield from told[1:]
 
 

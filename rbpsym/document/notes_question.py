@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import replace
+from itertools import groupby
 
 from rbpsym.algebra import names_in, symbol
 from rbpsym.ask.answer import Answer
@@ -89,7 +90,19 @@ def boxes_of_answers(sections: Iterable[Section], marks: Iterable[Ref]) -> Itera
     """The sections with boxes around the answers alone."""
     labels = {mark.label for mark in marks}
     for section in sections:
-        yield replace(section, blocks=tuple(_boxed(block, labels, others=False) for block in section.blocks))
+        yield replace(section, blocks=tuple(part for block in section.blocks for part in _parted(block, labels)))
+
+
+def _parted(block: Block, labels: Set[str]) -> Iterator[Block]:
+    """A block with a box if it is an answer; of several formulas under one number those that are asked for by themselves."""
+    rows = t.rows(block.node) if isinstance(block, Display) else ()
+    if not isinstance(block, Display) or len(rows) != 1 + len(block.also):
+        yield _boxed(block, labels, others=False)
+        return
+    for _, group in groupby(zip(rows, (block.label, *block.also), strict=True), key=lambda pair: pair[1] in labels):
+        kept, (first, *others) = zip(*group, strict=True)
+        part = replace(block, node=kept[0] if len(kept) == 1 else t.System(kept), label=first, also=tuple(others))
+        yield _boxed(part, labels, others=False)
 
 
 def _boxed(block: Block, labels: Set[str], *, others: bool) -> Block:

@@ -90,7 +90,8 @@ def _is_end(step: Step, both: Collection[str], asked: Collection[t.Node] | None)
 
 
 LEDGER = ("torque", "force", "work")
-FORCES = ("newton_euler.reaction", "newton_euler.known", "contact.along", "contact.other_force")  # what an unknown force is
+# what an unknown force is
+FORCES = ("newton_euler.reaction", "newton_euler.known", "newton_euler.settled", "contact.along", "contact.other_force")
 
 
 # of the works, what the chapter on the energy says once more of the whole
@@ -143,7 +144,7 @@ def led_to(steps: Iterable[Step], ends: Iterable[str]) -> frozenset[str]:
         id = left.pop()
         if id in by_id and id not in found:
             found.add(id)
-            left += by_id[id].premises if by_id[id].phrase == "newton_euler.reaction" else by_id[id].reasons
+            left += by_id[id].premises if by_id[id].phrase in FORCES[:3] else by_id[id].reasons
     return frozenset(found)
 
 

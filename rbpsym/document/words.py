@@ -176,6 +176,12 @@ def capital(inlines: Any) -> Any:
     return inlines
 
 
+def small(inlines: Inlines) -> Inlines:
+    """The same within a sentence."""
+    first = inlines[0]
+    return (Text(first.text[0].lower() + first.text[1:]), *inlines[1:]) if isinstance(first, Text) and first.text else inlines
+
+
 def sentences(parts: list[Inlines]) -> Inlines:
     """Sentences with a space between them."""
     found: list = []
