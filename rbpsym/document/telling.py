@@ -66,7 +66,8 @@ def long_forces(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     """Forces that have no room in a table, each with the torques that a shown step takes; in full notes with all. Of two that are
     opposite the second is known."""
     shown = [step for step in derivation.steps if step.id in said.shown]
-    taken = [(s.statement.items[0].name, [b.name for b in s.slots["bodies"].slots["bodies"]]) for s in shown if s.phrase.startswith("torque.net")]
+    net = [step for step in shown if step.phrase.startswith("torque.net")]
+    taken = [(step.statement.items[0].name, [b.name for b in step.slots["bodies"].slots["bodies"]]) for step in net]
     about = {step.id.partition(".")[2] for step in shown if step.rule == "work" or step.phrase == "newton_euler.body"}
     told: set[t.Node] = set()
     for step in steps:
@@ -74,7 +75,8 @@ def long_forces(steps: list[Step], derivation: Derivation, said: Words) -> Itera
         rest = "_".join(torques[0].items[0].name.split("_")[2:])
         points = {row: row.items[0].name.removesuffix(f"_{rest}") for row in torques}
         needed = {points[row] for row in torques if any(n.startswith(points[row]) and body in on for n, on in taken)}
-        rows = [row for row in torques if points[row] in needed or (points[row] == "tau_cm" and about & {body, step.id.partition(".")[2]})]
+        needed |= {"tau_cm"} if about & {body, step.id.partition(".")[2]} else set()
+        rows = [row for row in torques if points[row] in needed]
         rows = [*(() if t.neg(vector.items[0]) in told else (vector,)), *rows]
         told.add(vector.items[0])
         rows = list(t.rows(step.statement)) if said.is_full else rows

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Set
 
 from rbpsym.ask.asking import Refused, own_answers
 from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step
@@ -67,8 +67,8 @@ def _asked(whole: Derivation) -> frozenset[t.Node] | None:
 
 def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Node] | None) -> list[Step]:
     """The conclusions: where a blow at the start ends the motion there are none, where the whole motion is given its energy,
-    from which no speed follows, is none; of the unknown forces those that are asked for, that
-    vanish, or by which a contact pushes."""
+    from which no speed follows, is none; of the unknown forces those that are asked for, that vanish
+    altogether, or by which a contact pushes."""
     if is_struck(derivation):
         return derivation.chapter("inertia")
     system = derivation.study.system
@@ -79,12 +79,13 @@ def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Nod
     again = retold(derivation)
     found = (step for step in derivation.steps if step.chapter not in without and step.id not in again)
     told = ("forces", "work" if both else "") if len(system.bodies) == 1 else ()  # of one body every force, and what it does
-    return [s for s in found if _is_end(s, both, asked) or (s.chapter in told and s.rule in LEDGER)]
+    named = {name for e in derivation.study.problem.constraints for name in (e.name, e.values.get("friction"))}  # no components
+    return [s for s in found if _is_end(s, both, asked, named) or (s.chapter in told and s.rule in LEDGER)]
 
 
-def _is_end(step: Step, both: Collection[str], asked: Collection[t.Node] | None) -> bool:
+def _is_end(step: Step, both: Collection[str], asked: Collection[t.Node] | None, named: Set[object]) -> bool:
     if step.phrase in FORCES:
-        is_none = all(row.items[-1] == t.ZERO for row in t.rows(step.statement))
+        is_none = all(row.items[-1] == t.ZERO and t.names(row.items[0]) <= named for row in t.rows(step.statement))
         return asked is None or step.statement in asked or is_none or (step.is_result and step.chapter == "contact")
     return step.is_result or (step.level <= STANDARD and _concludes(step, both))
 

@@ -9,6 +9,7 @@ from rbpsym.document.numbering import numbered, parts
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_text
+from tests.library.derived import unsimulated
 
 ASKED = find_problem("rod-pendulum").read_text(encoding="utf-8").partition("[[ask]]")[0]
 
@@ -62,3 +63,22 @@ def test_the_words_of_another_language_and_their_formulas():
 def test_yes_and_no():
     page = notes(asking("does period of theta depend on M"))
     assert any(text(part).startswith("No. This answer is proved") for part in parts(page) if isinstance(part, Paragraph))
+
+
+def test_of_several_forces_the_one_that_is_asked_for_stands_in_the_box():
+    page = notes(unsimulated("ladder-in-equilibrium"))
+    boxed = [part.node for part in parts(page) if isinstance(part, Display) and part.boxed]
+    assert [t.rows(node)[0].items[0] for node in boxed] == [t.Sym("N_w"), t.Sym("d")]
+    assert all(len(t.rows(node)) == 1 for node in boxed)
+
+
+def test_of_a_last_phase_only_the_beginning_is_told_if_no_more_is_asked():
+    names = [found.label for found in parts(notes(unsimulated("box-against-ridge"))) if isinstance(found, Display)]
+    later = [name for name in names if name.startswith("phase2.")]
+    assert "phase2.moment.box.O" in later and later.index("phase2.moment.box.O") < later.index("phase2.after.speeds")
+    assert not {"phase2.motion.theta", "phase2.state.place", "energy"} & {*names}
+
+
+def test_what_is_not_asked_of_a_given_motion_is_left_out():
+    names = {found.label for found in parts(notes(unsimulated("slider-crank"))) if isinstance(found, Display)}
+    assert "tied_speed.psi" in names and not any(name.startswith(("reaction.", "work.", "theorem.")) for name in names)

@@ -15,9 +15,10 @@ import pytest
 
 from rbpsym.document import breaking
 from rbpsym.document.model import Display, Document, DocumentError, FigureBlock, Math, Paragraph, Ref, Section, Table, words
+from rbpsym.document.notes import notes
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.writers import WRITERS, writer
-from rbpsym.document.writers.html import folding_pieces
+from rbpsym.document.writers.html import folding_pieces, write_html
 from rbpsym.document.writers.markdown import in_markdown
 from rbpsym.document.writers.pdf import write_pdf
 from rbpsym.errors import RbpsymError
@@ -27,6 +28,7 @@ from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.layout import layout
 from rbpsym.notation.tree import names
 from tests.document.samples import NASTY, SKETCHES, sample
+from tests.library.derived import unsimulated
 
 SOURCES = [name for name in WRITERS if name != "pdf"]
 PRINTERS = {"typ": typst, "html": mathml, "docx": omml}  # all others print LaTeX
@@ -288,3 +290,9 @@ def test_apostrophes_are_those_of_print() -> None:
         assert "Newton’s laws" in text or name in TAGGED
         assert "Steiner’s rule" in text
         assert "Steiner's" not in text
+
+
+def test_a_mark_does_not_stand_alone_on_the_line_below_its_formula():
+    page = write_html(numbered(notes(unsimulated("rod-pendulum"))))
+    assert re.search(r'<span class="held"><math(?:(?!</math>).)*</math>\.</span>', page)
+    assert not re.search(r"<p>(?:(?!</p>).)*</math>[.,](?!</span>)", page)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 from functools import cache
 
 from markupsafe import Markup, escape
@@ -26,6 +27,10 @@ from rbpsym.notation.tree import Node
 
 
 OPEN = '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">'
+
+
+HELD = re.compile("<math(?:(?!</math>).)*</math>[.,;:!?)»”]+", re.DOTALL)  # a mark does not stand alone on the next line
+TOGETHER = r'<span class="held">\g<0></span>'
 
 
 def inline_math(node: Node, page: Page) -> str:
@@ -254,5 +259,5 @@ HTML = prints(
     math=lambda inline, page: inline_math(inline.node, page),
     emph=lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
     strong=lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
-    paragraph=lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
+    paragraph=lambda block, page: f"<p>{HELD.sub(TOGETHER, page.inlines(block.inlines))}</p>",
 )  # fmt: skip
