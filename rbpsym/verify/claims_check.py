@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, Scalar, Space, depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, Scalar, Space, depends_on, derivative, substitute, symbol
 from rbpsym.algebra.present import present
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.points import names_of
@@ -291,8 +291,23 @@ def _decided(relation: t.Chain, ground: Ground, question: Question) -> Link:
     a, b = valued(left, ground), valued(right, ground)
     if op not in ("=", "!=") and (isinstance(a, Space) or isinstance(b, Space)):
         return Link(relation, Outcome.NOT_COMPUTED, detail="vectors are not greater or smaller than each other")
-    verdict = compare(a, b, op, question)
-    return _link(relation, _on_both_roads(verdict, relation, op, question))
+    gained = _gained(relation, ground)
+    if gained in (NOTHING, Space()):
+        return _link(relation, _on_both_roads(compare(a, b, op, question), relation, op, question))
+    if op == "=" and isinstance(gained, Scalar) and d.is_constant(gained, question, ("identity",)):
+        return _link(relation, d.up_to_constant(a, b, question))
+    return Link(relation, Outcome.UNDECIDED, detail="a symbol is known up to a constant only, on which this depends")
+
+
+def _gained(relation: t.Chain, ground: Ground) -> Scalar | Space:
+    """By how much the sides are further apart if a constant is added to what is known up to a constant only."""
+    loose = {name for name in t.names(relation) if ground.kind(name) == "up to a constant"}
+    if not loose:
+        return NOTHING
+    more = {key: replace(one, scalar=one.number + symbol("C_0")) for key, one in ground.bounds.items() if key[0] in loose}
+    grounds = (replace(ground, bounds={**ground.bounds, **more}), ground)
+    far, near = (valued(t.add(relation.items[0], t.Neg(relation.items[1])), one) for one in grounds)
+    return far - near
 
 
 def _link(relation: t.Chain, verdict: Verdict) -> Link:
@@ -337,11 +352,6 @@ def _constant(relation: t.Chain, one: t.Node, other: t.Node, question: Question)
     return _link(relation, all_of(d.constant_value(part, question) for part in parts))
 
 
-def _loose(relation: t.Chain, one: t.Node, other: t.Node, question: Question) -> Link:
-    value, same = (valued(node, question.ground) for node in (other, one))
-    return _link(relation, d.up_to_constant(value, same, question))
-
-
 def _defines(relation: t.Chain, one: t.Node, other: t.Node, question: Question) -> Link:
     """The relation says what a new symbol means."""
     if one.name in t.names(other):
@@ -350,4 +360,4 @@ def _defines(relation: t.Chain, one: t.Node, other: t.Node, question: Question) 
     return Link(relation, Outcome.DEFINITION, "it defines its symbol")
 
 
-SPECIAL = {"constant": _constant, "up to a constant": _loose, "defined here": _defines}
+SPECIAL = {"constant": _constant, "defined here": _defines}

@@ -75,13 +75,14 @@ def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
                 return False
         except ZeroDivisionError:  # the start is a place where one of them has no value
             return False
-        if _is_constant(gap, question, question.depths):
+        if is_constant(gap, question, question.depths):
             return True
         gap = question.rate(gap)
     return False
 
 
-def _is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> bool:
+def is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> bool:
+    """Does its rate vanish at one of these depths?"""
     for depth in depths:
         with suppress(Undecided):
             if are_same(question.seen(question.rate(value, depth), depth), NOTHING, question):
@@ -92,7 +93,7 @@ def _is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> bo
 def constant_value(value: Scalar, question: Question) -> Verdict:
     """Whether a value is a constant of the motion."""
     for depth in question.depths:
-        if _is_constant(value, question, (depth,)):
+        if is_constant(value, question, (depth,)):
             return proved(HOW["constant"])
     rate = question.rate(value)
     found = refutation(rate, NOTHING, question) if question.witnesses else undecided("not proved")
@@ -103,7 +104,7 @@ def constant_value(value: Scalar, question: Question) -> Verdict:
 
 def up_to_constant(value: Scalar, other: Scalar, question: Question) -> Verdict:
     """Whether two values differ by a constant, as an identity in positions and speeds."""
-    if _is_constant(value - other, question, ("identity",)):
+    if is_constant(value - other, question, ("identity",)):
         return proved("equal up to a constant")
     gained, same = (v - question.begin(v) for v in (value, other))
     found = witness_of(gained, same, question.motion.assumptions)

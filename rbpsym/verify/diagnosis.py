@@ -40,7 +40,7 @@ def is_in_exponent(path: Path) -> bool:
     return any(name in ("exponent", "lower", "upper", "to", "condition") for name, _ in path)
 
 
-MOST_UNSEEN, MOST_DECIDED = 24, 12
+MOST_UNSEEN, MOST_LOOSE, MOST_DECIDED = 24, 400, 12
 FACTORS = tuple(Fraction(n, d) for n, d in (
     (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (6, 1), (1, 6), (8, 1), (1, 8), (5, 1),
     (1, 5), (12, 1), (1, 12), (-2, 1), (-1, 2),
@@ -58,14 +58,15 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
     """The first repair that is PROVED; what is true of a symbol that stands alone if none is."""
     if relation.ops != ("=",):
         return Diagnosis()
-    looks = samples(Question(ground, claim.holds))
-    decided = unseen = 0
+    loose = any(ground.kind(name) in ("constant", "up to a constant") for name in t.names(relation))  # then numbers say nothing
+    looks = [] if loose else samples(Question(ground, claim.holds), relation=relation)
+    decided, unseen, most = 0, 0, MOST_LOOSE if loose else MOST_UNSEEN
     for repair in _repairs(relation, claim, ground):
         if len(set(repair.relation.items)) == 1:
             continue  # I = I says nothing
         seen = _is_likely(repair, ground, looks)
         unseen += seen is None
-        if seen is False or (seen is None and unseen > MOST_UNSEEN) or decided >= MOST_DECIDED:
+        if seen is False or (seen is None and unseen > most) or decided >= MOST_DECIDED:
             continue
         decided += seen is True
         link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
@@ -171,7 +172,9 @@ def _exponents(path: Path, node: t.Node) -> Iterator[Change]:
     if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
         for step in (-1, 1):
             yield t.power(node.base, node.exponent.value + step), f"exponent of {to_text(node.base)}"
-    elif isinstance(node, (t.Sym, t.Fn, t.Group)) and (not path or path[-1][0] != "base"):
+    elif (isinstance(node, (t.Sym, t.Fn, t.Group)) and (not path or path[-1][0] != "base")) or (
+        isinstance(node, t.Add) and path and path[-1][0] in ("factors", "terms")
+    ):
         yield t.Pow(node, t.TWO), f"exponent of {to_text(node)}"
 
 

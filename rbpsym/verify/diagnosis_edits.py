@@ -63,8 +63,10 @@ def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
         if key is None or _FAR.search(meaning.phrase) or len(phrases) >= MOST:
             continue
         with suppress(RbpsymError):
-            bounds.setdefault(key, ground.world.bound(meaning.phrase))
-            phrases[key[0]] = meaning.phrase
+            found = ground.world.bound(meaning.phrase)
+            if found.scalar != NOTHING:  # nobody means what vanishes
+                bounds.setdefault(key, found)
+                phrases[key[0]] = meaning.phrase
     return replace(ground, bounds=bounds), phrases
 
 
@@ -111,7 +113,7 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
         seen = {name: _seen(own, question, depth) for name, own in values.items()}
         for path, node in _summands(relation):
             value = _that_is_missing(relation, path, node, question, depth)
-            for term in () if value is None else (*_symbols_of(value, seen), renamed(present(value), named)):
+            for term in () if value is None else (*_symbols_of(value, seen), renamed(_told(value, relation, ground), named)):
                 size = len([part for part in t.walk(term) if not isinstance(part, t.Neg)])
                 sums = sum(isinstance(part, t.Add) for part in t.walk(term))
                 known = t.names(term) - {"pi"} <= phrases.keys() and not alone & t.names(term)
@@ -120,6 +122,14 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
                     found.setdefault(put(relation, path, t.add(node, term)), (size, term))
     for repaired, (_, term) in sorted(found.items(), key=lambda item: item[1][0]):
         yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
+
+
+def _told(value: Scalar, relation: t.Chain, ground: Ground) -> t.Node:
+    """The value as a formula; without its constant where a symbol is known up to a constant only."""
+    found = present(value)
+    if not isinstance(found, t.Add) or not any(ground.kind(name) == "up to a constant" for name in t.names(relation)):
+        return found
+    return t.add(*(term for term in found.terms if t.names(term) & ground.motion.scope.rates.keys()))
 
 
 def _value_of(node: t.Node | str, ground: Ground) -> Scalar | None:
@@ -151,11 +161,19 @@ def _is_summand(path: Path, node: t.Node, parents: Mapping[Path, t.Node]) -> boo
     kind = path[-1][0]
     if kind == "factors":  # a parenthesis of which one term is left
         return isinstance(node, (t.Sym, t.Fn, t.Num))
-    return kind in ("items", "num", "den") or (kind == "arg" and isinstance(parents[path[:-1]], t.Group))
+    return kind in ("items", "num", "den") or (kind == "arg" and isinstance(parents[path[:-1]], (t.Group, t.Sqrt)))
 
 
 def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Question, depth: str) -> Scalar | None:
-    """The term x for which the gap (a + b x)/(1 + d x) of the sides is zero, found from its values at 0, 1 and 2."""
+    """The term x for which the gap (a + b x)/(1 + d x) of the sides is zero, found from its values at 0, 1 and 2.
+
+    Under a root it is found from what the root should be.
+    """
+    above = dict(sites(relation)).get(path[:-1])
+    if isinstance(above, t.Sqrt):
+        more = _that_is_missing(relation, path[:-1], above, question, depth)
+        whole = None if more is None else more + valued(above, question.ground)
+        return None if whole is None else without_even_roots(whole * whole - valued(node, question.ground))
     gaps = []
     for number in range(3):
         sides = put(relation, path, t.add(node, t.Num(number)) if number else node).items

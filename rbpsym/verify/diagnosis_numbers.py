@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from hashlib import blake2b
+from itertools import islice
 from typing import Any
 
 from rbpsym.algebra import Scalar, Space, root
@@ -116,19 +117,15 @@ class Sample(Frozen):
             return None
 
 
-def samples(question: Question, count: int = 2) -> list[Sample]:
-    """States in which the squares of the speeds are not negative."""
-    seeds = _reached(question, count)
-    return [Sample(question, Numbers(seed, known)) for seed, known in seeds]
-
-
-def _reached(question: Question, count: int) -> list[tuple[int, dict[str, float]]]:
-    """Seeds with what they give for the coordinates and speeds; every second one is near the start."""
+def samples(question: Question, count: int = 2, relation: t.Chain | None = None) -> list[Sample]:
+    """States in which the squares of the speeds are not negative, and both sides have a value (if there are any)."""
     motion = question.motion
-    if not motion.states:
+    if not motion.states:  # seeds with what they give for the coordinates and speeds; every second one is near the start
         found = [(seed, known) for seed in range(60) if (known := _state(motion, seed)) is not None]
         motion.states.extend(found or _start_state(motion))
-    return motion.states[:count]
+    looks = [Sample(question, Numbers(seed, known)) for seed, known in motion.states]
+    valued = (look for look in looks if relation is not None and look.gap(relation) is not None)
+    return list(islice(valued, count)) or looks[:count]
 
 
 def _start_state(motion: Motion) -> list[tuple[int, dict[str, float]]]:

@@ -56,6 +56,14 @@ def test_what_is_far_off_is_told_what_it_is():
         ("bar-in-two-slots", "work-of-the-weight", r"U_W = -\frac{1}{2}mgb(1)", "term −cos θ is missing"),  # a work carried out
         ("disk-off-center", "equation-of-motion", r"\left(\frac{1}{2}R^2+d^2\right)\ddot\theta = 0", "dg sin θ is missing"),
         ("paper", "wall-works-cancel", r"\mathpzc{w}_1 = 0", "missing"),
+        ("disk-with-spring", "energy", r"E = \frac{3}{4} m v^2", "term kx²/2 is missing"),  # whatever the constant
+        ("disk-with-spring", "energy", r"E = \frac{1}{4} m v^2 + \frac{1}{2} k x^2", "3 in place of 1"),
+        ("bead-on-rotating-rod", "jacobi-integral", r"\frac{1}{2}m(\dot r^2 - r^2\omega) = C_0", "exponent of ω"),
+        ("cart-pulled-over-pulley", "kinetic-energy",
+         r"K = P \left(\sqrt{x_1^2 + h^2} - \sqrt{x_2^2}\right)", "term h² is missing"),
+        ("planet-wheel", "energy",
+         r"K = \frac{1}{2}\left(\frac{M}{3}+\frac{3m}{2}\right)(R+r)\omega^2", "of R + r"),
+        ("metronome", "frequency", r"\omega_0^2 = \frac{(m_2a-m_2b)g}{m_1a^2+m_2b^2}", "m₁ in place of m₂"),
     ],
 )
 def test_the_missing_term_is_told_and_never_what_makes_it_empty(file, name, latex, told):
