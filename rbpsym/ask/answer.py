@@ -27,7 +27,7 @@ from rbpsym.mechanics.solved import speed_along
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
-from rbpsym.quantity.bound import Bound
+from rbpsym.quantity.bound import Bound, parts, plane
 from rbpsym.quantity.path import even, first_push, inward, sense, work_by_energy, work_done
 from rbpsym.quantity.problem import ProblemWorld
 
@@ -127,15 +127,6 @@ def found_of(asked: Asked, question: Question) -> Found:
 # --- what it is about
 
 
-def parts(bound: Bound) -> tuple[Scalar, ...]:
-    """The value of a quantity, or both components of a vector in the plane. Raises StatementError if it has none."""
-    if bound.vector is not None and (bound.scalar is None or bound.in_plane or bound.vector.plane.parts):
-        return bound.vector.plane.x, bound.vector.plane.y
-    if bound.scalar is None and not bound.values:
-        raise StatementError("this has no value of its own", instead="name a quantity.")
-    return bound.values or (bound.scalar,)
-
-
 def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bound]:
     """The phase in which the quantity is known, and what it is there."""
     if question.manner == SMALL and not question.of and question.when is None:
@@ -145,7 +136,7 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
     if place is None and question.phase:
         place = asked.named(question.phase)
     if place is not None:
-        return place, asked.world(place).bound(question.quantity)
+        return place, _meant(asked.world(place), question)
     refused = {}
     for each in (*range(asked.lasting, len(asked.names)), *range(asked.lasting)):
         try:
@@ -153,10 +144,16 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
         except RbpsymError as error:  # what a phase that cannot be worked out would say, no other one says for it
             raise (error if each < asked.lasting else next(iter(refused.values()), error)) from None
         try:
-            return each, world.bound(question.quantity)
+            return each, _meant(world, question)
         except RbpsymError as error:
             refused[each] = error
     raise refused[0]
+
+
+def _meant(world: ProblemWorld, question: Question) -> Bound:
+    """What the words mean; the direction of a force is that of its vector, where its name alone is its magnitude."""
+    found = world.bound(question.quantity)
+    return plane(world.vector(question.quantity)) if question.is_direction and len(parts(found)) == 1 else found
 
 
 def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[Scalar, Scalar]]:

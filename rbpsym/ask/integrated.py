@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import NOTHING, Scalar, depends_on, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
-from rbpsym.ask.answer import parts
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import require_numbers
 from rbpsym.ask.question import Question, When
@@ -23,6 +22,7 @@ from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
+from rbpsym.quantity.bound import parts
 from rbpsym.quantity.problem import ProblemWorld
 
 if TYPE_CHECKING:

@@ -30,6 +30,7 @@ from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import ZERO
 from rbpsym.quantities import TIME
 from rbpsym.quantity.problem import ProblemWorld
@@ -169,6 +170,8 @@ def moment_of(asked: Asked, when: When, question: Question) -> Moment:
         found, refused = MOMENTS[when.kind](asked, when, place), None
     except StatementError as error:
         found, refused = None, error
+    if (end := found and found.phase) and end.event in ("reaches", "rests") and when.kind == "until" and found.state.time is None:
+        when = When(end.event, (end.subject, to_machine(end.value or ZERO)), when.text)
     is_part = found is None or (found.state.time is None and ("time" in question.quantity or _is_open(asked, found)))
     if when.kind in ("reaches", "rests", "vanishes") and is_part:
         ahead = range(asked.lasting, len(asked.names))

@@ -67,6 +67,15 @@ def number(value: Scalar, told: str = "") -> Bound:
     return Bound(value, told=told)
 
 
+def parts(bound: Bound) -> tuple[Scalar, ...]:
+    """The value of a quantity, or both components of a vector in the plane. Raises StatementError if it has none."""
+    if bound.vector is not None and (bound.scalar is None or bound.in_plane or bound.vector.plane.parts):
+        return bound.vector.plane.x, bound.vector.plane.y
+    if bound.values or bound.scalar is not None:
+        return bound.values or (bound.number,)
+    raise StatementError("this has no value of its own", instead="name a quantity.")
+
+
 class Motion(Frozen):
     """What is true of the motion: how values are seen at three depths.
 

@@ -236,6 +236,11 @@ ANSWERS = (
     ("ball-onto-incline", "acceleration of x in the climb phase", "-5*g*sin(beta)*cos(beta)/7"),
     ("rod-in-lift", "frequency of small oscillations", "sqrt(3*(a+g)/(2*ell))"),
     ("rod-in-lift", "the period of small oscillations of theta", "2*pi*sqrt(2*ell/(3*(a+g)))"),
+    ("sled-pushed-off", "time until free", "pi*sqrt(m*M/(k*(m+M)))/2"),
+    ("sled-pushed-off", "total kinetic energy when free begins", "k*b**2/2"),
+    ("sled-pushed-off", "x component of linear momentum", "0"),
+    ("crane", "direction of F", "atan((M*h+L*(M+2*m)*sin(beta))/(L*(M+2*m)*cos(beta)))"),
+    ("crane", "h for which T is least", "L/sin(beta)"),
     ("orbit", "v_0 for which r stays constant", "r_0*sqrt(k/m)"),
     ("orbit", "v_0 for which r stays r_0", "r_0*sqrt(k/m)"),
 )  # fmt: skip
