@@ -123,10 +123,11 @@ def answer_section(
     together = len(answers) > 1 and all(isinstance(found, Answer) and found.verdict.is_proved for found in answers)
     blocks: list[Block] = []
     stated: dict[int, Ref] = {}
+    held: dict[tuple[t.Node, ...], list[Ref]] = {}  # how long the answers hold that stand on the page
     for number, found in enumerate(answers):
         if not said.is_brief and (mark := _stated(found, shown)):
             stated[number] = mark
-            blocks += _conditions_there(found, mark, said)
+            held.setdefault(found.valid, []).append(mark)
             continue
         own = replace(said, prefix=f"{said.prefix}ask{number + 1}.", same={}, owed={}, shown=frozenset())
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
@@ -137,16 +138,12 @@ def answer_section(
     if together and blocks and not said.is_brief:
         steps = [step for found in answers for step in found.steps]
         blocks.append(Paragraph(said.say("question.proved.many", ground=Said(steps=steps))))
+    lasting = [(list(valid), marks) for valid, marks in held.items() if valid]
+    slots = [{"steps": marks, "conditions": valid, "count": len(marks)} for valid, marks in lasting]
+    blocks = [*(Paragraph(said.say("question.stated", **each)) for each in slots), *blocks]
     labels = {mark.label for mark in stated.values()}
     found = tuple(_boxed(block, labels, others=True) for block in blocks)
     return Section(said.say("section.answer"), found, said.prefix + "section.answer", level) if blocks else None, stated
-
-
-def _conditions_there(found: Answer, mark: Ref, said: Words) -> Iterator[Block]:
-    """How long an answer that stands on the page holds."""
-    if found.valid:
-        slots = {"question": question(text_of(found), said), "step": mark, "conditions": list(found.valid)}
-        yield Paragraph(said.say("question.stated", **slots))
 
 
 def text_of(found: Found) -> str:

@@ -42,8 +42,10 @@ class Page(Frozen):
         return between.join(map(self.show, blocks))
 
     def is_lead(self, block: d.Block, after: d.Block | None) -> bool:
-        """Does a paragraph lead to the formula below it, so that no page may end between them?"""
-        return isinstance(block, d.Paragraph) and isinstance(after, d.Display)
+        """Does a paragraph lead to the formula below it, or is it a heading, so that no page may end after it?"""
+        if not isinstance(block, d.Paragraph):
+            return False
+        return isinstance(after, d.Display) or (after is not None and [*map(type, block.inlines)] == [d.Emph])
 
     def word(self, key: str, **slots: object) -> str:
         """A phrase that is only text, in the document's language, unescaped."""
