@@ -227,12 +227,12 @@ def _never(
 def _own_demands(world: Scene, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:
     """What is asked of the symbol itself, what is known without that, and with it: it is a premise of the rest only."""
     asked = [*condition.asked, *(demand for demand in world.demands if demand.op != "!=")]
-    own = [demand for demand in asked if depends_on(demand.value, name)]
-    given = premise = where_met(condition.given, asked)
+    own, firm = ([demand for demand in asked if depends_on(demand.value, name) is is_own] for is_own in (True, False))
+    given = premise = where_met(assuming(condition.given, firm, tighter=True, whole=True), own)
     if own:
         within = {condition.along: given.range_of(condition.along)} if condition.along else {}
         given = replace(condition.given, ranges={**world.motion.assumptions.ranges, **within})
-        given = where_met(given, [demand for demand in asked if demand not in own])
+        given = assuming(given, firm, tighter=True, whole=True)
     return own, given, premise
 
 

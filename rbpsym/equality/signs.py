@@ -92,7 +92,7 @@ class Study(Walker):
         self.left = MOST_STUDIES if self.factoring else FEW_STUDIES
         self.samples = samples_of(self.assumptions)
         for value, may_vanish in self.assumptions.known:
-            mask = PLUS_ZERO if may_vanish else PLUS
+            mask = (PLUS_ZERO if may_vanish else PLUS) & self.found.get(value.num, ANY)
             self.found |= {value.num: mask, -value.num: flip(mask)}
 
     def scalar(self, value: Scalar) -> int:

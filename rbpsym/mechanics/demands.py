@@ -66,7 +66,8 @@ def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...]
     parts = {one for one in demands if one.op != ">" and any(_divided(item, [Demand(one.value)]) != item for item in strict)}
     demands = [item for item in demands if item.op != "!=" or item not in parts]  # a factor of what is positive is not zero
     demands = [Demand(item.value) if item in parts else item for item in demands]
-    demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
+    known = [Demand(value, ">=" if is_loose else ">") for value, is_loose in given.known]
+    demands = list(dict.fromkeys(_divided(item, [*demands, *known]) for item in demands))
     firm = {one.value * way for one in demands if one.op == ">" for way in (1, -1)}
     apart = [item for k, item in enumerate(demands) if item.value in firm or Demand(-item.value, "!=") in demands[:k]]
     demands = [item for item in demands if item.op != "!=" or item not in apart]

@@ -24,6 +24,8 @@ ANSWERS = (
     ("disks-on-spring", "time until S reaches its natural length", "pi/2*sqrt(3*m_1*m_2/(2*k*(m_1+m_2)))"),
     ("pushed-wedge", "smallest A for which it does not slip", "g*(sin(beta)-mu*cos(beta))/(cos(beta)+mu*sin(beta))"),
     ("pushed-wedge", "largest A for which it does not slip", "g*(sin(beta)+mu*cos(beta))/(cos(beta)-mu*sin(beta))"),
+    ("wedge-lift", "smallest P for which the block rises",
+     "M*g*((1-mu**2)*sin(alpha)+2*mu*cos(alpha))/((1-mu**2)*cos(alpha)-2*mu*sin(alpha))"),
     ("trolley-door", "smallest P for which the door moves", "mu*m*g*b/(2*b+mu*h)"),
     ("two-rods-pushed", "angular acceleration of upper at the start for d -> L", "-6*P/(7*m*L)"),
     ("two-rods-pushed", "B_x at the start as d goes to L", "2*P/7"),
