@@ -174,6 +174,10 @@ Ltac between := let x := fresh in let H := fresh in intros x H;
 (* Algebra: an equation less multiples of known ones. *)
 Lemma trig : forall x, sin x ^ 2 + cos x ^ 2 = 1.
 Proof. intros x. assert (H := sin2_cos2 x). unfold Rsqr in H. simpl. lra. Qed.
+Lemma sin_of : forall a b c, a = b + c -> sin a = sin b * cos c + cos b * sin c. Proof. intros; subst; apply sin_plus. Qed.
+Lemma cos_of : forall a b c, a = b + c -> cos a = cos b * cos c + - (sin b * sin c). Proof. intros; subst; apply cos_plus. Qed.
+Lemma sin_off : forall a b c, a = b - c -> sin a = sin b * cos c + - (cos b * sin c). Proof. intros; subst; apply sin_minus. Qed.
+Lemma cos_off : forall a b c, a = b - c -> cos a = cos b * cos c + sin b * sin c. Proof. intros; subst; apply cos_minus. Qed.
 Lemma lin0 : forall l r, l - r = 0 -> l = r.
 Proof. intros; lra. Qed.
 Lemma less : forall (c a b : R), a = b -> forall g, g - c * (a - b) = 0 -> g = 0.
@@ -246,7 +250,11 @@ Ltac pos := repeat split; try assumption; match goal with
   end.
 Lemma part_of : forall a b, 0 < b -> - b <= a <= b -> -1 <= a / b <= 1.
 Proof. intros a b P H. split; apply Rmult_le_reg_r with b; trivial; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. Qed.
-Ltac within := first [lra | apply part_of; [solve [repeat pos1] | split; nra]].
+Lemma inside : forall x, 0 < 1 + - x ^ 2 -> -1 <= x <= 1.
+Proof. intros x P. nra. Qed.
+Ltac inside_known := match goal with W : forall t, ?a < t < ?b -> 0 < 1 + - ?x ^ 2, H : ?a < ?s < ?b |- -1 <= ?y <= 1 =>
+  first [constr_eq x y | replace y with x by (first [poly | field; pos])]; exact (inside x (W s H)) end.
+Ltac within := first [lra | inside_known | apply part_of; [solve [repeat pos1] | split; nra]].
 Ltac ang := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
   ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a, ?sin_atan, ?cos_atan, ?exp_0, ?ln_1;
   rewrite ?cos_acos, ?sin_acos, ?sin_asin, ?cos_asin by within; unfold Rsqr.
@@ -267,9 +275,20 @@ Ltac one_angle := match goal with
     | |- context [cos ?b] => tryif constr_eq a b then fail else replace (cos b) with (cos a) by (f_equal; rational)
     end
   end.
+Ltac one_inverse := match goal with
+  | |- context [atan ?a] => match goal with
+    | |- context [atan ?b] => tryif constr_eq a b then fail else replace (atan b) with (atan a) by (f_equal; rational) end
+  | |- context [acos ?a] => match goal with
+    | |- context [acos ?b] => tryif constr_eq a b then fail else replace (acos b) with (acos a) by (f_equal; rational) end
+  | |- context [asin ?a] => match goal with
+    | |- context [asin ?b] => tryif constr_eq a b then fail else replace (asin b) with (asin a) by (f_equal; rational) end
+  end.
 Ltac fld := cbn [INR pred]; first [rational | ang; rational | repeat one_root; rational
-  | repeat one_angle; first [rational | ang; repeat one_angle; rational] | solve [field; pos]].
+  | repeat one_angle; first [rational | ang; repeat one_angle; rational] | solve [field; pos]
+  | repeat one_inverse; ang; repeat one_root; rational].
 
+Ltac nonzero_here := cbv beta; first [nonzero | ang; repeat apply Rmult_integral_contrapositive_currified;
+  first [nonzero | apply Rgt_not_eq; lra | apply Rlt_not_eq; lra]].
 Ltac der := repeat (
   lazymatch goal with
   | |- is_derive (fun _ => ?c) _ _ => apply D_const
@@ -278,9 +297,9 @@ Ltac der := repeat (
   | |- is_derive (fun u => @?f u - @?g u) _ _ => eapply (D_minus f g)
   | |- is_derive (fun u => - @?f u) _ _ => eapply (D_opp f)
   | |- is_derive (fun u => @?f u * @?g u) _ _ => eapply (D_mult f g)
-  | |- is_derive (fun u => @?f u / ?c) _ _ => eapply (D_div f c)
-  | |- is_derive (fun u => @?f u / @?g u) _ _ => eapply (D_quot f g); [| | cbv beta; nonzero]
-  | |- is_derive (fun u => / @?g u) _ _ => eapply (D_inv g); [| cbv beta; nonzero]
+  | |- is_derive (fun u => @?f u / @?g u) _ _ =>
+    lazymatch g with fun _ => ?c => eapply (D_div f c) | _ => eapply (D_quot f g); [| | nonzero_here] end
+  | |- is_derive (fun u => / @?g u) _ _ => eapply (D_inv g); [| nonzero_here]
   | |- is_derive (fun u => @?f u ^ ?n) _ _ => eapply (D_pow f n)
   | |- is_derive (fun u => sin (@?f u)) _ _ => eapply (D_sin f)
   | |- is_derive (fun u => cos (@?f u)) _ _ => eapply (D_cos f)

@@ -37,8 +37,8 @@ class Multiples(Frozen):
 
 class Have(Frozen):
     """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral",
-    "sign" and "gap" (a sine, a difference that ranges keep positive), "nonzero" and "positive" (± left is a positive
-    formula and one that is not negative).
+    "sum" (sine and cosine of a sum of angles), "sign" and "gap" (a sine, a difference that ranges keep positive), "nonzero"
+    and "positive" (± left is a positive formula and one that is not negative).
 
     multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0, and
     `begin` that it is 0 at the start; source: the premises that it rests on; parts: the two formulas of "nonzero", the

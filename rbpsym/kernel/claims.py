@@ -217,8 +217,6 @@ FACTS: Mapping[str, Callable[[Source, str], Iterator[Claim]]] = {
 }
 
 
-
-
 def _by_first(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
     """The letter is what stands next to it: a rate, an integral along the path, a formula."""
     items = row.items
@@ -307,17 +305,39 @@ def _equilibrium(source: Source, step: Step, claims: list[Claim]) -> list[Claim]
 
 
 def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
-    """What is linear has the value and the derivative of the right side of the equation of motion at the place."""
-    name, right = step.data["name"], rows(step.statement)[0].items[-1]
-    whole = rows(source.steps[f"motion.{name}"].statement)[0].items[-1]
-    apart = t.Add((whole, t.Neg(right)))
-    place = {each: tree_of(value) for each, value in step.data["at"].items()}
-    place |= {each: t.ZERO for each in sorted(filter(source.moving, t.names(apart))) if each not in place}
-    found = [Claim(t.renamed(apart, place), t.ZERO)]
-    for var in sorted({name} | t.names(apart) & place.keys()):
-        others = {each: value for each, value in place.items() if each != var}
-        found.append(Claim(t.renamed(apart, others), t.ZERO, "slope", var=var, place=place[var]))
+    """With the accelerations of the equations of motion, the sides of what is linear are alike at the place in value and
+    derivatives."""
+    found = []
+    for row in rows(step.statement):
+        solved = {name: rows(source.steps[f"motion.{name[:-5]}"].statement)[0].items[-1]
+                  for name in t.names(row.items[0]) & set(source.system.accelerations)}  # fmt: skip
+        apart = t.Add((t.renamed(row.items[0], solved), t.Neg(row.items[-1])))
+        place, moved = _resting(source, step), sorted(filter(source.moving, t.names(apart)))
+        place |= {each: t.ZERO for each in moved if each not in place}
+        found.append(Claim(t.renamed(apart, place), t.ZERO))
+        for var in moved:
+            others = {each: value for each, value in place.items() if each != var}
+            found.append(Claim(t.renamed(apart, others), t.ZERO, "slope", var=var, place=place[var]))
     return found
+
+
+def _resting(source: Source, step: Step) -> dict[str, t.Node]:
+    """The coordinates at the place of rest; one that may have any value there has a letter of its own."""
+    free = {name: t.Sym(f"any_{name}") for name in source.system.independent if name not in step.data["at"]}
+    return free | {name: t.renamed(tree_of(value), free) for name, value in step.data["at"].items()}
+
+
+def _mode(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """If what is linear has a solution of this kind in which a coordinate takes part, the polynomial vanishes."""
+    rate, linear = step.slots["letter"], source.steps[f"linear.{step.id.split('.')[1]}"]
+    speed, gain = (t.ZERO, t.Neg(rate)) if step.rule == "secular" else (rate, t.Pow(rate, t.TWO))
+    sizes = {name: t.Sym(f"amplitude_{name}") for name in source.system.independent}
+    moved: dict[str, t.Node] = {name: t.Add((place, sizes[name])) for name, place in _resting(source, step).items()}
+    moved |= {f"{name}_dot": t.Mul((speed, size)) for name, size in sizes.items()}
+    moved |= {f"{name}_ddot": t.Mul((gain, size)) for name, size in sizes.items()}
+    solves = [Claim(t.renamed(row.items[0], moved), t.renamed(row.items[-1], moved)) for row in rows(linear.statement)]
+    taking = (Claim(size, t.ZERO, "differ") for size in sizes.values())
+    return [replace(claim, given=(*solves, part)) for claim in claims for part in taking]
 
 
 def _there(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
@@ -342,6 +362,6 @@ def _asked(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
 
 MORE: Mapping[str, Callable[[Source, Step, list[Claim]], list[Claim]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
-    "linearization": _tangent, "vanishing": _vanishes, "value_there": _there,
-    "asked": _asked,
+    "linearization": _tangent, "linear_system": _tangent, "secular": _mode, "polynomial": _mode, "vanishing": _vanishes,
+    "value_there": _there, "asked": _asked,
 }  # fmt: skip

@@ -3,7 +3,7 @@ which a multiple is shown to be 0; and why what is divided by does not vanish.""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,9 +12,9 @@ from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import bases_of, in_bases, is_zero
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, parted, reduced
-from rbpsym.kernel.claim import tree_of
-from rbpsym.kernel.positive import Sum
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, parted, reduced, wound
+from rbpsym.kernel.claim import Claim, tree_of
+from rbpsym.kernel.positive import Sum, is_wave
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import shown, signed
 from rbpsym.mechanics.elimination import solve_linear
@@ -23,22 +23,35 @@ from rbpsym.notation import tree as t
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search
 
+MOST = 6  # rows of which multiples with sines and cosines alone are sought
+
 
 def combined(search: Search, goal: Scalar, rows: Sequence[Scalar]) -> list[Scalar] | None:
     """Factors with goal = Σ factor × row, whose denominators surely do not vanish; None if none are found.
 
-    They are sought in the field of parameters, places and speeds, then in that of parameters and places alone.
+    They are sought in the field of parameters, places and speeds, in that of parameters and places alone, in that of
+    all of which higher powers occur, and in that of places.
     """
     order = search.order()
     letters = {i for value in (goal, *rows) for i in value.num.atoms() if order(i)} - search.nonzero
+    linear = {i for i in letters if all(max(value.num.by_power(i)) <= 1 for value in (goal, *rows))}
     speeds = {i for i in letters if (atoms.symbol_name(i) or "") in search.source.rates}
-    for unknown in dict.fromkeys((frozenset(letters - speeds), frozenset(letters))):
+    every = {i for value in (goal, *rows) for i in value.num.atoms()}
+    constants = {i for i in every if not search.moving(atoms.symbol_name(i) or "") and not is_wave(i)}
+    kinds = (letters - speeds, letters, linear, *([constants] if len(rows) <= MOST else []))
+    for unknown in dict.fromkeys(map(frozenset, kinds)):
         if any(value.den.atoms() & unknown for value in (goal, *rows)):
             continue
-        factors = _factors_of(search, goal, rows, unknown)
+        factors = [_whole(search, value) for value in _factors_of(search, goal, rows, unknown) or ()]
         if factors and all(stays(search, Scalar(value.den)) and not _swings_below(value, speeds) for value in factors):
             return factors
     return None
+
+
+def _whole(search: Search, value: Scalar) -> Scalar:
+    """The value without sines and cosines below, if there is such a form: (1 - cos²)/sin is sin."""
+    forms = (wound(search.value(tree_of(value)), kind) for kind in ("sin", "cos"))
+    return next((form for form in forms if not any(e < 0 and is_wave(i) for m in form.num.terms for i, e in m)), value)
 
 
 def _swings_below(value: Scalar, speeds: set[int]) -> bool:
@@ -50,7 +63,7 @@ def _factors_of(search: Search, goal: Scalar, rows: Sequence[Scalar], letters: C
     names = [f"factor {place}" for place in range(len(rows))]
     equations: dict[Monomial, Scalar] = {}
     for factor, value in zip([*map(symbol, names), UNITY * -1], [*rows, goal], strict=True):
-        for key, part in _by_letters(value.num, letters).items():
+        for key, part in by_letters(value.num, letters).items():
             whole = scalar(search.tree(Scalar(part) / Scalar(value.den)))
             equations[key] = equations.get(key, NOTHING) + factor * whole
     found = solve_linear(list(equations.values()), names, keep_free=True)
@@ -61,13 +74,26 @@ def _factors_of(search: Search, goal: Scalar, rows: Sequence[Scalar], letters: C
     return [search.value(tree_of(value)) for value in values]
 
 
-def _by_letters(poly: Poly, letters: Collection[int]) -> dict[Monomial, Poly]:
+def by_letters(poly: Poly, letters: Collection[int]) -> dict[Monomial, Poly]:
     """The coefficients of the products of some letters."""
     parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
     for monomial, coefficient in poly.terms.items():
         key = tuple(item for item in monomial if item[0] in letters)
         parts.setdefault(key, {})[tuple(item for item in monomial if item[0] not in letters)] = coefficient
     return {key: Poly(terms) for key, terms in parts.items()}
+
+
+def product_of(search: Search, rest: Scalar, by: Scalar, order: Callable[[int], int] | None) -> Scalar | None:
+    """Of which multiple of an equation the rest is; by an order of letters, of which multiple the one product of letters is
+    that stands in the equation."""
+    if order is None:
+        return search.ratio(rest, by) or search.ratio(wound(rest, "cos"), wound(by, "cos"))
+    letters = {index for value in (rest, by) for index in value.num.atoms() if order(index)}
+    own, there = by_letters(by.num, letters), by_letters(rest.num, letters)
+    products = [key for key in own if key]
+    if len(products) != 1 or products[0] not in there:
+        return None
+    return search.ratio(Scalar(there[products[0]], rest.den), Scalar(own[products[0]], by.den))
 
 
 def stays(search: Search, value: Scalar) -> bool:
@@ -78,11 +104,30 @@ def stays(search: Search, value: Scalar) -> bool:
 def based(search: Search, value: Scalar) -> Scalar:
     """Sines and cosines of sums written in those of their terms."""
     images, circular = {}, search.source.circular
-    for name in names_in(value) & circular.keys() - search.roots.keys():
+    for name in () if search.told else names_in(value) & circular.keys() - search.roots.keys():
         num = scalar(circular[name]).num
         if (image := in_bases(num, bases_of(num))) != num:
             images[name] = search.value(tree_of(image))
     return substitute(value, images) if images else value
+
+
+def gathered(search: Search) -> Iterator[Known]:
+    """Sines and cosines of the first term of a sum of two angles, by those of the sum and of the second."""
+    circular = search.source.circular
+    for node in [node for name, node in circular.items() if name.startswith("cos ")]:
+        terms = scalar(node.arg).num.terms if scalar(node.arg).den.constant_value() == 1 else {}
+        plain = [(atoms.symbol_name(m[0][0]) or "", sign) for m, sign in terms.items() if len(m) == 1 and m[0][1] == 1]
+        is_told = len(plain) == len(terms) == 2 and all(f"cos {name}" in {*circular} - search.told for name, _ in plain)
+        if not is_told or any(abs(sign) != 1 for _, sign in plain) or {-1} == {sign for _, sign in plain}:
+            continue
+        (first, turn), (second, way) = plain
+        b, c = (node.arg, t.Sym(second)) if turn > 0 else (t.Sym(second), node.arg)
+        sb, cb, sc, cc = (t.Fn(kind, of) for of in (b, c) for kind in ("sin", "cos"))
+        is_sum = way < 0 < turn
+        for kind, left, right in (("sin", (sb, cc), (cb, sc)), ("cos", (cb, cc), (sb, sc))):
+            product = t.Mul(right) if is_sum == (kind == "sin") else t.Neg(t.Mul(right))
+            search.told.add(f"{kind} {first}")
+            yield search.note("sum", Claim(t.Fn(kind, t.Sym(first)), t.Add((t.Mul(left), product))))
 
 
 # --- denominators
@@ -177,6 +222,14 @@ def multiplied(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
     return search.proof(search.shown(goal * factor, known), factor=search.tree(factor))
 
 
+def met(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
+    """left - right times what is given not to vanish vanishes."""
+    for item in (item for item in search.met_by if item.kind == "differ" and item.right == t.ZERO):
+        factor = search.value(item.left)
+        return search.proof(search.shown(goal * factor, known), factor=search.tree(factor))
+    raise Undecided("nothing is given that does not vanish")
+
+
 def conjugated(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
     """left - right is linear in a root: times the same with the other root it vanishes, and that does not."""
     rest = search.follow(goal, known)[0]
@@ -188,3 +241,6 @@ def conjugated(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
             more = tuple((search.tree(factor), item) for factor, item in taken)
             return search.proof(replace(found, known=(*found.known, *more)), factor=search.tree(other))
     raise Undecided("no other root")
+
+
+WHERE_GIVEN, ALWAYS = (cancelled, cancelled_rates, met), (multiplied, conjugated)

@@ -48,7 +48,8 @@ def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset()) 
     return None
 
 
-def _is_wave(index: int) -> bool:
+def is_wave(index: int) -> bool:
+    """Whether a letter stands for a sine or cosine."""
     return partner(index) is not None or partner(index, "cos") is not None
 
 
@@ -58,7 +59,7 @@ def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int]) -> Sum | Non
     waves: dict[tuple[Monomial, int, int], Coefficient] = {}
     for monomial, coefficient in poly.terms.items():
         odd = [(i, e) for i, e in monomial if e % 2 and i not in fair]
-        if not odd or not _is_wave(odd[0][0]):
+        if not odd or not is_wave(odd[0][0]):
             even[monomial] = even.get(monomial, 0) + coefficient
         elif len(odd) == 1 and odd[0][1] == 1:
             rest = tuple(item for item in monomial if item != odd[0])

@@ -11,15 +11,15 @@ from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_a
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, formulas, parted, reduced, vanishes, wound
+from rbpsym.kernel import combining
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, formulas, parted, reduced, vanishes
 from rbpsym.kernel.claim import Claim, brief, is_along_time, letter, sides, tree_of
 from rbpsym.kernel.claims import TIME, Source
-from rbpsym.kernel.combining import based, cancelled, cancelled_rates, combined, conjugated, multiplied, nonzero
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.integrals import courses, integrated
 from rbpsym.kernel.positive import Sum
 from rbpsym.kernel.radicals import rootless
-from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed
+from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed, within
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 
@@ -59,6 +59,7 @@ class Search:
         self.shifts: dict[str, list[Scalar]] = {}  # what a letter is, by the gap to an end of its range
         self.sums: dict[tuple[Poly, frozenset[int]], Sum | None] = {}
         self.deep = False
+        self.told: set[str] = set()  # sines and cosines that are put in terms of those of a sum
         self.is_sure = True  # whether nothing is divided by of which it is not known that it does not vanish
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
         self.rates = {TIME: UNITY}
@@ -148,6 +149,8 @@ class Search:
         def rank(index: int) -> int:
             name = atoms.symbol_name(index)
             base = "" if name is None else name.removesuffix(START) if begun else name
+            if name in self.told:
+                return len(self.ranks) + 3
             kept = name is None or name in self.fixed or name in self.source.circular or index in self.nonzero
             return 0 if kept or (only is not None and not only(base)) else self.ranks.get(base, 2)
 
@@ -165,7 +168,7 @@ class Search:
 
     def vanishes(self, value: Scalar) -> bool:
         """Whether it is 0 by sin² + cos² = 1 and the sines and cosines of sums."""
-        left = rootless(self, circles(based(self, value), lifted=True)[1])[0]
+        left = rootless(self, circles(combining.based(self, value), lifted=True)[1])[0]
         return not circles(left, lifted=True)[1]
 
     def is_positive(self, value: Scalar) -> bool:
@@ -177,20 +180,20 @@ class Search:
         return self.moving(name) and name not in self.rates and name not in self.source.circular
 
     def _defined(self, name: str) -> bool:
-        """A function of time that is no coordinate, speed or integral: what is said of it is put in its place."""
-        return self.moving(name) and not any(name in known for known in (self.source.rates, self.integrals, self.source.circular))
+        """A letter that is no coordinate, speed or integral: what is said of it is put in its place."""
+        return not any(name in known for known in (self.source.rates, self.integrals, self.source.circular))
 
     def follow(self, goal: Scalar, known: Sequence[Known], *, only: bool = False) -> tuple[Scalar, Multiples]:
         """What is left of a value when multiples of known equations are taken off, and these."""
         values = [self.difference(item.claim, item.when) for item in known]
-        rest, sums, rows = reduced(goal, values, self.order(self._defined if only else None), self.is_nonzero)
-        for row in () if only or self.vanishes(rest) else rows:
-            factor = self.ratio(rest, row.value) or self.ratio(wound(rest, "cos"), wound(row.value, "cos"))
+        order = self.order(self._defined if only else None)
+        rest, sums, rows = reduced(goal, values, order, self.is_nonzero)
+        for row in rows:
+            factor = None if self.vanishes(rest) else combining.product_of(self, rest, row.value, order if only else None)
             if factor is not None:
                 whole = {place: sums.get(place, NOTHING) - factor * part for place, part in row.multiples.items()}
-                rest, sums = NOTHING, {**sums, **whole}
-                break
-        if not only and not self.vanishes(rest) and (factors := combined(self, rest, [row.value for row in rows])):
+                rest, sums = rest - factor * row.value if only else NOTHING, {**sums, **whole}
+        if not only and not self.vanishes(rest) and (factors := combining.combined(self, rest, [row.value for row in rows])):
             for factor, row in zip(factors, rows, strict=True):
                 for place, part in row.multiples.items() if factor else ():
                     sums = {**sums, place: sums.get(place, NOTHING) - factor * part}
@@ -203,7 +206,7 @@ class Search:
         used = {place: factor for place, factor in sums.items() if not vanishes(factor)}
         for place, factor in used.items():
             goal = goal - factor * values[place]
-        turned, left = circles(based(self, goal), lifted=True)
+        turned, left = circles(combining.based(self, goal), lifted=True)
         left, roots = rootless(self, left)
         again, left = circles(left, lifted=True)
         if left:
@@ -221,7 +224,7 @@ class Search:
         divided = [t.Div(t.ONE, found.factor)] if found.factor is not None else []
         written = [*sides(claim), *formulas(found), *divided]
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
-        below = list(nonzero(self, written, known))
+        below = [*combining.nonzero(self, written, known), *within(self, written)]
         shown = [node for have in (*below, *found.steps) for node in have.parts]
         parts = {part for node in (*written, *shown) for part in t.walk(node)}
         signs = sorted((h for h in found.steps if h.how in SIGNS and h.claim.left in parts), key=lambda h: h.how == "positive")
@@ -238,10 +241,22 @@ class Search:
                 self.later |= self.value(item.left).atoms()
         note_gaps(self)
         note_signs(self, signed=claim.kind == "more" or bool(claim.given))
-        goal = self.difference(claim)
+        self.difference(claim)
         known = [*self._known(claim), *self._unique(), *integrated(self)]
         known += courses(self, known) if claim.given and self.source.event is not None else []
         self._count = len(self.haves)
+        try:
+            return self._found(claim, known)
+        except Undecided:
+            sums = list(combining.gathered(self))
+            if not sums:
+                raise
+            self._count = len(self.haves)
+            return self._found(claim, [*known, *sums])
+
+    def _found(self, claim: Claim, known: Sequence[Known]) -> Proof:
+        goal = self.difference(claim)
+        del self.haves[self._count :]
         if claim.kind == "slope":
             self.rates = {claim.var: UNITY}
             slope = t.renamed(self.tree(self._rate(self.value(claim.left))), {claim.var: claim.place})
@@ -253,7 +268,7 @@ class Search:
         if claim.kind == "more":
             found, parts = above(self, goal, known)
             return self.proof(found, parts=parts)
-        ways = (*((cancelled, cancelled_rates) if claim.given else (Search.by_rates,)), multiplied, conjugated)
+        ways = (*(combining.WHERE_GIVEN if claim.given else (Search.by_rates,)), *combining.ALWAYS)
         reasons = []
         for way in (Search.shown, *ways):
             del self.haves[self._count :]

@@ -15,6 +15,7 @@ from rbpsym.kernel.certificates import Have, Known, Multiples, circles, parted, 
 from rbpsym.kernel.claim import Claim, brief, tree_of
 from rbpsym.kernel.positive import Sum, positive_sum
 from rbpsym.notation import tree as t
+from rbpsym.notation.machine import to_machine
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search
@@ -80,9 +81,11 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True) -> Sum | None:
     """The value as a sum of one sign: by gaps, by what sines and cosines are at most, and if it is `ranged` by what ranges
     keep positive."""
     known = frozenset(search.positive | search.certain) if ranged else search.always
-    if (key := (value.num, known)) not in search.sums:
-        search.sums[key] = next(_sums(search, value.num, known), None)
-    num, den = search.sums[key], Scalar(value.den)
+    below = Poly({tuple(sorted((i, -e) for i, e in value.num.content()[1] if e < 0 and i in search.positive)): 1})
+    poly = value.num * below
+    if (key := (poly, known)) not in search.sums:
+        search.sums[key] = next(_sums(search, poly, known), None)
+    num, den = search.sums[key], Scalar(value.den) * Scalar(below)
     if num is None or not search.is_positive(den):
         return None
     squares = tuple((factor / den, root) for factor, root in num.squares)
@@ -132,6 +135,18 @@ def _above(search: Search, value: Scalar) -> t.Node:
         found = signed(search, Scalar(part))
         shown.append(t.power(search.tree(Scalar(part) * (found.sign if found else 1)), exponent))
     return t.mul(*shown)
+
+
+def within(search: Search, nodes: Sequence[t.Node]) -> Iterator[Have]:
+    """Why that of which an arcsine or arccosine is taken in some formulas is between -1 and 1."""
+    inverse = {part.arg for node in nodes for part in t.walk(node) if isinstance(part, t.Fn) and part.name in ("asin", "acos")}
+    for place, arg in enumerate(sorted((arg for arg in inverse if t.names(arg)), key=to_machine), 1):
+        inner = t.Add((t.ONE, t.Neg(t.Pow(arg, t.TWO))))
+        try:
+            by, parts = above(search, search.value(inner), ())
+            yield Have(f"w{place}", "positive", Claim(inner, t.ZERO, "more"), inner, by, parts=parts)
+        except Undecided:
+            search.is_sure = False
 
 
 def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multiples, tuple[t.Node, ...]]:

@@ -256,6 +256,9 @@ class Writer(Frozen):
             alike = f"apply (alike ta tb _ (fun t : R => {self.terms.term(like)})); [{was} | exact Ht |]; "
         return f"apply (alone _ t _ _ (p_{have.source} t Ht)); clear p_{have.source}; {alike}eapply D_eq; [der | fld]"
 
+    def _sum(self, have: Have, finish: str) -> str:
+        return "first [apply sin_of | apply cos_of | apply sin_off | apply cos_off]; lra"
+
     def _sign(self, have: Have, finish: str) -> str:
         return f"{_bounds(have)}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; ends"
 
@@ -309,7 +312,7 @@ def _head(claim: Claim) -> str:
 HAVES = {
     "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign, "gap": Writer._gap,
     "integral": Writer._integral, "nonzero": Writer._positive, "positive": Writer._positive,
-    "root": Writer._rooted, "multiple root": Writer._same_root,
+    "sum": Writer._sum, "root": Writer._rooted, "multiple root": Writer._same_root,
 }  # fmt: skip
 
 

@@ -12,11 +12,13 @@ from click.testing import CliRunner
 
 from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
+from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Lemma, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.claims import AHEAD
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, with_prelude
+from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.rocq import REFUSED, identifier
 from rbpsym.notation import tree as t
 from tests.kernel.spoiling import attempted, draws
@@ -227,10 +229,21 @@ def test_signs_that_take_a_gap_a_least_value_or_pi() -> None:
         assert id not in found(name).refused, name
 
 
+# Linear systems and their amplitudes, arccosines within a declared bound, cosines of sums beside products, Iω² as one, and
 MENDED = {  # what is three integrals deep, divides by what a premise keeps positive, needs the root that is left, nested roots
     "ball-in-a-loop": ("moment.ball", "friction.N", "linear.1"), "cylinder-off-cylinder": ("at_loss.N.f",),
-    "half-ring-on-its-end": ("frequency.1",),
+    "half-ring-on-its-end": ("frequency.1",), "elastic-pendulum": ("rest", "linear.1", "characteristic.1"),
+    "bead-on-turning-hoop": ("equilibrium.3", "linear.3", "frequency.3"), "rod-on-two-strings": ("linear.1",),
+    "brake-drum": ("energy.change",), "bar-in-two-slots": ("linear.1",),
 }  # fmt: skip
+
+
+def test_a_wrong_polynomial_of_modes_does_not_follow_from_the_linear_equations() -> None:
+    whole = written(unsimulated("elastic-pendulum"))
+    for lemma in whole.lemmas["characteristic.1"]:
+        wrong = replace(lemma.claim, left=t.Add((lemma.claim.left, t.Sym("m"))))
+        with pytest.raises(Undecided):
+            Search(whole.source, dict(lemma.premises)).prove(wrong)
 
 
 @needs_coqc
