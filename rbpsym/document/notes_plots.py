@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -144,10 +145,12 @@ def plot_figures(
     moving: PlottedMotion, said: Words, wanted: Sequence[str] = ALL, named: Collection[t.Node] = ()
 ) -> Iterator[FigureBlock]:
     """The works, force by force; then what is wanted, three panels in a figure; where some are `named`, of these quantities."""
-    made = {"energies": energies, "speeds": speeds, "forces": lambda moving: forces(moving, named)}
+    energy = plain("plots.axis.energies", said.language)
+    made = {"speeds": speeds, "forces": lambda moving: forces(moving, named)}
+    made["energies"] = lambda moving: [replace(panel, kind=energy) for panel in energies(moving)]
     made["positions"] = lambda moving: positions(moving, plain("plots.linear", said.language))
     few, wanted = wanted is FEW, [name for name in wanted if name != "energies" or not named or t.Sym("K") in named]
-    worked = list(works(moving, named))
+    worked = [replace(panel, kind=plain("plots.axis.works", said.language)) for panel in works(moving, named)]
     if few and any(map(is_split, worked)):
         worked = [panel for panel in worked if is_split(panel) and len(panel.curves) <= IN_A_ROW][: IN_A_ROW - 1]
     several = len(worked) > 1 and not few

@@ -245,3 +245,9 @@ def test_a_listener_hears_how_each_curve_goes(language) -> None:
     [alt] = [p.alt for p in parts(drawn.sections) if isinstance(p, FigureBlock) and p.label == "figure.energies"]
     assert {"en": "E stays at 184.", "es": "E se mantiene en 184."}[language] in alt
     assert {"en": "U_W falls from 184 to 123.", "es": "U_W baja de 184 a 123."}[language] in alt
+
+
+def test_the_axis_of_works_and_energies_says_what_it_counts():
+    found = plot_figures(motion(unsimulated("sliding-ladder")), Words("es"), FEW)
+    drawn = [label for figure in found for scene in figure.scenes for label in scene.labels]
+    assert t.Mul((t.Word("trabajo"), t.Word("/ J"))) in [label.node for label in drawn]

@@ -46,7 +46,8 @@ class Panel(Frozen, eq=False):
     """Curves over common places. Values are in units of the scales already.
 
     Where places and values are not numbers there is a gap: what is on both its sides is a jump.
-    `omitted` curves had no room; heights in `reach` are shown too, so that panels have one scale.
+    `omitted` curves had no room; heights in `reach` are shown too, so that panels have one scale. `kind` is the word for what
+    all curves are.
     """
 
     across: t.Node
@@ -57,6 +58,7 @@ class Panel(Frozen, eq=False):
     marks: tuple[PlotMark, ...] = ()
     omitted: int = 0
     reach: tuple[float, ...] = ()
+    kind: str = ""
 
 
 class DrawnCurve(Frozen, eq=False):
@@ -182,7 +184,9 @@ def axis_labels(panel: Panel, notation: Notation) -> Iterator[Label]:
     across = fixed(in_units(panel.across, panel.across_scale), (WIDE, 0.0), "ink", notation)
     yield replace(across, place=(WIDE + 0.15 + across.size[0] / 2, across.size[1] / 2 - 0.1))
     if panel.up_scale.node is not None:
-        above = fixed(panel.up_scale.node, (0.0, HIGH), "ink", notation)
+        unit = panel.up_scale.node
+        what = in_units(t.Word(panel.kind), panel.up_scale) if panel.kind and isinstance(unit, t.Word) else unit
+        above = fixed(what, (0.0, HIGH), "ink", notation)
         yield replace(above, place=(max(0.0, above.size[0] / 2 - 0.5), HIGH + 0.25 + above.size[1] / 2))
 
 
