@@ -16,7 +16,7 @@ from rbpsym.cli import main
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.model import FigureBlock, Math
 from rbpsym.document.notes import notation_of, notes
-from rbpsym.document.notes_plots import plots_section
+from rbpsym.document.notes_plots import FEW, plot_figures, plots_section
 from rbpsym.document.numbering import parts
 from rbpsym.document.plots.axes import axis, round_step, written
 from rbpsym.document.plots.following import REASONS
@@ -248,6 +248,7 @@ def test_a_listener_hears_how_each_curve_goes(language) -> None:
 
 
 def test_the_axis_of_works_and_energies_says_what_it_counts():
-    found = plot_figures(motion(unsimulated("sliding-ladder")), Words("es"), FEW)
+    derivation = unsimulated("sliding-ladder")
+    found = plot_figures(motion(derivation), Words("es", derivation.study.problem), FEW)
     drawn = [label for figure in found for scene in figure.scenes for label in scene.labels]
-    assert t.Mul((t.Word("trabajo"), t.Word("/ J"))) in [label.node for label in drawn]
+    assert t.Mul((t.Word("trabajo"), t.Word("/ J"))) in [label.content for label in drawn]
