@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
 from rbpsym.algebra.present import present
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time, value_in
@@ -20,7 +21,8 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, uniform_motion, value_reached
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
-from rbpsym.mechanics.pushing import begins, ways_kept
+from rbpsym.mechanics.numbers import floating
+from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
@@ -76,6 +78,21 @@ def coming(study: Study, name: str, place: Scalar) -> tuple[State, bool]:
     return clear(study, replace(state, valid=valid)), True
 
 
+def in_phase(asked: Asked, moment: Moment) -> Moment:
+    """A moment that comes before its phase ends: with what that asks of the two times, as far as they are known. Raises
+    StatementError where it never does."""
+    state, begins = moment.state, moment.place + 1
+    if moment.how not in ("time", "event") or not state.time or begins == len(asked.names):
+        return moment
+    with suppress(NotApplicable):
+        end = asked.stage(begins).began.before.time
+        left = () if end is None else settle([Demand(end - state.time, ">=")], asked.study(moment.place).assumptions)
+        if left is None:
+            raise StatementError(f"before that the phase “{asked.names[begins]}” begins")
+        return replace(moment, state=replace(state, valid=(*state.valid, *left)))
+    return moment
+
+
 def held(study: Study) -> list[Demand]:
     """What contacts and friction ask for on the motion where they are not sure to hold, as functions of the state."""
     along = study.reactions_along_motion or {}
@@ -107,7 +124,7 @@ def regime(study: Study) -> list[Demand]:
 def slipping(study: Study, state: State) -> Iterator[Demand]:
     """What slips has not changed its sense up to a state."""
     for slip in slips(study.system).values():
-        there = short(substitute(slip, state.image))
+        there = neat(short(substitute(slip, state.image)), study.assumptions)
         if there and not names_in(there) & study.system.scope.rates.keys():
             yield Demand(there, ">=")
 
@@ -158,7 +175,7 @@ def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand
     if is_zero(place - begin):
         return lasts_to(study, Moment(0, at_start(study)))
     if mover(study) == name:
-        reached = state_at(study, name, place)
+        reached = state_at(study, name, place, -1 if floating(place - begin, begun_numbers(study)) < 0 else 1)
     else:
         reached = value_reached(study, Phase("", "reaches", name, (), study.problem, present(place)))
     lasts, doubts = lasts_to(study, Moment(0, reached, "event"))

@@ -12,7 +12,7 @@ from contextlib import suppress
 
 from rbpsym.algebra import NOTHING, Scalar, is_zero, kept, names_in
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.ask.lasting import clear, coming
+from rbpsym.ask.lasting import clear, coming, in_phase
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.equality.rooted import neat
@@ -179,7 +179,7 @@ def moment_of(asked: Asked, when: When, question: Question) -> Moment:
         found = next((moment for each in places if (moment := _in_time(asked, when, each))), found)
     if found is None:
         raise refused
-    return found
+    return in_phase(asked, found)
 
 
 def _is_open(asked: Asked, found: Moment) -> bool:

@@ -97,7 +97,8 @@ def _divided(item: Demand, demands: list[Demand]) -> Demand:
         if is_firm and item.op != "!=" and other.value != item.value and 1 < len(other.value.num) <= len(item.value.num):
             for above, below in ((item.value.num, other.value.num), (normal(item.value.num), normal(other.value.num))):
                 rest = short(Scalar(above) / Scalar(below))
-                is_less = rest.den is ONE and len(rest.num) < len(above) and rest.number() is None
+                is_factor = rest.den is ONE and all(power > 0 for term in rest.num.terms for _, power in term)
+                is_less = is_factor and len(rest.num) < len(above) and rest.number() is None
                 item = Demand(rest, item.op) if is_less else item
     return item
 

@@ -98,6 +98,8 @@ SETS = {
     "no root of one term": ["mu*sqrt(m*M)*k - m*M*L >= 0", "x*sqrt(m*M) - m*M*L > 0"],
     "a tangent": ["2*atan(mu) - pi/4 > 0"],
     "exponentials": ["exp(x/m) - 2 + exp(-x/m) >= 0"],
+    "a factor of one term, or zero": ["m - M > 0", "(m - M)*sin(theta) >= 0"],
+    "a factor that may be negative": ["(m - M)*x > 0", "m - M > 0"],
     "wave and its square": ["cos(theta) > 0", "cos(theta) - cos(theta)**2 > 0"],
 }
 
@@ -110,6 +112,21 @@ def test_what_is_left_says_the_same(name):
         assert hold(asked, at) == (left is not None and hold(left, at)), at
     if left is not None:
         assert len(left) <= len(asked) + ("root" in name or "product" in name)
+
+
+FACTORS = ("x", "sin(theta)", "cos(theta)", "(m - M)", "(k - L)", "(x - 2)", "(1 - mu)", "(x**2 - m)", "(m*k - M*L)", "(x + m)",
+           "sqrt(m)", "(M*sqrt(k) - m)", "(1 - cos(theta))", "(cos(theta) - mu)", "(theta - 1)", "(m - M)**2")  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(300))
+def test_products_of_the_same_factors_say_together_what_they_said(seed):
+    source = random.Random(seed)
+    among = source.sample(FACTORS, 3)
+    products = ("*".join(source.sample(among, source.choice((1, 1, 2, 2, 3)))) for _ in range(source.choice((2, 2, 3))))
+    asked = demands([f"{source.choice(('', '', '-'))}{one} {source.choice(('>', '>='))} 0" for one in products])
+    left = settle(asked, GIVEN)
+    for at in list(samples())[::2]:  # where nothing is zero
+        assert hold(asked, at) == (left is not None and hold(left, at)), at
 
 
 def test_what_contradicts_itself_is_never_met():
