@@ -63,7 +63,7 @@ def _straight(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector
         length = tidy(apart.dot(along))
         if not is_zero(apart.dot(along.turned()) - offset):
             continue
-        if geometry.sign(length) > 0:
+        if is_zero(length) or geometry.sign(length) > 0:
             return along, length
         other = other or (along, length)
     if other is None:
@@ -83,8 +83,9 @@ def segments(run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
 
 
 def spans(element: Element, geometry: Geometry) -> tuple[Scalar, ...]:
-    """The lengths of its straight pieces, positive where each runs the way that is taken."""
-    return tuple(piece.length for run in runs(element["path"]) for piece in _pieces(element, run, geometry))
+    """The lengths of its straight pieces, positive where each runs the way that is taken; none of what ends on a rim."""
+    pieces = (piece for run in runs(element["path"]) for piece in _pieces(element, run, geometry))
+    return tuple(piece.length for piece in pieces if not is_zero(piece.length))
 
 
 def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
