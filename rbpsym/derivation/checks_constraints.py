@@ -6,7 +6,7 @@ Momenta are summed over the mass itself, forces are put in one by one with what 
 
 from __future__ import annotations
 
-from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, short, symbol, time_derivative
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, short, symbol, tidy, time_derivative
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.derivation.checks import agree, difference, first_proved, same, weakest
 from rbpsym.derivation.context import Context
@@ -65,7 +65,7 @@ def slip_at(system: System, element: Element) -> Scalar:
     """
     met = meeting(element, geometry_of(system))
     apart = _velocity(system, toucher(element), met.place) - _velocity(system, curve_body(element), met.place)
-    return met.forward.dot(apart)
+    return tidy(met.forward.dot(apart))
 
 
 def _velocity(system: System, body: str | None, place: Vector) -> Vector:

@@ -31,6 +31,8 @@ ANSWERS = (
     ("string-on-post", "angular momentum of puck about O", "m*v_0*(L-R*phi)"),
     ("string-on-post", "work of S", "0"),
     ("string-on-post", "phi for which S = 2*m*v_0**2/L", "L/(2*R)"),
+    ("unequal-balls", "time until both_roll", "4*M*v_0/(7*mu*g*(M+m))"),
+    ("unequal-balls", "speed of x_1 when first_rolls begins", "v_0*(M-3*m/7)/(M+m)"),
     ("trolley-door", "smallest P for which the door moves", "mu*m*g*b/(2*b+mu*h)"),
     ("two-rods-pushed", "angular acceleration of upper at the start for d -> L", "-6*P/(7*m*L)"),
     ("two-rods-pushed", "B_x at the start as d goes to L", "2*P/7"),
