@@ -82,3 +82,9 @@ def test_of_a_last_phase_only_the_beginning_is_told_if_no_more_is_asked():
 def test_what_is_not_asked_of_a_given_motion_is_left_out():
     names = {found.label for found in parts(notes(unsimulated("slider-crank"))) if isinstance(found, Display)}
     assert "tied_speed.psi" in names and not any(name.startswith(("reaction.", "work.", "theorem.")) for name in names)
+
+
+def test_why_there_is_no_answer_is_said_in_the_language_of_the_page():
+    said = text(notes(asking("speed of theta where theta = 4", "tension T"), "es"))
+    assert "no alcanza este valor en este movimiento" in said and "no actúa ninguna fuerza «T»" in said
+    assert "does not" not in said and "acts on" not in said
