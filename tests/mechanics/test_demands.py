@@ -82,6 +82,7 @@ SETS = {
     "asin never": ["asin(mu) - pi > 0", "1 - mu**2 > 0"],
     "acos": ["acos(mu) - pi/3 > 0", "1 - mu**2 > 0"],
     "minus acos": ["pi/4 - acos(mu) > 0", "1 - mu**2 > 0"],
+    "asin against what may be beyond": ["asin(sin(theta)/2) - k > 0"],
     "atan": ["2*atan(mu) - pi/2 > 0"],
     "atan beyond": ["pi - atan(mu) > 0"],
     "waves": ["sin(theta) > 0"],
