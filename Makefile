@@ -27,15 +27,15 @@ BARE   := $(addprefix tests/,kernel document/test_access.py document/test_explor
           document/test_writers.py teaching/test_exports.py teaching/test_worksheet.py)
 
 FAST   := $(patsubst %,tests/%.py,\
-          algebra/test_normal algebra/test_vector architecture/test_excepts architecture/test_house ask/test_answers \
-          claims/test_decide claims/test_loader claims/test_phrases cli/test_doctor derivation/test_steps \
-          derivation/test_theory document/test_breaking document/test_figures document/test_phrases equality/test_decide \
-          equality/test_dimensions equality/test_signs facade/test_facade face/test_stating golden/test_semantic \
+          field/test_normal field/test_vector architecture/test_excepts architecture/test_house ask/test_answers \
+          claims/test_decide claims/test_loader claims/test_phrases cli/test_doctor proof/test_steps \
+          proof/test_theory document/test_breaking document/test_figures document/test_phrases decide/test_decide \
+          decide/test_dimensions decide/test_signs facade/test_facade face/test_stating golden/test_semantic \
           kernel/test_certify letters/test_letters library/test_printed_forms mechanics/test_balance \
-          mechanics/test_numbers mutants/test_mutants notation/test_formats notation/test_infix notation/test_laws \
+          mechanics/test_numbers mutants/test_mutants expr/test_formats expr/test_infix expr/test_laws \
           oracles/test_eigenvalues solve/test_contract statement/test_broken statement/test_build statement/test_loader \
           studio/test_api \
-          teaching/test_grading_formulas teaching/test_sheet_errors teaching/test_tasks verify/test_simulation_steps \
+          teaching/test_grading_formulas teaching/test_sheet_errors teaching/test_tasks oracles/test_simulation_steps \
           remarks/test_remarks)
 
 BIN      := $(VENV)/bin

@@ -67,8 +67,8 @@ def rbpsym(n: int, angles: str) -> tuple[float, int]:
 def _operations(values) -> int:
     from sympy import count_ops, sympify
 
-    from rbpsym.algebra.present import present
-    from rbpsym.notation.machine import to_machine
+    from rbpsym.present.forms import present
+    from rbpsym.typeset.machine import to_machine
 
     return int(sum(count_ops(sympify(to_machine(present(value)))) for value in values))
 

@@ -41,7 +41,7 @@ def seconds(arguments: list[str]) -> float:
 def paper(folder: Path) -> Path:
     """A text that holds every formula of the claims file once, displayed with its label or in a sentence."""
     sys.path.insert(0, str(ROOT))
-    from rbpsym.verify.claims_loader import load_claims
+    from rbpsym.claims.loader import load_claims
 
     lines = []
     for claim in load_claims(CLAIMS).claims:
@@ -79,8 +79,8 @@ def runs(folder: Path) -> dict[str, list[str]]:
 
 def slowest() -> dict[str, float]:
     """The longest verdicts, from one run in this process (the best of three, for each)."""
-    from rbpsym.verify.claims_loader import load_claims
-    from rbpsym.verify.claims_run import Certificates, check_claims
+    from rbpsym.claims.loader import load_claims
+    from rbpsym.claims.run import Certificates, check_claims
     from tests.mutants.run import trials
 
     file, claims, others = load_claims(CLAIMS), {}, {}

@@ -1,4 +1,4 @@
-"""How fast equality decides the table of tests/equality, and how sympy.simplify does on some of it.
+"""How fast equality decides the table of tests/decide, and how sympy.simplify does on some of it.
 
 Run: python benchmarks/equality.py [--sympy]. Times are of `equal` alone, trees already read; the
 import of sympy is paid before. Exit 1 if a verdict is wrong or a target is missed.
@@ -14,9 +14,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from rbpsym.equality.decide import equal
-from rbpsym.equality.verdict import PROVED
-from tests.equality.rows import Row, table
+from rbpsym.decide.equal import equal
+from rbpsym.decide.verdict import PROVED
+from tests.decide.rows import Row, table
 
 MEDIAN, SLOWEST = 2.0, 200.0  # milliseconds
 LIMIT = 20  # seconds for sympy
@@ -40,7 +40,7 @@ def decided(row: Row) -> tuple[bool, float]:
 
 def run() -> bool:
     """Print rows, wrong verdicts, median and slowest; whether all targets are met."""
-    import rbpsym.algebra.sympy_bridge as bridge
+    import rbpsym.field.sympy_bridge as bridge
 
     bridge._ring(2)  # the import of sympy is paid once, not by a row
     results = [(row, *decided(row)) for row in table()]

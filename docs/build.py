@@ -104,9 +104,9 @@ def shape_part(kind: ShapeKind) -> Iterator[str]:
 
 def moment(name: str) -> str:
     """The moment of inertia of the body of a shape's example."""
-    from rbpsym.algebra.present import present
     from rbpsym.mechanics.study import Study
-    from rbpsym.notation.text import to_text
+    from rbpsym.present.forms import present
+    from rbpsym.typeset.text import to_text
 
     study = Study(load_problem(EXAMPLES / "shapes" / f"{name}.toml"))
     return to_text(present(study.system.bodies["body"].moment, study.style))

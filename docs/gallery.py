@@ -16,15 +16,15 @@ import click
 from rbpsym.commands.listing import place
 from rbpsym.commands.shelf import Entry, shelf
 from rbpsym.commands.solve import lines
-from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
-from rbpsym.document.explorer.page import explorer
 from rbpsym.document.model import Live
 from rbpsym.document.notes import notes
 from rbpsym.document.numbering import numbered
 from rbpsym.document.pictures import drawings, figures_of
 from rbpsym.document.twin import address
 from rbpsym.document.writers import writer
+from rbpsym.explorer.page import explorer
+from rbpsym.proof.step import Derivation
 from rbpsym.solve import answer_of
 from rbpsym.statement.loader import load_problem
 

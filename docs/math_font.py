@@ -16,7 +16,7 @@ from string import ascii_letters
 from fontTools.subset import Options, Subsetter
 from fontTools.ttLib import TTFont
 
-from rbpsym.notation.letters import LETTERS, UPRIGHT_CAPITALS, bold, script
+from rbpsym.expr.letters import LETTERS, UPRIGHT_CAPITALS, bold, script
 
 ROOT = Path(__file__).resolve().parents[1]
 TARGET = ROOT / "templates" / "math.woff2"

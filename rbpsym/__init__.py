@@ -30,7 +30,7 @@ _PUBLIC = {
     "model": "rbpsym.face.model",
     "Study": "rbpsym.mechanics.study",
     "compiled_accelerations": "rbpsym.mechanics.compiled",
-    "Derivation": "rbpsym.derivation.step",
+    "Derivation": "rbpsym.proof.step",
     "notes": "rbpsym.document.notes",
     "course_notes": "rbpsym.document.notes",
     "writer": "rbpsym.document.writers",
@@ -38,9 +38,9 @@ _PUBLIC = {
     "grade": "rbpsym.teaching.grading.marking",
     "grade_answer": "rbpsym.teaching.grading.answer",
     "grade_number": "rbpsym.teaching.grading.answer",
-    "equal": "rbpsym.equality.decide",
-    "Assumptions": "rbpsym.equality.assumptions",
-    "Verdict": "rbpsym.equality.verdict",
+    "equal": "rbpsym.decide.equal",
+    "Assumptions": "rbpsym.decide.assumptions",
+    "Verdict": "rbpsym.decide.verdict",
     "RbpsymError": "rbpsym.errors",
 }
 _MAKERS = "rbpsym.statement.build"

@@ -7,20 +7,20 @@ from dataclasses import replace
 from pathlib import Path
 
 from rbpsym.ask.asking import meant_by
-from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
+from rbpsym.claims.check import Checker
+from rbpsym.claims.loader import claims_within
+from rbpsym.claims.model import EXPECTATIONS, Claim, Printed
+from rbpsym.claims.run import Worlds
 from rbpsym.derive import derive
 from rbpsym.errors import StatementError
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.step import Derivation, DerivedCourse, Lesson
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.course import Course, CoursePart
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.statement.own_text import OwnFormula, Sentence
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_loader import claims_within
-from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Printed
-from rbpsym.verify.claims_run import Worlds
 
 # --- what a course says in its author's words: each sentence's claims and formulas are decided before anything is written
 
@@ -149,7 +149,7 @@ def _path(name: str, part: CoursePart, course: Course) -> Path:
 
 
 def _theory(part: CoursePart, problem: Callable[[str], Derivation]) -> Lesson:
-    from rbpsym.derivation.theory import THEORIES
+    from rbpsym.chapters.theory import THEORIES
 
     if part.name not in THEORIES:
         raise part.error("theory", f"unknown theory “{part.name}”", "known: " + ", ".join(THEORIES) + ".")
@@ -157,7 +157,7 @@ def _theory(part: CoursePart, problem: Callable[[str], Derivation]) -> Lesson:
 
 
 def _comparison(part: CoursePart, problem: Callable[[str], Derivation]) -> Lesson:
-    from rbpsym.verify.comparison import compare_problems
+    from rbpsym.claims.comparison import compare_problems
 
     return compare_problems(problem(part.first).study, problem(part.second).study, part)
 

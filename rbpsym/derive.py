@@ -7,18 +7,18 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import Scalar, at_most, granted, in_all
-from rbpsym.derivation.chapters import contact, course, forces, inertia, instant, kinematics, moments, momentum, oscillations
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped, Step
+from rbpsym.chapters import contact, course, forces, inertia, instant, kinematics, moments, momentum, oscillations
+from rbpsym.chapters.methods import work_energy
+from rbpsym.chapters.methods.registry import METHODS
 from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.field import Scalar, at_most, granted, in_all
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.study import Study
-from rbpsym.methods import work_energy
-from rbpsym.methods.registry import METHODS
+from rbpsym.oracles.lagrange import agreement, lagrange_verdict, start_verdict
+from rbpsym.proof.draft import Draft
+from rbpsym.proof.step import Derivation, DerivedPhase, Skipped, Step
 from rbpsym.statement.model import Problem
-from rbpsym.verify.lagrange import agreement, lagrange_verdict, start_verdict
 
 MOST_PRODUCTS = 250_000  # of a method, beside the proofs of its steps
 MOST_IN_ALL = 4_000_000  # of all chapters and proofs of a phase, some fifteen seconds: twice the longest of the library
@@ -101,7 +101,7 @@ def _written(draft: Draft, write: Callable[[Draft], None]) -> bool:
 
 def _phases(problem: Problem, before: tuple[Step, ...]) -> tuple[DerivedPhase, ...]:
     """The later phases. Raises NotApplicable where the end of one has no closed form, LimitError where they grow too long."""
-    from rbpsym.derivation.chapters.impulses import hand_overs
+    from rbpsym.chapters.impulses import hand_overs
 
     with granted(MOST_IN_ALL):
         found = hand_overs(problem)
@@ -133,7 +133,7 @@ def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None]
 
 def _simulated(draft: Draft) -> Any:
     """The report of the numerical oracle; None where it gave up, which is told."""
-    from rbpsym.verify.simulation_phases import simulate_problem
+    from rbpsym.oracles.simulation_phases import simulate_problem
 
     try:
         return simulate_problem(draft.study)

@@ -53,8 +53,8 @@ def _problem_or_study(value: object, what: str) -> Problem | Study:
 
 
 def _problem(value: object, what: str) -> Problem:
-    from rbpsym.derivation.step import Derivation
     from rbpsym.mechanics.study import Study
+    from rbpsym.proof.step import Derivation
     from rbpsym.statement.loader import load_problem
     from rbpsym.statement.model import Problem
 
@@ -70,8 +70,8 @@ def _problem(value: object, what: str) -> Problem:
 
 
 def _derivation(value: object, what: str) -> object:
-    from rbpsym.derivation.step import Derivation
     from rbpsym.derive import derive
+    from rbpsym.proof.step import Derivation
 
     return value if isinstance(value, Derivation) else derive(_problem(value, what))
 
@@ -88,16 +88,16 @@ def _course(value: object, what: str) -> Course:
 
 def _derived_course(value: object, what: str) -> object:
     from rbpsym.courses import derive_course
-    from rbpsym.derivation.step import DerivedCourse
+    from rbpsym.proof.step import DerivedCourse
 
     return value if isinstance(value, DerivedCourse) else derive_course(_course(value, what))
 
 
 def _formula(value: object, what: str) -> object:
+    from rbpsym.expr.infix import read_infix
+    from rbpsym.expr.infix_names import FUNCTIONS
+    from rbpsym.expr.tree import Node
     from rbpsym.face.reading import is_sympy, tree_of
-    from rbpsym.notation.infix import read_infix
-    from rbpsym.notation.infix_names import FUNCTIONS
-    from rbpsym.notation.tree import Node
     from rbpsym.statement.source import written
 
     if is_sympy(value):
@@ -111,7 +111,7 @@ def _formula(value: object, what: str) -> object:
 
 
 def _assumptions(value: object, what: str) -> object:
-    from rbpsym.equality.assumptions import SIGNS, Assumptions
+    from rbpsym.decide.assumptions import SIGNS, Assumptions
 
     if isinstance(value, Mapping) and all(sign in SIGNS for sign in value.values()):
         return Assumptions(dict(value))

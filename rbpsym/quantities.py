@@ -102,7 +102,7 @@ class Quantity(Frozen):
     """A named quantity of a problem.
 
     `sign` is "positive", "nonnegative", "nonzero" or "real". `glyph` overrides how the name
-    is printed: the name of another glyph ("omega"), see `notation.glyphs`. `lower` and `upper`
+    is printed: the name of another glyph ("omega"), see `expr.glyphs`. `lower` and `upper`
     are the bounds of an open interval in which it lies (display trees), None where there is none.
     """
 

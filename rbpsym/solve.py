@@ -7,13 +7,12 @@ from dataclasses import replace
 from itertools import chain
 from typing import Any
 
-from rbpsym.algebra import NOTHING, PLAIN, Scalar, has_roots, substitute, symbol
-from rbpsym.algebra.present import present
-from rbpsym.algebra.sympy_bridge import plain_names
-from rbpsym.derivation.step import Derivation
-from rbpsym.equality.domain import divisors
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.domain import divisors
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
+from rbpsym.expr.tree import Node
+from rbpsym.field import NOTHING, Scalar, has_roots, substitute, symbol
+from rbpsym.field.sympy_bridge import plain_names
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
 from rbpsym.mechanics.demands import Demand, existence
@@ -26,9 +25,11 @@ from rbpsym.mechanics.rest import Balance
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import Course, courses, given
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.machine import machine_name, to_machine
-from rbpsym.notation.tree import Node
+from rbpsym.present.forms import present
+from rbpsym.present.style import PLAIN
+from rbpsym.proof.step import Derivation
 from rbpsym.statement.model import Problem
+from rbpsym.typeset.machine import machine_name, to_machine
 
 
 def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
@@ -179,7 +180,7 @@ def symbols(study: Study) -> dict[str, dict[str, str]]:
 
 def _accelerations(study: Study) -> dict[str, str] | None:
     """Accelerations of all coordinates, also of those that the constraints tie to others."""
-    from rbpsym.algebra.evaluate import time_derivative
+    from rbpsym.field.evaluate import time_derivative
 
     if study.instant is not None:
         return _table({n.removesuffix("_ddot"): v for n, v in study.instant.accelerations.items()}, study)

@@ -70,7 +70,7 @@ def data():
 def pack(code: str, rest: str, looks: str) -> None:
     """Writes the archives of the modules and of the data, and how figures look."""
     touch()
-    from rbpsym.document.figures.svg import color_rules
+    from rbpsym.pictures.figures.svg import color_rules
 
     sheet = (SRC / "templates/notes.css").read_text(encoding="utf-8").splitlines()
     rules = [line for line in sheet if line.startswith((".scene", ".fill-none", ".dot-accent"))]

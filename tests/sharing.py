@@ -24,7 +24,7 @@ SINGLY = (
     "tests/mutants/",
 )
 TOGETHER = ("tests/teaching/", "tests/golden/test_semantic.py::test_it_says_what_it_said[worksheets-")
-STATEMENTS = ("derivations/*/*.toml", "docs/examples/*/*.toml", "tests/derivation/systems/*.toml")
+STATEMENTS = ("derivations/*/*.toml", "docs/examples/*/*.toml", "tests/proof/systems/*.toml")
 
 
 def _names() -> re.Pattern[str]:

@@ -14,9 +14,9 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.decide import equal
+from rbpsym.decide.equal import equal
 from rbpsym.errors import RbpsymError
+from rbpsym.field.evaluate import scalar
 from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.bench import ProblemBench, generic_state, is_number

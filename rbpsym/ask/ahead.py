@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import Scalar, depends_on, is_zero
 from rbpsym.ask import critical, optima, yesno
 from rbpsym.ask.conditions import COEFFICIENT, wanted
 from rbpsym.ask.critical import KEPT, SUPERLATIVES, region_of
@@ -17,6 +16,7 @@ from rbpsym.ask.seen import Scene, parameter, parts_seen
 from rbpsym.ask.sliding import of_contact
 from rbpsym.ask.wanted import Wanted
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.field import Scalar, depends_on, is_zero
 from rbpsym.mechanics.demands import settle
 from rbpsym.mechanics.stability import essential
 

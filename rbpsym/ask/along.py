@@ -7,14 +7,14 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, Scalar, names_in, substitute, symbol
-from rbpsym.algebra.present import present
 from rbpsym.ask.question import Question
-from rbpsym.equality.signs import sign
+from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
+from rbpsym.field import NOTHING, Scalar, names_in, substitute, symbol
 from rbpsym.mechanics.arrivals import followed
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
+from rbpsym.present.forms import present
 from rbpsym.quantities import TIME, Quantity
 from rbpsym.quantity.path import first_push
 from rbpsym.quantity.problem import ProblemWorld

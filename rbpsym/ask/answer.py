@@ -6,30 +6,30 @@ import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol, time_derivative
-from rbpsym.algebra.exponentials import with_squares
-from rbpsym.algebra.present import present
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.ask.along import moving_in, of_one
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest
 from rbpsym.ask.in_time import at_time, time_of_swing
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, moment_of
 from rbpsym.ask.question import Question, When, is_jump
-from rbpsym.derivation.step import Step
-from rbpsym.equality.verdict import Verdict
+from rbpsym.decide.verdict import Verdict
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol, time_derivative
+from rbpsym.field.exponentials import with_squares
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.solutions import SMALL, given
 from rbpsym.mechanics.solved import speed_along
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.machine import to_machine
+from rbpsym.present.forms import present
+from rbpsym.proof.step import Step
 from rbpsym.quantity.bound import Bound, parts, plane
 from rbpsym.quantity.path import even, first_push, inward, sense, work_by_energy, work_done
 from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.typeset.machine import to_machine
 
 
 class Found(Frozen):

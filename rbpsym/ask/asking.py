@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
-from rbpsym.algebra import granted
 from rbpsym.ask.along import converse
 from rbpsym.ask.answer import Answer, Found, answer, found_of
 from rbpsym.ask.certified import LETTER
@@ -19,6 +18,7 @@ from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import whichever
 from rbpsym.ask.special import special_problem
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
+from rbpsym.field import granted
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import NUMBER

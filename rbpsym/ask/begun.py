@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.algebra import names_in
 from rbpsym.ask.moments import Asked
-from rbpsym.derivation.chapters.impulses import hand_over
-from rbpsym.derivation.step import Step, StepRef
+from rbpsym.chapters.impulses import hand_over
+from rbpsym.field import names_in
+from rbpsym.proof.step import Step, StepRef
 
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Found

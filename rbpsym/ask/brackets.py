@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import Scalar
-from rbpsym.equality import enclosure
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.points import Point
+from rbpsym.decide import enclosure
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.points import Point
+from rbpsym.field import Scalar
 
 STEPS, WIDEST = 60, 64  # halvings of what is bracketed, and doublings of a range without an end
 

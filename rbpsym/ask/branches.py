@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.algebra import depends_on, derivative
-from rbpsym.algebra.present import present
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.critical import SUPERLATIVES
@@ -13,10 +11,12 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import Scene
 from rbpsym.ask.senses import narrowed, of_sense
-from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import all_of, undecided
+from rbpsym.decide.signs import sign
+from rbpsym.decide.verdict import all_of, undecided
+from rbpsym.field import depends_on, derivative
 from rbpsym.mechanics.pushing import asked as asked_of_start
 from rbpsym.mechanics.roots import zeros
+from rbpsym.present.forms import present
 
 Part = tuple[Scene, Finding]
 ONE_SENSE = "in the motion of the other sense it may be otherwise"

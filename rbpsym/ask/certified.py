@@ -8,22 +8,20 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, substitute, symbol
-from rbpsym.algebra.present import present
 from rbpsym.ask import in_time
 from rbpsym.ask.begun import before, needed, resting_on
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, Moment
 from rbpsym.ask.question import Question, is_jump
-from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
-from rbpsym.derivation.chapters.impulses import hand_over
-from rbpsym.derivation.checks_values import TURNED, told_as
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Step
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import all_of, undecided
+from rbpsym.chapters import contact, course, endings, instant, moments, momentum, oscillations
+from rbpsym.chapters.impulses import hand_over
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
+from rbpsym.decide.verdict import all_of, undecided
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
+from rbpsym.field import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, substitute, symbol
 from rbpsym.mechanics import solutions
 from rbpsym.mechanics.arrivals import value_in
 from rbpsym.mechanics.demands import Demand, settle
@@ -32,11 +30,13 @@ from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.orbit import orbits
 from rbpsym.mechanics.stability import essential
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.text import to_text
+from rbpsym.present.forms import present
+from rbpsym.proof.checks.values import TURNED, told_as
+from rbpsym.proof.draft import Draft
+from rbpsym.proof.step import Step
 from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.typeset.machine import to_machine
+from rbpsym.typeset.text import to_text
 
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer, Found

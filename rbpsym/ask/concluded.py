@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.algebra import depends_on
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.finding import Finding, ground
@@ -13,15 +12,16 @@ from rbpsym.ask.question import Question
 from rbpsym.ask.seen import Scene
 from rbpsym.ask.special import left_open
 from rbpsym.ask.words import doubts
-from rbpsym.derivation.checks import guarded
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.rules import RULES
-from rbpsym.derivation.step import Certificate, Step
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.verdict import Verdict, all_of, undecided
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.verdict import Verdict, all_of, undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import depends_on
 from rbpsym.mechanics.demands import settle
-from rbpsym.notation import tree as t
+from rbpsym.proof.checks.of_steps import guarded
+from rbpsym.proof.context import Context
+from rbpsym.proof.draft import Draft
+from rbpsym.proof.rules import RULES
+from rbpsym.proof.step import Certificate, Step
 
 OPS = ("=", "<", ">", "<=", ">=")
 

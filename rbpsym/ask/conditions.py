@@ -10,8 +10,6 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, derivative, is_zero, lift, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.begun import needed
 from rbpsym.ask.made import value_of
 from rbpsym.ask.moments import NoClosedForm
@@ -29,20 +27,22 @@ from rbpsym.ask.seen import (
 )  # fmt: skip
 from rbpsym.ask.wanted import Wanted, free_place, on_way
 from rbpsym.ask.zeros import where_met
-from rbpsym.derivation.chapters import oscillations
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Step
-from rbpsym.equality.rooted import rooted
-from rbpsym.equality.signs import sign
+from rbpsym.chapters import oscillations
+from rbpsym.decide.rooted import rooted
+from rbpsym.decide.signs import sign
 from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import NOTHING, Scalar, derivative, is_zero, lift, substitute, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes
 from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.impulse import is_holding
 from rbpsym.mechanics.oscillation import Equilibrium
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
+from rbpsym.proof.draft import Draft
+from rbpsym.proof.step import Step
 from rbpsym.statement.source import did_you_mean
 
 

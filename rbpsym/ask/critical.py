@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.ask.conditions import wanted
 from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
@@ -16,10 +15,11 @@ from rbpsym.ask.seen import Scene, moving, parameter, seen, told, way_to
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
 from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises
 from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import neat, rooted
-from rbpsym.equality.verdict import undecided
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import neat, rooted
+from rbpsym.decide.verdict import undecided
 from rbpsym.errors import StatementError
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.stability import essential
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 
-from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, names_in, substitute
 from rbpsym.ask.limits import leading
 from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_met
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
+from rbpsym.field import Scalar, depends_on, derivative, is_zero, names_in, substitute
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.events import Way

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rbpsym.algebra import Scalar
-from rbpsym.derivation.checks import guarded, weakest
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.rules import RULES
-from rbpsym.derivation.step import Step
-from rbpsym.equality.verdict import Verdict, all_of
+from rbpsym.decide.verdict import Verdict, all_of
+from rbpsym.expr.tree import ZERO, Node
+from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.tree import ZERO, Node
+from rbpsym.proof.checks.of_steps import guarded, weakest
+from rbpsym.proof.context import Context
+from rbpsym.proof.rules import RULES
+from rbpsym.proof.step import Step
 
 
 class Finding(Frozen):

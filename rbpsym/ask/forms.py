@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 
-from rbpsym.algebra import Scalar, has_roots, is_rooted, root, with_exponentials_joined
-from rbpsym.algebra.present import present
-from rbpsym.derivation.draft import length
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber
+from rbpsym.field import Scalar, has_roots, is_rooted, root, with_exponentials_joined
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.mechanics.study import Study
+from rbpsym.present.forms import present
+from rbpsym.proof.draft import length
 from rbpsym.quantity.path import even
 
 

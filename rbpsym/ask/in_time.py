@@ -6,12 +6,11 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, derivative, names_in, substitute, symbol
 from rbpsym.ask.moments import Asked, Moment
-from rbpsym.derivation.chapters import course, oscillations
-from rbpsym.derivation.draft import Draft
-from rbpsym.equality.signs import sign
+from rbpsym.chapters import course, oscillations
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.field import NOTHING, Scalar, derivative, names_in, substitute, symbol
 from rbpsym.mechanics import solutions
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.coupled import courses_of
@@ -23,6 +22,7 @@ from rbpsym.mechanics.orbit import quarters_to, swing_of
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.solved import time_to, without_logarithms
 from rbpsym.mechanics.study import Study
+from rbpsym.proof.draft import Draft
 
 
 def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solved: bool = False) -> Moment:

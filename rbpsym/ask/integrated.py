@@ -8,20 +8,20 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import present
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import require_numbers
 from rbpsym.ask.question import Question, When
 from rbpsym.errors import StatementError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import NOTHING, Scalar, depends_on, substitute, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.compiled import compiled_rates, compiled_values
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
+from rbpsym.present.forms import present
 from rbpsym.quantity.bound import parts
 from rbpsym.quantity.problem import ProblemWorld
 

@@ -8,12 +8,11 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
-from rbpsym.algebra.present import present
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
 from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time, value_in
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, settle
@@ -26,6 +25,7 @@ from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
+from rbpsym.present.forms import present
 from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.model import Phase

@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from rbpsym.algebra import (
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.rooted import root_of
+from rbpsym.decide.signs import sign
+from rbpsym.errors import LimitError, Undecided
+from rbpsym.field import (
     NOTHING,
     ONE,
     PI,
@@ -21,13 +26,8 @@ from rbpsym.algebra import (
     names_in,
     symbol,
 )  # fmt: skip
-from rbpsym.algebra.calculus import atom_depends, derivative, split_factor, substitute
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.rooted import root_of
-from rbpsym.equality.signs import sign
-from rbpsym.errors import LimitError, Undecided
+from rbpsym.field.calculus import atom_depends, derivative, split_factor, substitute
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.elimination import short
 

@@ -6,16 +6,16 @@ import re
 from collections.abc import Callable
 from contextlib import suppress
 
-from rbpsym.algebra import Scalar, Scope
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.seen import PLACE, Scene, moving, seen
-from rbpsym.equality.rooted import neat
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import Scalar, Scope
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.demands import existence, settle
 from rbpsym.mechanics.elimination import short
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
 
 WHEN = re.compile(r" (?:where|when|at|until|up to|during|(?:just|right) (?:after|before|when|where)|from|begins)\b")
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.present import present
 from rbpsym.ask.moments import Asked
 from rbpsym.errors import StatementError
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import short
+from rbpsym.present.forms import present
 from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.typeset.machine import to_machine
 
 MEETS = re.compile(
     r"\b(until|when|where) (?:the )?(\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (?:the )?(\w+)$"

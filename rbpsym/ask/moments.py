@@ -10,13 +10,15 @@ import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, kept, names_in
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.lasting import clear, coming, in_phase
 from rbpsym.ask.question import Question, When
-from rbpsym.equality.dimensions import require_dimension
-from rbpsym.equality.rooted import neat
+from rbpsym.decide.dimensions import require_dimension
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.tree import ZERO
+from rbpsym.field import NOTHING, Scalar, is_zero, kept, names_in
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.at_start import StartStudy, study_of
@@ -29,13 +31,11 @@ from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.tree import ZERO
 from rbpsym.quantities import TIME
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.model import Phase, Problem
 from rbpsym.statement.source import did_you_mean
+from rbpsym.typeset.machine import to_machine
 
 
 class NoClosedForm(StatementError):

@@ -6,17 +6,16 @@ import math
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
-from rbpsym.algebra import Scalar, names_in
-from rbpsym.algebra import value as value_of
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.dimensions import a, dimension_of
+from rbpsym.decide.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import Scalar, names_in
+from rbpsym.field import value as value_of
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.text import to_text
 from rbpsym.quantities import NUMBER, TIME, Dimension
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.example import SIGNS
@@ -26,6 +25,7 @@ from rbpsym.statement.premises import OPS
 from rbpsym.statement.printed_units import unit_of
 from rbpsym.statement.source import did_you_mean
 from rbpsym.statement.units import read_unit
+from rbpsym.typeset.text import to_text
 
 _NUMBER = r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _ONE = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")

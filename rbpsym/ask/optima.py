@@ -6,7 +6,6 @@ import re
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.ask.answer import on_way_back
 from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
@@ -18,11 +17,12 @@ from rbpsym.ask.seen import Scene, comes_back, fits, moving, one_period, paramet
 from rbpsym.ask.special import limit_said
 from rbpsym.ask.wanted import on_what
 from rbpsym.ask.zeros import precedes, settled_sign, sign_table, where_met
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import undecided
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
+from rbpsym.decide.verdict import undecided
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.field import Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.roots import period

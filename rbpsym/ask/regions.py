@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rbpsym.algebra import Scalar, depends_on, is_zero
 from rbpsym.ask.extremes import Extreme, by_linear, extremes
 from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.signs import sign
+from rbpsym.field import Scalar, depends_on, is_zero
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short

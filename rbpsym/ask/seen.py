@@ -6,22 +6,22 @@ import re
 from collections.abc import Iterable
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import present
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.ask.answer import Found, found_of
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.lasting import asks, compared
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question, is_jump, read_question
 from rbpsym.ask.zeros import where_met, zeros
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.dimensions import a, dimension_of
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.dimensions import a, dimension_of
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
 from rbpsym.errors import DimensionError, StatementError, Undecided
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, substitute, symbol
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import field, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
@@ -29,10 +29,10 @@ from rbpsym.mechanics.friction import slips, spare
 from rbpsym.mechanics.numbers import floating, sample
 from rbpsym.mechanics.pushing import begun_numbers
 from rbpsym.mechanics.roots import period
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.text import to_text
+from rbpsym.present.forms import present
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.source import did_you_mean
+from rbpsym.typeset.text import to_text
 
 
 class NeverThere(StatementError):

@@ -10,18 +10,18 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import PI, Scalar, depends_on, is_zero
-from rbpsym.algebra import value as value_of
-from rbpsym.algebra.present import present
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.moments import Asked
-from rbpsym.derivation.draft import Draft
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import neat
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import PI, Scalar, depends_on, is_zero
+from rbpsym.field import value as value_of
 from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.present.forms import present
+from rbpsym.proof.draft import Draft
 from rbpsym.quantities import Quantity
 from rbpsym.quantity.path import first_push
 from rbpsym.statement.model import Problem

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import re
 
-from rbpsym.algebra import NOTHING, depends_on, derivative, is_zero, symbol
 from rbpsym.ask.seen import Scene, moving, seen
 from rbpsym.ask.wanted import Wanted
-from rbpsym.equality.signs import sign
+from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
+from rbpsym.field import NOTHING, depends_on, derivative, is_zero, symbol
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips
 from rbpsym.statement.model import Element

@@ -7,24 +7,24 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, root, substitute, symbol
-from rbpsym.algebra.present import present
 from rbpsym.ask.answer import found_of
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.limits import SMALL, Leading, leading, squeezed
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import Scene, parameter, parts_seen, place_in, require_same, told
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.decide import find_witness
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import all_of, undecided
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.equal import find_witness
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
+from rbpsym.decide.verdict import all_of, undecided
 from rbpsym.errors import ReadError, StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.tree import Node
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, root, substitute, symbol
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.tree import Node
+from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
 from rbpsym.statement.solids import put_into
 from rbpsym.statement.source import did_you_mean

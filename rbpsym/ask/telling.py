@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra import NOTHING, substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.brackets import bracket
 from rbpsym.ask.integrated import HOW, integrated
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import Given, rounded, unit_for, value_at
 from rbpsym.ask.question import Question
-from rbpsym.derivation.step import Step
 from rbpsym.errors import StatementError
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.machine import machine_name, to_machine
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
+from rbpsym.field import NOTHING, substitute
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.sympy_bridge import plain_names
+from rbpsym.proof.step import Step
 from rbpsym.statement.printed_units import unit_text
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.machine import machine_name, to_machine
 
 
 def record(found: Answer, given: Given | None = None) -> dict[str, Any]:

@@ -5,18 +5,18 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import is_zero
-from rbpsym.algebra.present import present
 from rbpsym.ask import optima
 from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.question import read_question
 from rbpsym.ask.seen import Scene, moving, place_in, seen
 from rbpsym.ask.zeros import precedes, settled_sign, where_met
-from rbpsym.equality.verdict import undecided
+from rbpsym.decide.verdict import undecided
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.field import is_zero
 from rbpsym.mechanics.demands import settle
-from rbpsym.notation.machine import to_machine
+from rbpsym.present.forms import present
+from rbpsym.typeset.machine import to_machine
 
 
 def extremum(

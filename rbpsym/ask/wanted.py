@@ -6,20 +6,20 @@ from collections.abc import Mapping
 from contextlib import suppress
 from types import MappingProxyType
 
-from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, way_to, whole_motion
 from rbpsym.ask.zeros import where_met
-from rbpsym.derivation.step import Step
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import rooted
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import rooted
+from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.field import Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import period, zeros
 from rbpsym.mechanics.stability import essential
+from rbpsym.proof.step import Step
 from rbpsym.statement.source import did_you_mean
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding
-from rbpsym.equality.verdict import Verdict, undecided
+from rbpsym.decide.verdict import Verdict, undecided
 
 Data = Mapping[str, Any]
 Decided = Callable[[Data], bool]

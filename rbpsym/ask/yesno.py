@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import UNITY, Scalar, depends_on, is_zero
 from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.critical import kept_said
 from rbpsym.ask.extremes import Extreme, by_linear, extremes
@@ -14,14 +13,15 @@ from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.seen import Scene, moving, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met
-from rbpsym.derivation.chapters import contact, oscillations
-from rbpsym.derivation.step import Step
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.verdict import undecided
+from rbpsym.chapters import contact, oscillations
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
+from rbpsym.field import UNITY, Scalar, depends_on, is_zero
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Loss
+from rbpsym.proof.step import Step
 
 
 def does(world: Scene, text: str, *, opposite: bool = False, condition: Wanted | None = None) -> Finding:

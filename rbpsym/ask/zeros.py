@@ -10,13 +10,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import reduce
 from math import gcd
 
-from rbpsym.algebra import NOTHING, ONE, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol
-from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, root, substitute
 from rbpsym.ask.limits import leading
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.rooted import neat, rooted, sign_along
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.rooted import neat, rooted, sign_along
+from rbpsym.decide.signs import sign
+from rbpsym.field import NOTHING, ONE, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol
+from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, root, substitute
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short

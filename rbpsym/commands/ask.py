@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer
     from rbpsym.ask.moments import Asked
     from rbpsym.ask.numbers import Given
-    from rbpsym.notation.glyphs import Notation
+    from rbpsym.expr.glyphs import Notation
     from rbpsym.statement.model import Problem
 
 FINE, DOUBTFUL, UNANSWERED, BROKEN = 0, 1, 2, 70
@@ -96,9 +96,9 @@ def _told_or_refused(asked: Asked, text: str, numbers: Given | None) -> tuple[An
 def lines(found: Answer | None, record: Mapping[str, Any], numbers: Given | None, problem: Problem) -> Iterator[str]:
     """An answer with its short road, as a textbook prints it, and its numbers."""
     from rbpsym.ask.telling import numbered
+    from rbpsym.decide.verdict import Kind
     from rbpsym.document.writers.terminal import MARKS
-    from rbpsym.equality.verdict import Kind
-    from rbpsym.notation.glyphs import Notation
+    from rbpsym.expr.glyphs import Notation
 
     notation = Notation(problem.notation)
     yield click.style(record["question"], bold=True)
@@ -110,7 +110,7 @@ def lines(found: Answer | None, record: Mapping[str, Any], numbers: Given | None
 
 def _road(found: Answer, mark: str, notation: Notation) -> Iterator[str]:
     """The steps, the values, what is said beside them, the conditions."""
-    from rbpsym.notation.text import to_text
+    from rbpsym.typeset.text import to_text
 
     for step in (step for step in found.steps if step.id != "answer"):
         rows = (row.strip() for row in to_text(step.statement, notation).splitlines())
@@ -127,8 +127,8 @@ def _road(found: Answer, mark: str, notation: Notation) -> Iterator[str]:
 
 def _values(found: Answer, notation: Notation) -> Iterator[str]:
     """The values, those of a parameter with its name, each with its own conditions."""
-    from rbpsym.notation import tree as t
-    from rbpsym.notation.text import to_text
+    from rbpsym.expr import tree as t
+    from rbpsym.typeset.text import to_text
 
     if found.holds_so is not None:
         yield "yes" if found.holds_so else "no"
@@ -141,8 +141,8 @@ def _values(found: Answer, notation: Notation) -> Iterator[str]:
 
 def _beside(found: Answer, notation: Notation) -> Iterator[str]:
     """What else is said: a sentence, the equation that is solved, the place of an extremum."""
-    from rbpsym.notation import tree as t
-    from rbpsym.notation.text import to_text
+    from rbpsym.expr import tree as t
+    from rbpsym.typeset.text import to_text
 
     if found.equation is not None:
         yield f"{found.symbol} solves {to_text(t.equation(found.equation, t.ZERO), notation)}"

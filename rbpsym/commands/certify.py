@@ -37,9 +37,9 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: 
     Exit codes: 0 every step is certified (of several problems: coqc accepts all that is
     written), 1 not.
     """
+    from rbpsym.claims.run import default_folder
     from rbpsym.commands.shelf import found
     from rbpsym.statement.library import problem_files
-    from rbpsym.verify.claims_run import default_folder
 
     if every == bool(names):
         raise click.UsageError("name a problem, or write --all for every problem that ships.")
@@ -54,13 +54,14 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: 
 
 def report_on(path: Path) -> Report:
     """The report on a problem, kept where others are."""
-    from rbpsym.verify.claims_run import default_folder
+    from rbpsym.claims.run import default_folder
 
     return certified(path, None, default_folder())
 
 
 def certified(path: Path, output: Path | None, folder: Path | None) -> Report:
     """The report on a problem; its files are written if there is an `output`. What was found before stands in `folder`."""
+    from rbpsym.claims.run import digest, engine
     from rbpsym.commands.progress import Progress
     from rbpsym.derive import derive
     from rbpsym.document.files import write_all
@@ -69,7 +70,6 @@ def certified(path: Path, output: Path | None, folder: Path | None) -> Report:
     from rbpsym.kernel.coqc import PRELUDE, compiled, reported, together
     from rbpsym.kernel.rocq import identifier
     from rbpsym.statement.loader import load_problem
-    from rbpsym.verify.claims_run import digest, engine
 
     def found() -> Report:
         with Progress(f"deriving {path.stem}"):

@@ -15,11 +15,11 @@ from rbpsym.commands.solve import verdict_of
 from rbpsym.frozen import Frozen, field
 
 if TYPE_CHECKING:
-    from rbpsym.derivation.step import Derivation
-    from rbpsym.equality.verdict import Verdict
+    from rbpsym.claims.model import Link, Result
+    from rbpsym.claims.run import Certificates
+    from rbpsym.decide.verdict import Verdict
     from rbpsym.kernel.claimed import Notary
-    from rbpsym.verify.claims_model import Link, Result
-    from rbpsym.verify.claims_run import Certificates
+    from rbpsym.proof.step import Derivation
 
 FINE, DOUBTFUL, BAD_INPUT = 0, 1, 2
 Names = tuple[str, ...]
@@ -98,8 +98,8 @@ def command(
     Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided,
     2 something could not be read.
     """
+    from rbpsym.claims.run import default_folder
     from rbpsym.commands import findings, patches
-    from rbpsym.verify.claims_run import default_folder
 
     if anew and not baseline:
         raise click.UsageError("--write-baseline belongs to --baseline FILE.")
@@ -122,8 +122,8 @@ def decided(
     html: Path | None, **how: Any,
 ) -> CheckRun:  # fmt: skip
     """What all arguments give, as far as it is asked for; with what Rocq says of it, if that is asked."""
+    from rbpsym.claims.run import Certificates
     from rbpsym.kernel.claimed import Notary
-    from rbpsym.verify.claims_run import Certificates
 
     notary = Notary(folder) if certify else None
     certificates = Certificates.opened(folder, draws=html is not None, notary=notary)
@@ -159,9 +159,9 @@ def tell(
 
 def certified(found: CheckRun, notary: Notary) -> CheckRun:
     """The results with what Rocq says of those that are proved."""
+    from rbpsym.claims.model import Outcome
     from rbpsym.commands.certify import certified as report_on
     from rbpsym.kernel.claimed import judged
-    from rbpsym.verify.claims_model import Outcome
 
     each = [
         replace(one, rocq=judged(report_on(Path(one.file), None, notary.folder)))
@@ -185,8 +185,8 @@ def everything(
     names: Names, problems: Names, certificates: Certificates, simulation: bool, progress: Progress, every: bool = False
 ) -> CheckRun:
     """What all arguments give; without arguments, all that ships."""
+    from rbpsym.claims.papers.formats import TEXTS
     from rbpsym.statement.library import problem_files
-    from rbpsym.verify.paper_formats import TEXTS
 
     texts = [name for name in names if Path(name).suffix.lower() in TEXTS]
     if problems and not texts:
@@ -214,8 +214,8 @@ def claims_files() -> list[Path]:
 
 def of_file(path: Path, certificates: Certificates, simulation: bool) -> Iterator[Result]:
     """The results of a claims file, or of a problem's derivation."""
-    from rbpsym.verify.claims_loader import is_claims, load_claims
-    from rbpsym.verify.claims_run import check_claims
+    from rbpsym.claims.loader import is_claims, load_claims
+    from rbpsym.claims.run import check_claims
 
     if is_claims(path):
         yield from check_claims(load_claims(path), certificates)
@@ -238,8 +238,8 @@ def files_of(name: str) -> list[Path]:
 
 def paper(path: Path, problems: Names, certificates: Certificates, every: bool = False) -> CheckRun:
     """A paper, its symbols bound by its comments, by claims files or, without any, by the names of problems."""
-    from rbpsym.verify.claims_loader import is_claims, load_claims
-    from rbpsym.verify.claims_run import check_paper, names_of_problem
+    from rbpsym.claims.loader import is_claims, load_claims
+    from rbpsym.claims.run import check_paper, names_of_problem
 
     paths = [one for name in problems for one in files_of(name)[-1:]]
     files = [load_claims(one, binds=True) if is_claims(one) else names_of_problem(one) for one in paths]
@@ -252,7 +252,7 @@ def paper(path: Path, problems: Names, certificates: Certificates, every: bool =
 
 def derivation(path: Path, certificates: Certificates, simulation: bool) -> Result:
     """A problem derived: PROVED if every step is, and all methods and Lagrange's equations agree."""
-    from rbpsym.verify.claims_run import digest
+    from rbpsym.claims.run import digest
 
     key = digest(certificates.engine, "derivation", str(simulation), path.read_bytes()) if certificates.folder else ""
     known = certificates.get(key)
@@ -267,9 +267,9 @@ def derived(path: Path, simulation: bool) -> Result:
     """The result of a derivation that is made now."""
     import time
 
+    from rbpsym.claims.model import Outcome, Result, worst
     from rbpsym.derive import derive
     from rbpsym.statement.loader import load_problem
-    from rbpsym.verify.claims_model import Outcome, Result, worst
 
     begun = time.perf_counter()
     made = derive(load_problem(path), simulation=simulation)
@@ -304,8 +304,8 @@ def verdicts(made: Derivation) -> list[Verdict]:
 
 def doubtful(made: Derivation) -> Iterator[Link]:
     """The steps that are not proved, as links."""
-    from rbpsym.notation.text import to_text
-    from rbpsym.verify.claims_model import Link, Outcome
+    from rbpsym.claims.model import Link, Outcome
+    from rbpsym.typeset.text import to_text
 
     for step in made.all_steps:
         verdict = verdict_of(step)

@@ -11,10 +11,10 @@ import click
 from rbpsym.commands.arguments import detail_option, name_argument
 
 if TYPE_CHECKING:
-    from rbpsym.derivation.step import Derivation
+    from rbpsym.decide.verdict import Verdict
     from rbpsym.document.model import Document
-    from rbpsym.equality.verdict import Verdict
     from rbpsym.kernel.coqc import Report
+    from rbpsym.proof.step import Derivation
     from rbpsym.statement.model import Problem
 
 METHODS = ("all", "torque", "newton-euler", "work-energy", "energy")
@@ -75,12 +75,12 @@ def command(
 
 def roads_of(problem: Problem, language: str) -> list[str]:
     """The table of roads as lines."""
+    from rbpsym.chapters.methods.roads import roads
     from rbpsym.document.model import Document, Paragraph, Section, words
     from rbpsym.document.roads import roads_table
     from rbpsym.document.words import Words
     from rbpsym.document.writers.terminal import terminal_lines
     from rbpsym.mechanics.at_start import study_of
-    from rbpsym.methods.roads import roads
 
     said, study = Words(language, problem), study_of(problem)
     found = [] if study.at_start or problem.is_at_rest else roads(study)

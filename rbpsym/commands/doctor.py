@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 import click
 
-from rbpsym.document.escaping import columns, padded
+from rbpsym.typeset.escaping import columns, padded
 
 # distribution -> (what it gives, how one gets it); the first are required
 PACKAGES: Mapping[str, tuple[str, str]] = {

@@ -27,8 +27,8 @@ def command(name: str, other: str | None, lang: str, output: Path) -> int:
     """
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.shelf import found
-    from rbpsym.document.explorer.page import explorer
     from rbpsym.document.files import write_whole
+    from rbpsym.explorer.page import explorer
     from rbpsym.statement.loader import load_problem
 
     paths = [found(wanted, ("problem",))[1] for wanted in (name, other) if wanted]

@@ -9,12 +9,12 @@ from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rbpsym.claims.model import Outcome, Result
+from rbpsym.claims.papers.check import plain
+from rbpsym.claims.run import digest
 from rbpsym.commands.reports import lines, name_of, place, shown, word
 from rbpsym.errors import Place, ReadError
 from rbpsym.statement.files import text_in
-from rbpsym.verify.claims_model import Outcome, Result
-from rbpsym.verify.claims_run import digest
-from rbpsym.verify.paper_check import plain
 
 if TYPE_CHECKING:
     from rbpsym.commands.check import CheckRun

@@ -8,7 +8,7 @@ from itertools import groupby
 import click
 
 from rbpsym.commands.shelf import Entry, shelf
-from rbpsym.notation.letters import without_accents
+from rbpsym.expr.letters import without_accents
 
 LEVELS = ("introductory", "intermediate", "advanced")  # from easy to hard
 

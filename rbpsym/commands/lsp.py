@@ -67,7 +67,7 @@ class Server(Frozen):
         self.send({"method": "textDocument/publishDiagnostics", "params": {"uri": uri, "diagnostics": list(found)}})
 
     def _of_paper(self, path: Path, uri: str) -> Iterable[Message]:
-        from rbpsym.verify.claims_run import Certificates, check_paper, default_folder
+        from rbpsym.claims.run import Certificates, check_paper, default_folder
 
         certificates = Certificates.opened(default_folder())
         try:
@@ -119,8 +119,8 @@ def _told_of(error: RbpsymError) -> Message:
 
 
 def _of_statement(text: str, path: Path) -> Iterable[Message]:
+    from rbpsym.claims.loader import is_claims
     from rbpsym.statement.loader import load_text
-    from rbpsym.verify.claims_loader import is_claims
 
     try:
         if not (path.is_file() and is_claims(path)):
@@ -147,8 +147,8 @@ def _of_toml(line: str, lines: list[str]) -> Mapping[str, str]:
 
 def _of_comment(line: str, folder: Path) -> Mapping[str, str]:
     """The words of comments behind `rbpsym:`, problems behind `problem =`, or what a symbol may mean behind “is”."""
+    from rbpsym.claims.papers.claims import OF_CLAIM, OF_SETTING
     from rbpsym.studio.completing import tables
-    from rbpsym.verify.paper_claims import OF_CLAIM, OF_SETTING
 
     if "rbpsym:" not in line:
         return {}

@@ -10,10 +10,10 @@ from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rbpsym.verify.paper_macros import changed
+from rbpsym.claims.papers.macros import changed
 
 if TYPE_CHECKING:
-    from rbpsym.verify.claims_model import Result
+    from rbpsym.claims.model import Result
 
 _MARKED_UP = (".md", ".markdown", ".myst", ".html", ".htm")
 COMMENTS = {".rst": (".. rbpsym{}", ""), ".typ": ("// rbpsym{}", ""), **dict.fromkeys(_MARKED_UP, ("<!-- rbpsym{}", " -->"))}
@@ -21,8 +21,8 @@ COMMENTS = {".rst": (".. rbpsym{}", ""), ".typ": ("// rbpsym{}", ""), **dict.fro
 
 def draft_of(path: Path) -> str:
     """The text with a first draft of comments that name a problem, symbols and claims, as a diff. Raises ReadError."""
-    from rbpsym.verify.paper_draft import draft
-    from rbpsym.verify.paper_walk import read_paper
+    from rbpsym.claims.papers.draft import draft
+    from rbpsym.claims.papers.walk import read_paper
 
     begin, end = COMMENTS.get(path.suffix.lower(), ("% rbpsym{}", ""))
     comments: dict[tuple[str, int], list[str]] = {}
@@ -90,8 +90,8 @@ def marked(file: str, results: Iterable[Result]) -> Iterator[tuple[str, Result |
 
 def lines_in(file: str) -> list[str]:
     """The lines of a text with their ends. Raises ReadError."""
+    from rbpsym.claims.papers.source import MAX_BYTES
     from rbpsym.statement.files import latin_or_utf8_in
-    from rbpsym.verify.paper_source import MAX_BYTES
 
     return latin_or_utf8_in(Path(file), MAX_BYTES, "the text")[0].splitlines(keepends=True)
 

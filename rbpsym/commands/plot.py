@@ -10,8 +10,8 @@ import click
 from rbpsym.commands.arguments import ShelfName, formats_option, output_option
 
 if TYPE_CHECKING:
-    from rbpsym.document.figures.scene import Scene
-    from rbpsym.notation.glyphs import Notation
+    from rbpsym.expr.glyphs import Notation
+    from rbpsym.pictures.figures.scene import Scene
 
 FORMATS = ("svg", "png", "pdf")
 
@@ -48,12 +48,12 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
 def figures_of(path: Path, language: str) -> dict[str, tuple[tuple[Scene, ...], Notation]]:
     """The figures by what they show, as pictures are made of them. Raises StatementError for a motion that can't be drawn."""
     from rbpsym.derive import derive
-    from rbpsym.document.moving import REASONS
     from rbpsym.document.notes import notation_of
     from rbpsym.document.notes_plots import plot_figures
-    from rbpsym.document.plots.motion import motion
     from rbpsym.document.words import Words
     from rbpsym.errors import NotApplicable, StatementError
+    from rbpsym.pictures.moving import REASONS
+    from rbpsym.pictures.plots.motion import motion
     from rbpsym.statement.loader import load_problem
 
     derivation = derive(load_problem(path), simulation=False)

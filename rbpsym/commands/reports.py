@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.verify.claims_model import CERTIFIED, Outcome, Result
+from rbpsym.claims.model import CERTIFIED, Outcome, Result
 
 if TYPE_CHECKING:
     from rich.text import Text

@@ -12,8 +12,8 @@ from rbpsym.commands.arguments import name_argument
 from rbpsym.frozen import Frozen
 
 if TYPE_CHECKING:
-    from rbpsym.derivation.step import Step
-    from rbpsym.equality.verdict import Verdict
+    from rbpsym.decide.verdict import Verdict
+    from rbpsym.proof.step import Step
     from rbpsym.statement.model import Problem
 
 FINE, DOUBTFUL = 0, 1
@@ -147,9 +147,9 @@ class InLetters(Frozen):
 
     def name(self, text: str) -> str:
         """The name of a quantity, or the square of one."""
-        from rbpsym.notation import tree as t
-        from rbpsym.notation.glyphs import Notation
-        from rbpsym.notation.text import to_text
+        from rbpsym.expr import tree as t
+        from rbpsym.expr.glyphs import Notation
+        from rbpsym.typeset.text import to_text
 
         name, square, _ = text.partition("**2")
         return to_text(t.Pow(t.Sym(name), t.TWO) if square else t.Sym(name), Notation(self.problem.notation))
@@ -157,9 +157,9 @@ class InLetters(Frozen):
     def formula(self, text: str) -> str:
         """A formula or relation in Unicode; text that our reader does not know stays as it is, what nobody reads is left out."""
         from rbpsym.errors import RbpsymError
-        from rbpsym.notation.glyphs import Notation
-        from rbpsym.notation.infix import read_infix, read_relation
-        from rbpsym.notation.text import to_text
+        from rbpsym.expr.glyphs import Notation
+        from rbpsym.expr.infix import read_infix, read_relation
+        from rbpsym.typeset.text import to_text
 
         if len(text) > LONGEST:
             return f"a formula of {len(text)} characters: see --json"
@@ -173,7 +173,7 @@ class InLetters(Frozen):
 
 def table(title: str, values: Mapping[str, str | None] | None, drawn: InLetters) -> Iterator[str]:
     """One group of results."""
-    from rbpsym.document.escaping import columns, padded
+    from rbpsym.typeset.escaping import columns, padded
 
     known = {drawn.name(name): drawn.formula(value) for name, value in (values or {}).items() if value is not None}
     width = max(map(columns, known), default=0)

@@ -9,10 +9,10 @@ from pathlib import Path
 import click
 
 from rbpsym.commands.shelf import stated
-from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive, physics_of
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field, replace
+from rbpsym.proof.step import Derivation
 
 PAUSE = 0.08  # seconds between two looks
 

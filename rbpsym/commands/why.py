@@ -8,15 +8,15 @@ from time import perf_counter
 import click
 
 from rbpsym.commands.solve import verdict_of
-from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.model import Display, Document
 from rbpsym.document.notes import notation_of
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.writers.terminal import MARKS
 from rbpsym.errors import ReadError
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.text import to_text
+from rbpsym.expr.glyphs import Notation
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.statement.source import did_you_mean
+from rbpsym.typeset.text import to_text
 
 # how the id of a fact begins -> what it says
 FACTS: Mapping[str, str] = {
@@ -81,7 +81,7 @@ def traced(
 
 def anew(derivation: Derivation, step: Step) -> str:
     """How long its checks take with all letters known; nothing for a step between two phases."""
-    from rbpsym.derivation.rules import certify
+    from rbpsym.proof.rules import certify
 
     if derivation.letters.steps.get(step.id) is not step:
         return ""

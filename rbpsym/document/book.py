@@ -7,21 +7,21 @@ from itertools import groupby
 
 from markupsafe import Markup
 
-from rbpsym.derivation.step import Derivation
-from rbpsym.document.figures.schematic import schematic
-from rbpsym.document.figures.svg import to_svg
 from rbpsym.document.model import Document, Inlines, ItemList, Paragraph, Ref, Section, Text, words
 from rbpsym.document.notes import CHECKS, notation_of, problem_sections
 from rbpsym.document.notes import plain as plain_words
 from rbpsym.document.notes_checks import checks_table
 from rbpsym.document.phrases import has_phrase, phrase, plain
-from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers.html import Around, font, style, write_html
 from rbpsym.document.writers.page import shell
+from rbpsym.expr.letters import without_accents
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.letters import without_accents
+from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.svg import to_svg
+from rbpsym.pictures.sketches import sketch_of
+from rbpsym.proof.step import Derivation
 
 
 class Chapter(Frozen):

@@ -1,7 +1,7 @@
 """How a displayed formula is cut into lines: at relations first, then before + and − of a sum.
 
 All formats break a formula in the same places: widths are estimates in em, from the boxes that
-`notation.layout` makes of the display tree.
+`typeset.layout` makes of the display tree.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 
-from rbpsym.document.cutting import INDENT, flat, opened, packed, pieces, terms, width
 from rbpsym.document.model import Block, Display, Emph, Inlines, Math, Paragraph, Ref, Strong, Table, Text
+from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.tree import Node, rows
 from rbpsym.frozen import Frozen
-from rbpsym.notation import boxes as b
-from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.layout import layout, layout_rows
-from rbpsym.notation.tree import Node, rows
+from rbpsym.typeset import boxes as b
+from rbpsym.typeset.cutting import INDENT, flat, node_width, opened, packed, pieces, terms, width
+from rbpsym.typeset.layout import layout_rows
 
 EMPTY = b.Row(())
 
@@ -39,11 +39,6 @@ class DisplayLine(Frozen):
     def shown(self, render: Callable[[b.Box], str], mark: str = "", indent: str = "") -> str:
         """What a format prints of it, its alignment mark before the relation sign."""
         return f"{render(self.left)} {mark}{indent if self.indent else ''}{render(self.right)}".strip()
-
-
-def node_width(node: Node, notation: Notation = DEFAULT) -> float:
-    """The width of a formula on one line, in em."""
-    return width(layout(node, notation))
 
 
 @lru_cache(maxsize=4096)
@@ -185,16 +180,3 @@ def table_width(block: Table, notation: Notation, narrow: float = NARROW) -> flo
     widths = [column_width(block, place, notation) for place in range(len(block.header))]
     widths = [min(w, narrow) if letter == "p" else w for w, letter in zip(widths, block.columns, strict=True)]
     return sum(widths) + 1.1 * len(widths)
-
-
-def node_height(node: Node, notation: Notation = DEFAULT) -> float:
-    """The height of a formula, in em."""
-    return height(layout(node, notation))
-
-
-def height(box: b.Box) -> float:
-    """A line is one em high; fractions stand on each other, scripts reach out a little."""
-    inner = max(map(height, b.parts(box)), default=1.0)
-    if isinstance(box, b.Fraction):
-        return height(box.num) + height(box.den) + 0.2
-    return inner + 0.25 if isinstance(box, (b.Script, b.Accent, b.Radical)) else inner

@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import chain, groupby
 
-from rbpsym.derivation.assertions import Said
-from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document import telling
 from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref, Section
 from rbpsym.document.needless import is_still
 from rbpsym.document.notes_figures import figure_label, free_bodies_figure, free_bodies_label, is_drawn_beside
 from rbpsym.document.words import Words
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.assertions import Said
+from rbpsym.proof.step import Derivation, Step
 
 ORDER = (
     "kinematics",

@@ -8,7 +8,7 @@ from functools import cache
 from types import MappingProxyType
 
 from rbpsym.document.phrases import phrases
-from rbpsym.notation.glyphs import MARKS, Notation, notation_for
+from rbpsym.expr.glyphs import MARKS, Notation, notation_for
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
-from rbpsym.derivation.step import Derivation, DerivedCourse, Excerpt, Lesson, Step
+from rbpsym.decide.verdict import Verdict
 from rbpsym.document.language import usual_notation
 from rbpsym.document.model import Block, Display, Document, Inlines, Paragraph, Section, Strong, Text, words
 from rbpsym.document.notes import notation_of, shown_steps, words_of
@@ -17,13 +17,13 @@ from rbpsym.document.phrases import has_phrase, phrase, phrases
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers import html, latex
 from rbpsym.document.writers.page import body, page_for
-from rbpsym.equality.verdict import Verdict
+from rbpsym.expr.glyphs import DEFAULT, Notation, notation_for
+from rbpsym.expr.tree import Node
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.glyphs import DEFAULT, Notation, notation_for
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.text import to_text
-from rbpsym.notation.tree import Node
+from rbpsym.proof.step import Derivation, DerivedCourse, Excerpt, Lesson, Step
 from rbpsym.statement.model import Problem
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.text import to_text
 
 # --- the language in which values show themselves in a notebook: English, until `speak` names another
 

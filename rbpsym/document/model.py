@@ -6,11 +6,11 @@ own), a drawing only as a `Scene`; all else is text. Writers print this tree and
 
 from __future__ import annotations
 
-from rbpsym.document.figures.scene import Scene
 from rbpsym.errors import RbpsymError
+from rbpsym.expr.glyphs import DEFAULT, Notation
+from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen
-from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.tree import Node
+from rbpsym.pictures.figures.scene import Scene
 from rbpsym.showing import Shown
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
 
-from rbpsym.derivation.duties import merged
-from rbpsym.derivation.step import Derivation, Step
-from rbpsym.notation import tree as t
-from rbpsym.notation.tree import Node
+from rbpsym.expr import tree as t
+from rbpsym.expr.tree import Node
+from rbpsym.proof.duties import merged
+from rbpsym.proof.step import Derivation, Step
 
 AT_ONCE = "at once"
 ALONG_MOTION = ("first_integral", "substitution", "stays", "work_done")

@@ -7,7 +7,6 @@ from dataclasses import replace
 from importlib.util import find_spec
 
 from rbpsym.ask.asking import own_answers
-from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, in_page_order, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
@@ -22,7 +21,8 @@ from rbpsym.document.own_texts import own_blocks
 from rbpsym.document.places import locator
 from rbpsym.document.used import reaches_beyond, retold, used
 from rbpsym.document.words import Words
-from rbpsym.notation.glyphs import Notation
+from rbpsym.expr.glyphs import Notation
+from rbpsym.proof.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.statement.course import CoursePart
 from rbpsym.statement.model import Problem
 from rbpsym.statement.own_text import OwnParagraph

@@ -8,13 +8,13 @@ from dataclasses import replace
 from itertools import chain
 from math import floor, log10
 
-from rbpsym.derivation.assertions import Said
-from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
+from rbpsym.chapters.methods.registry import METHODS
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.needless import is_still
 from rbpsym.document.words import Words, capital, sentences
-from rbpsym.methods.registry import METHODS
-from rbpsym.notation.tree import Node, Num, Pow
+from rbpsym.expr.tree import Node, Num, Pow
+from rbpsym.proof.assertions import Said
+from rbpsym.proof.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.remarks.choosing import remarks
 
 Told = tuple[Words, tuple[Step, ...]]

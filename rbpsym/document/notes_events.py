@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.derivation.chapters.endings import begun
+from rbpsym.chapters.endings import begun
 from rbpsym.document.model import Inlines
 from rbpsym.document.notes_sentences import sentences_of, touched
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, small
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.pictures.pose import DrawnPose
 from rbpsym.statement.model import Element, Phase, Problem
 
 

@@ -5,21 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from rbpsym.algebra import cosine, sine
-from rbpsym.derivation.step import Derivation
-from rbpsym.document.figures import sketch as sk
-from rbpsym.document.figures.free_body import free_body
-from rbpsym.document.figures.outlines import turned
-from rbpsym.document.figures.scene import Point
-from rbpsym.document.figures.schematic import schematic
-from rbpsym.document.figures.sketch import Sketch
+from rbpsym.decide.signs import sign
 from rbpsym.document.model import FigureBlock, Inlines, Text
 from rbpsym.document.phrases import has_phrase, plain
-from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words, sentences
-from rbpsym.equality.signs import sign
-from rbpsym.notation.glyphs import DEFAULT, Notation, renamed, spaced
-from rbpsym.notation.text import plain_letters
+from rbpsym.expr.glyphs import DEFAULT, Notation, renamed, spaced
+from rbpsym.field import cosine, sine
+from rbpsym.pictures.figures import sketch as sk
+from rbpsym.pictures.figures.free_body import free_body
+from rbpsym.pictures.figures.outlines import turned
+from rbpsym.pictures.figures.scene import Point
+from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.sketch import Sketch
+from rbpsym.pictures.sketches import sketch_of
+from rbpsym.proof.step import Derivation
+from rbpsym.typeset.text import plain_letters
 
 # --- what is seen in a figure, in words: the alt text of schematics and free-body diagrams
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from rbpsym.derivation.step import Derivation, Lesson, Step
-from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.scene import Circle, Label, Line, Point, Scene, direction, polar
+from rbpsym.claims.comparison import common_coordinate
 from rbpsym.document.model import Block, FigureBlock, Inlines, Paragraph, Section
 from rbpsym.document.phrases import plain
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.verify.comparison import common_coordinate
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
+from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import Circle, Label, Line, Point, Scene, direction, polar
+from rbpsym.proof.step import Derivation, Lesson, Step
 
 # --- the figure of the general theory: a point of a body seen from the origin and from the centre of mass, r' = R + r
 
@@ -79,7 +79,7 @@ def _drawn(lesson: Lesson, said: Words) -> Iterator[Block]:
 def compared_figure(first: Derivation, second: Derivation, coordinate: str, said: Words) -> Iterator[Block]:
     """Both motions in one plot, where both can be followed."""
     from rbpsym.document.notes_plots import numbers, panels_figure  # with numpy, which is slow to load
-    from rbpsym.document.plots.compared import beside, motions
+    from rbpsym.pictures.plots.compared import beside, motions
 
     name = common_coordinate((first.study, second.study), coordinate)
     try:

@@ -6,15 +6,15 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from itertools import chain, groupby
 
-from rbpsym.derivation.chapters.endings import begun
-from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
+from rbpsym.chapters.endings import begun
 from rbpsym.document.chapters import chapter_blocks, chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.needless import owed_by
 from rbpsym.document.telling import Teller
 from rbpsym.document.used import used_to_begin
 from rbpsym.document.words import Words
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
 from rbpsym.statement.model import Phase
 
 # of a later phase: what is new in it

@@ -8,21 +8,21 @@ from itertools import pairwise
 
 import numpy as np
 
-from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section
-from rbpsym.document.moving import REASONS
 from rbpsym.document.notes_checks import Told
 from rbpsym.document.phrases import plain
-from rbpsym.document.plots.motion import PlottedMotion, motion
-from rbpsym.document.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
-from rbpsym.document.plots.scales import Scale, told_numbers
-from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.document.words import Words, sentences
 from rbpsym.errors import NotApplicable
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
 from rbpsym.mechanics.events import pushes
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.text import plain_letters
+from rbpsym.pictures.moving import REASONS
+from rbpsym.pictures.plots.motion import PlottedMotion, motion
+from rbpsym.pictures.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
+from rbpsym.pictures.plots.scales import Scale, told_numbers
+from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
+from rbpsym.proof.step import Derivation
+from rbpsym.typeset.text import plain_letters
 
 # --- what a panel shows, in words: how each curve goes, for those who do not see it
 

@@ -6,20 +6,20 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import replace
 from itertools import groupby
 
-from rbpsym.algebra import names_in, symbol
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused
-from rbpsym.derivation.assertions import Said
-from rbpsym.derivation.forms import Forms
-from rbpsym.derivation.step import Step, StepRef
 from rbpsym.document.chapters import ends
 from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section, Text
 from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
 from rbpsym.document.translated import translated
 from rbpsym.document.words import Words, capital, sentences
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import RELATION_SIGNS
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import RELATION_SIGNS
+from rbpsym.field import names_in, symbol
+from rbpsym.proof.assertions import Said
+from rbpsym.proof.forms import Forms
+from rbpsym.proof.step import Step, StepRef
 
 Found = Answer | Refused
 Told = tuple[Words, tuple[Step, ...]]

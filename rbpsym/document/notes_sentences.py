@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from rbpsym.algebra import depends_on
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import present
-from rbpsym.derivation.assertions import Said
-from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Inlines
 from rbpsym.document.places import line_in_words, point_in_words
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, capital
+from rbpsym.expr import tree as t
+from rbpsym.field import depends_on
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.impulse import is_holding
 from rbpsym.mechanics.resistance import LETTERS
-from rbpsym.notation import tree as t
+from rbpsym.pictures.pose import DrawnPose
+from rbpsym.present.forms import present
+from rbpsym.proof.assertions import Said
+from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Element, PointRef
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.scope import CLOCK

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from rbpsym.derivation.assertions import Said
-from rbpsym.derivation.step import BodyRef, Derivation
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, Text, words
 from rbpsym.document.notes_events import phase_sentences
 from rbpsym.document.notes_figures import figure_label, figure_with_forces, is_drawn_beside, system_figure
 from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.places import growth
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, capital, sentences
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.pictures.pose import DrawnPose
+from rbpsym.proof.assertions import Said
+from rbpsym.proof.step import BodyRef, Derivation
 from rbpsym.quantities import NUMBER, Quantity
 from rbpsym.statement.model import Body, Coordinate, PlacedShape, Problem
 

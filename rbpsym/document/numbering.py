@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 
 from rbpsym.document import model as d
-from rbpsym.notation.tree import Node
+from rbpsym.expr.tree import Node
 
 WITHIN = ("equation", "figure", "table")
 

@@ -12,7 +12,7 @@ from functools import cache
 
 from rbpsym.document.model import Block, Display, Inlines, Paragraph
 from rbpsym.document.phrases import filled, languages, merged, phrases
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 from rbpsym.statement.course import Course
 from rbpsym.statement.own_text import OwnFormula, OwnParagraph, Sentence
 

@@ -21,8 +21,8 @@ from pathlib import Path
 from string import Formatter
 
 from rbpsym.document import model as d
+from rbpsym.expr.tree import Node, Word, walk
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation.tree import Node, Word, walk
 
 # --- the grammar of a language, as its phrases file tells it under [grammar]: number, gender, contractions
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from importlib.util import find_spec
 
-from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.scene import Scene
-from rbpsym.document.figures.svg import color_rules, number, to_svg
-from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.model import Document, FigureBlock
 from rbpsym.document.numbering import parts
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import RbpsymError
+from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen
-from rbpsym.notation.glyphs import Notation
+from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import Scene
+from rbpsym.pictures.figures.svg import color_rules, number, to_svg
+from rbpsym.pictures.figures.typst import to_typst_drawing
 
 ROW, GAP = 16.0, 0.5  # cm
 RESOLUTION = 200.0  # dots an inch of a PNG

@@ -6,13 +6,13 @@ import math
 from collections.abc import Callable
 from functools import cache
 
-from rbpsym.algebra import Vector, is_zero
 from rbpsym.document.model import Inlines
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words
+from rbpsym.expr import tree as t
+from rbpsym.field import Vector, is_zero
 from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.pictures.pose import DrawnPose
 from rbpsym.statement.model import Line, PointRef
 
 CENTERS = frozenset({"center", "cm", "middle", "origin"})

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rbpsym.document.model import Inline, Inlines, Math, Text
 from rbpsym.document.phrases import merged, plain
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.infix import RELATION_SIGNS, read_infix, read_relation
+from rbpsym.expr.infix import RELATION_SIGNS, read_infix, read_relation
 from rbpsym.statement.letters import letters_of
 
 if TYPE_CHECKING:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rbpsym.derivation.step import BodyRef, PhraseRef
+from rbpsym.chapters.methods.roads import Road
 from rbpsym.document.model import Inlines, Math, Table, Text
 from rbpsym.document.words import Words
-from rbpsym.methods.roads import Road
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.step import BodyRef, PhraseRef
 
 
 def roads_table(roads: Sequence[Road], said: Words) -> Table:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rbpsym.derivation.assertions import Said
-from rbpsym.derivation.duties import merged
-from rbpsym.derivation.grounds import is_steady
-from rbpsym.derivation.step import BodyRef, Derivation, Step, StepRef
 from rbpsym.document.breaking import lines, table_width
 from rbpsym.document.model import Block, Display, Inlines, Math, Paragraph, Table, Text
 from rbpsym.document.places import point_name
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.pictures.pose import DrawnPose
+from rbpsym.proof.assertions import Said
+from rbpsym.proof.duties import merged
+from rbpsym.proof.grounds import is_steady
+from rbpsym.proof.step import BodyRef, Derivation, Step, StepRef
 from rbpsym.statement.model import PointRef
 
 # --- tables of the notes: the ledger of forces and the works. Every formula is a part of a proved statement

@@ -7,10 +7,10 @@ from base64 import urlsafe_b64encode
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rbpsym.document.figures.scene import Line, Scene
 from rbpsym.document.model import Document, FigureBlock, Live, Section, words
 from rbpsym.document.phrases import plain
 from rbpsym.errors import RbpsymError
+from rbpsym.pictures.figures.scene import Line, Scene
 from rbpsym.statement.library import problem_files
 
 MODULE, QUIET = 0.05, 4  # cm; empty modules around it

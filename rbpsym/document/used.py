@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Set
 
 from rbpsym.ask.asking import Refused, own_answers
-from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step
 from rbpsym.document.needless import is_struck
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.step import STANDARD, Derivation, DerivedPhase, Step
 
 # by chapter, the rules of steps that are conclusions though they stand in no box: what ties the coordinates, the motion,
 # whether contacts last

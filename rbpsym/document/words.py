@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rbpsym.derivation.assertions import Said, on_page
-from rbpsym.derivation.step import FULL, STANDARD, BodyRef, PhraseRef, QuestionRef, StepRef
 from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
 from rbpsym.document.questions import question
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation, spaced
+from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation, spaced
-from rbpsym.notation.tree import Node
+from rbpsym.proof.assertions import Said, on_page
+from rbpsym.proof.step import FULL, STANDARD, BodyRef, PhraseRef, QuestionRef, StepRef
 from rbpsym.statement.model import Problem
 
 

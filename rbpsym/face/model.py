@@ -6,14 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-from rbpsym.algebra import Scalar, Vector, cartesian, names_in, substitute, symbol, total
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
-from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
 from rbpsym.document.notes import notation_of
 from rbpsym.errors import StatementError
+from rbpsym.expr import tree as t
 from rbpsym.face.late import sympy
 from rbpsym.face.parts import (
     AngularMomentum,
@@ -29,16 +27,18 @@ from rbpsym.face.parts import (
 )
 from rbpsym.face.reading import CLOCK, name_of, tree_of
 from rbpsym.face.writing import Alphabet, alphabet
+from rbpsym.field import Scalar, Vector, cartesian, names_in, substitute, symbol, total
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import compiled, energy, motion, numbers, oscillation, placing
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.text import to_text
+from rbpsym.proof.step import Derivation
 from rbpsym.solve import shown
 from rbpsym.statement.model import Problem
 from rbpsym.statement.premises import OPS
 from rbpsym.statement.source import did_you_mean
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.text import to_text
 
 Numbers = Mapping[Any, Any]  # symbols or names → numbers
 

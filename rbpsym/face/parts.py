@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from rbpsym.algebra import Scalar, Vector
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.telling import latex_of
-from rbpsym.derivation.step import Derivation
+from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.document.notes import notation_of
-from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.face.late import mechanics, sympy
 from rbpsym.face.writing import alphabet
+from rbpsym.field import Scalar, Vector
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState
-from rbpsym.notation.latex import to_latex
+from rbpsym.proof.step import Derivation
 from rbpsym.solve import shown
+from rbpsym.typeset.latex import to_latex
 
 # --- the steps of a derivation as sympy's relations, with their LaTeX, premises, verdicts and obligations
 

@@ -12,10 +12,10 @@ from functools import cache
 from typing import Any
 
 from rbpsym.errors import LimitError, ReadError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix_names import FUNCTIONS, MAX_DIGITS
+from rbpsym.expr.limits import check_degree, check_exponent, check_size
 from rbpsym.face.late import sympy
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix_names import FUNCTIONS, MAX_DIGITS
-from rbpsym.notation.limits import check_degree, check_exponent, check_size
 from rbpsym.statement.source import kind_of, written
 
 CLOCK = "t"
@@ -38,7 +38,7 @@ def tree_of(value: object) -> t.Node:
     """The tree of an expression, a relation or a number. Raises ReadError, LimitError.
 
     >>> import sympy
-    >>> from rbpsym.notation.machine import to_machine
+    >>> from rbpsym.typeset.machine import to_machine
     >>> ell, theta = sympy.Symbol("ell", positive=True), sympy.Function("theta")(sympy.Symbol("t"))
     >>> to_machine(tree_of(2 * ell * sympy.cos(theta) / 3))
     '2*ell*cos(theta)/3'

@@ -12,18 +12,18 @@ from contextlib import contextmanager, suppress
 from fractions import Fraction
 from typing import Any
 
-from rbpsym.equality.dimensions import Unsettled, require_dimension
+from rbpsym.decide.dimensions import Unsettled, require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError, StatementError
+from rbpsym.expr import tree as t
+from rbpsym.expr.tree import Node, names
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, SIGNS, is_sympy, name_of, tree_of
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation import tree as t
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.tree import Node, names
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension, dimension_named
 from rbpsym.statement import build
 from rbpsym.statement.model import Problem
 from rbpsym.statement.slots import QUANTITIES, Slot, slot_of
+from rbpsym.typeset.machine import to_machine
 
 # --- the dimensions of symbols that nobody declared, from the slots in which they stand: what is a rod's length is a length
 
@@ -31,7 +31,7 @@ from rbpsym.statement.slots import QUANTITIES, Slot, slot_of
 def inferred(slots: Iterable[tuple[Node, Slot]], known: Mapping[str, Dimension]) -> dict[str, Dimension]:
     """The dimensions that follow from formulas and their slots, by name.
 
-    >>> from rbpsym.notation.tree import Mul, Num, Sym
+    >>> from rbpsym.expr.tree import Mul, Num, Sym
     >>> str(inferred([(Mul((Num(2), Sym("ell"))), Slot())], {})["ell"])
     'length'
     """

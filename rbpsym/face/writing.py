@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rbpsym.algebra import Scalar, names_in
-from rbpsym.derivation.context import Context
+from rbpsym.expr import tree as t
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, RELATIONS, SIGNS
+from rbpsym.field import Scalar, names_in
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.context import Context
 
 CLASSES = {op: name for name, op in RELATIONS.items()}
 

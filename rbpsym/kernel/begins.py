@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from rbpsym.algebra import Scalar, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.derivation.step import Derivation, Step
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, substitute, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.statement.model import Phase
 
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms
 from rbpsym.frozen import Frozen, field
 from rbpsym.kernel.claim import Claim, sides
-from rbpsym.notation import tree as t
 
 
 class Known(Frozen):

@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 
-from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
+from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Lemma, Proof
 from rbpsym.kernel.claim import Claim, Said
@@ -16,7 +16,7 @@ from rbpsym.kernel.components import START
 from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.reading import read_back
 from rbpsym.kernel.rocq import Terms, Writer, identifier
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import Derivation, Step
 
 
 class Written(Frozen):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
-from rbpsym.algebra import Monomial, Poly, Scalar, atoms, factors
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import Monomial, Poly, Scalar, atoms, factors
 from rbpsym.frozen import Frozen
-from rbpsym.notation import tree as t
-from rbpsym.notation.machine import to_machine
+from rbpsym.typeset.machine import to_machine
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "exp", "ln")  # by their names in the prover, too
 

@@ -7,11 +7,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from rbpsym.algebra import Scalar
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.facts import facts_of
-from rbpsym.derivation.step import Derivation
+from rbpsym.claims.check import CONSTANTS, relations
+from rbpsym.claims.ground import Ground
+from rbpsym.claims.integrals import prepared
+from rbpsym.claims.model import CERTIFIED, Result
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.kernel.certify import Written, lemma_of, named
 from rbpsym.kernel.claim import Claim, Said, tree_of
@@ -19,11 +21,9 @@ from rbpsym.kernel.claims import Source
 from rbpsym.kernel.components import started
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.verify.claims_check import CONSTANTS, relations
-from rbpsym.verify.claims_ground import Ground
-from rbpsym.verify.claims_integrals import prepared
-from rbpsym.verify.claims_model import CERTIFIED, Result
+from rbpsym.proof.context import Context
+from rbpsym.proof.facts import facts_of
+from rbpsym.proof.step import Derivation
 
 NO_COQC = "there is no coqc (apt: coq libcoq-coquelicot)"
 KINDS = {"=": "equal", "<": "more", ">": "more"}

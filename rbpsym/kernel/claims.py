@@ -6,16 +6,16 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 
-from rbpsym.algebra import Vector, names_in, short, symbol
-from rbpsym.derivation.mass import power
-from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import Vector, names_in, short, symbol
 from rbpsym.kernel.begins import event, letters_then
 from rbpsym.kernel.claim import Claim, Said, letter, rows, tree_of
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.system import Force
-from rbpsym.notation import tree as t
+from rbpsym.proof.mass import power
+from rbpsym.proof.step import Derivation, Step
 
 
 class Source:

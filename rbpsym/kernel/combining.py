@@ -7,18 +7,18 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, UNITY, Coefficient, Monomial, Poly, Scalar, atoms, generator, symbol
-from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import bases_of, in_bases, is_zero
 from rbpsym.errors import Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, UNITY, Coefficient, Monomial, Poly, Scalar, atoms, generator, symbol
+from rbpsym.field.calculus import names_in, substitute
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import bases_of, in_bases, is_zero
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, parted, reduced, wound
 from rbpsym.kernel.claim import Claim, tree_of
 from rbpsym.kernel.positive import Sum, is_wave
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import shown, signed
 from rbpsym.mechanics.elimination import solve_linear
-from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search

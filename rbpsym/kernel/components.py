@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 
 AT_START = t.Chain((t.Sym("t"), t.ZERO), ("=",))
 START = "@0"  # ends the name of a quantity's value at the start

@@ -15,11 +15,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from rbpsym.claims.run import digest
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, replace
 from rbpsym.kernel.certify import Written, text
 from rbpsym.kernel.rocq import REFUSED
-from rbpsym.verify.claims_run import digest
 
 PRELUDE = Path(__file__).with_name("Prelude.v")
 NOT_ACCEPTED = "coqc does not accept its proof"

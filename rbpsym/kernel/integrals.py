@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, names_in, reduce_roots, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.integration import antiderivative
 from rbpsym.errors import Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, names_in, reduce_roots, substitute, symbol
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.integration import antiderivative
 from rbpsym.kernel.certificates import Have, Known
 from rbpsym.kernel.claim import Claim, tree_of
 from rbpsym.kernel.claims import TIME
-from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Set
 from fractions import Fraction
 from itertools import product
 
-from rbpsym.algebra import UNITY, Coefficient, Monomial, Poly, Scalar, inverse, times
+from rbpsym.field import UNITY, Coefficient, Monomial, Poly, Scalar, inverse, times
 from rbpsym.frozen import Frozen
 from rbpsym.kernel.certificates import partner, wound
 

@@ -7,10 +7,11 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_along, symbol
-from rbpsym.algebra.division import divide
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_along, symbol
+from rbpsym.field.division import divide
+from rbpsym.field.evaluate import scalar
 from rbpsym.kernel import combining
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, formulas, parted, reduced, vanishes
 from rbpsym.kernel.claim import Claim, brief, is_along_time, letter, sides, tree_of
@@ -20,8 +21,7 @@ from rbpsym.kernel.integrals import courses, integrated
 from rbpsym.kernel.positive import Sum
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed, within
-from rbpsym.notation import tree as t
-from rbpsym.notation.machine import to_machine
+from rbpsym.typeset.machine import to_machine
 
 SIGNS = ("sign", "gap", "positive")
 BEGUN = t.Sym(TIME + START)

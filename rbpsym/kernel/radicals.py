@@ -7,12 +7,12 @@ from fractions import Fraction
 from math import isqrt
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
 from rbpsym.errors import Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
 from rbpsym.kernel.certificates import Have, Known, Multiples
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.ranges import above, signed
-from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search

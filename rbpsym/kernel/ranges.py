@@ -8,14 +8,14 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, PI, Poly, Scalar, atoms, factors, generator, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, generator, substitute, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.kernel.certificates import Have, Known, Multiples, circles, parted, partner, wound
 from rbpsym.kernel.claim import Claim, brief, tree_of
 from rbpsym.kernel.positive import Sum, positive_sum
-from rbpsym.notation import tree as t
-from rbpsym.notation.machine import to_machine
+from rbpsym.typeset.machine import to_machine
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search

@@ -9,12 +9,12 @@ from functools import reduce
 from typing import Any
 
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, Walker, field, replace
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.components import START
 from rbpsym.kernel.rocq import identifier
-from rbpsym.notation import tree as t
 
 TOKEN = re.compile(r"\s*(:=|=>|<>|->|[A-Za-z_][\w']*|\d+|[-+*/^()<>=:,])")
 Read = tuple[Any, ...]

@@ -7,12 +7,12 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Have, Known, Lemma, Multiples, Proof
 from rbpsym.kernel.claim import FUNCTIONS, Claim, is_along_time, tree_of
 from rbpsym.kernel.claims import TIME, Source
 from rbpsym.kernel.components import START
-from rbpsym.notation import tree as t
 
 RESERVED = frozenset((
     "R", "t", "u", "x", "y", "E", "sin", "cos", "sqrt", "PI", "RInt", "is_derive", "continuous", "trig", "less", "ta", "tb",

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
-from rbpsym.algebra.integration import definite
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import root_of, sign_along
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import root_of, sign_along
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
+from rbpsym.field.integration import definite
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
-from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
-from rbpsym.algebra.present import present
 from rbpsym.errors import StatementError
+from rbpsym.expr.tree import Node
+from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.field.evaluate import Scope, scalar, time_derivative
 from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
@@ -19,10 +19,10 @@ from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.placing import locator, open_names, poses, still_open
 from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
 from rbpsym.mechanics.tying import Tied, tie
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.tree import Node
+from rbpsym.present.forms import present
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Problem
+from rbpsym.typeset.machine import to_machine
 
 CLOSE = 1e-7  # at sample numbers, which are near 1
 

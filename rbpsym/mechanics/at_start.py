@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from rbpsym.algebra import Scalar, apart, at_most, kept, substitute
-from rbpsym.equality.rooted import neat
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import LimitError
+from rbpsym.field import Scalar, apart, at_most, kept, substitute
 from rbpsym.frozen import replace
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from rbpsym.algebra import Scalar
 from rbpsym.errors import StatementError
+from rbpsym.field import Scalar
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 

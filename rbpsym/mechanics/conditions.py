@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, has_roots, is_zero, short, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.integration import antiderivative
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber, StatementError
+from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, has_roots, is_zero, short, substitute, symbol
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.integration import antiderivative
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample

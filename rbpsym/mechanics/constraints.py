@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import EX, EY, UNITY, Scalar, Vector, symbol
-from rbpsym.algebra.evaluate import scalar
+from rbpsym.field import EX, EY, UNITY, Scalar, Vector, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import couples, curve_gaps, holding_forces, meeting, meshing_force, normal_forces, taken

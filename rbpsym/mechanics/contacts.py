@@ -9,7 +9,8 @@ Kleppner & Kolenkow 2.5 and 7.6; Meriam & Kraige, Dynamics, 6/4.
 
 from __future__ import annotations
 
-from rbpsym.algebra import (
+from rbpsym.errors import StatementError
+from rbpsym.field import (
     NOTHING,
     ORIGIN,
     UNITY,
@@ -24,9 +25,8 @@ from rbpsym.algebra import (
     substitute,
     symbol,
 )
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import tidy
-from rbpsym.errors import StatementError
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import tidy
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, opposed, rotated

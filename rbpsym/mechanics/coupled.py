@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, names_in, short, substitute, symbol, total
-from rbpsym.equality.rooted import root_of
-from rbpsym.equality.signs import sign
+from rbpsym.decide.rooted import root_of
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable
+from rbpsym.field import NOTHING, UNITY, Scalar, derivative, names_in, short, substitute, symbol, total
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics import slipping, solutions
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_linear, solve_matrix

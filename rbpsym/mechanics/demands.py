@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from rbpsym.algebra import ONE, ZERO, Poly, atoms, cosine, generator, names_in, sine, with_exponentials_joined
-from rbpsym.algebra.normal import is_zero, normal
-from rbpsym.algebra.present import present
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
-from rbpsym.equality.assumptions import Assumptions, behind
-from rbpsym.equality.domain import IMPLIED
-from rbpsym.equality.rooted import neat, root_of
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions, behind
+from rbpsym.decide.domain import IMPLIED
+from rbpsym.decide.rooted import neat, root_of
+from rbpsym.decide.signs import sign
+from rbpsym.field import ONE, ZERO, Poly, atoms, cosine, generator, names_in, sine, with_exponentials_joined
+from rbpsym.field.normal import is_zero, normal
+from rbpsym.field.roots import without_even_roots
+from rbpsym.field.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential, open_factors
-from rbpsym.notation.machine import to_machine
+from rbpsym.present.forms import present
+from rbpsym.typeset.machine import to_machine
 
 FAILS = {">": ("negative", "zero", "nonpositive"), ">=": ("negative",), "!=": ("zero",)}
 WAYS = {"positive": 1, "negative": -1}

@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import prod
 
-from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, substitute, total
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.errors import LimitError
+from rbpsym.field import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, substitute, total
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.elimination import CONSTANT, Matrix, Row, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
 from rbpsym.mechanics.system import BodyState, Force, System

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from rbpsym.algebra import NOTHING, ONE, UNITY, Scalar, derivative, is_zero, short, substitute, symbol
-from rbpsym.algebra.modular import PRIME, NoImage, value_of
+from rbpsym.field import NOTHING, ONE, UNITY, Scalar, derivative, is_zero, short, substitute, symbol
+from rbpsym.field.modular import PRIME, NoImage, value_of
 from rbpsym.frozen import Frozen
 
 

@@ -10,11 +10,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.equality.signs import sign
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.arrivals import (
     EDGE,

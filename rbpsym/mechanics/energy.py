@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, depends_on, derivative, is_zero, substitute, symbol
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.integration import antiderivative
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.errors import LimitError
+from rbpsym.field import NOTHING, Scalar, Vector, at_most, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.field.evaluate import time_derivative
+from rbpsym.field.integration import antiderivative
+from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short

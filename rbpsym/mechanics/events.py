@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, short, substitute
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.signs import sign
+from rbpsym.field import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, short, substitute
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle

@@ -5,11 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, is_zero, symbol
-from rbpsym.algebra.calculus import depends_on, derivative, names_in, root, substitute
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import neat
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import neat
+from rbpsym.field import NOTHING, UNITY, Scalar, atoms, is_zero, symbol
+from rbpsym.field.calculus import depends_on, derivative, names_in, root, substitute
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.elimination import short
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, Scalar, short, substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.signs import sign
+from rbpsym.field import NOTHING, Scalar, short, substitute
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root, tidy
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NoNumber, StatementError
+from rbpsym.field import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root, tidy
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.numbers import number, sample

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol, time_derivative
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol, time_derivative
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces, slip_speed

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, cosine, sine, tidy
-from rbpsym.algebra.evaluate import scalar
+from rbpsym.expr.tree import Node
+from rbpsym.field import NOTHING, UNITY, Scalar, cosine, sine, tidy
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
-from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Body, MassElement, PlacedShape, Shape
 from rbpsym.statement.solids import integrate_ranges
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.errors import StatementError
+from rbpsym.field import NOTHING, Scalar, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.elimination import Solution, solve_linear

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root, tidy
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.expr.tree import ONE
+from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root, tidy
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.geometry import no_direction, pair
 from rbpsym.mechanics.resistance import Resisted, resisted
 from rbpsym.mechanics.system import BodyState, Force, opposed, rotated
-from rbpsym.notation.tree import ONE
 from rbpsym.statement.model import Element, PointRef
 
 HALF = Fraction(1, 2)

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import combinations
 
-from rbpsym.algebra import EX, EY, NOTHING, ORIGIN, Scalar, Vector, cartesian, depends_on, is_zero, short, substitute
+from rbpsym.field import EX, EY, NOTHING, ORIGIN, Scalar, Vector, cartesian, depends_on, is_zero, short, substitute
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.arrivals import State, at_start
 from rbpsym.mechanics.constraints import JOINTS

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.algebra import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, substitute, symbol
-from rbpsym.algebra.integration import definite
-from rbpsym.algebra.roots import without_even_roots
+from rbpsym.field import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.field.integration import definite
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.dynamics import Dynamics, torque_about_center
 from rbpsym.mechanics.elimination import short, solve_linear

@@ -10,11 +10,11 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra import ONE, Poly, Scalar, atoms
-from rbpsym.algebra.elliptic import FUNCTIONS
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NoNumber, RbpsymError
-from rbpsym.notation.tree import Node
+from rbpsym.expr.tree import Node
+from rbpsym.field import ONE, Poly, Scalar, atoms
+from rbpsym.field.elliptic import FUNCTIONS
+from rbpsym.field.evaluate import scalar
 from rbpsym.quantities import ACCELERATION, NUMBER
 from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.units import unit_named

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, Scalar, derivative, function, is_zero, names_in, root, short, substitute, without_even_roots
-from rbpsym.equality.rooted import neat
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import StatementError
+from rbpsym.field import NOTHING, Scalar, derivative, function, is_zero, names_in, root, short, substitute, without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.oscillation import Equilibrium, where_stable

@@ -16,12 +16,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 
-from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, derivative, is_zero, root, short, substitute, symbol, total
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import root_of, rooted
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import root_of, rooted
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber, RbpsymError
+from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, derivative, is_zero, root, short, substitute, symbol, total
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, substitute
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
+from rbpsym.field import NOTHING, Scalar, substitute
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.contacts import meeting, side_taken, slip_speed
 from rbpsym.mechanics.endings import State, gap
 from rbpsym.mechanics.friction import geometry_of, slips

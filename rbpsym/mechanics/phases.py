@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, Style, depends_on, is_zero, names_in, short, symbol, without_even_roots
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import present
-from rbpsym.equality.rooted import neat
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.expr.tree import Node, Sym, add
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, symbol, without_even_roots
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
@@ -25,7 +25,8 @@ from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike
 from rbpsym.mechanics.phase_checks import check_bounce, check_collision, check_in_place, check_still_slipping, with_senses
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System, in_state
-from rbpsym.notation.tree import Node, Sym, add
+from rbpsym.present.forms import present
+from rbpsym.present.style import Style
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.scope import CLOCK
 from rbpsym.statement.solids import put_into

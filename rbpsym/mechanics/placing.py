@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, cartesian, is_zero, names_in, symbol
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, cartesian, is_zero, names_in, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.geometry import local_point, pair
 from rbpsym.mechanics.inertia import Inertia

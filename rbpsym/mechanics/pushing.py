@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
-from rbpsym.algebra.present import present
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
 from rbpsym.errors import LimitError, StatementError
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import resistances, slips, spare
@@ -19,8 +18,9 @@ from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.ways import taken
-from rbpsym.notation.machine import to_machine
+from rbpsym.present.forms import present
 from rbpsym.statement.model import Element
+from rbpsym.typeset.machine import to_machine
 
 LARGEST = 4000  # terms: signs of what is longer are not looked for
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rbpsym.algebra import UNITY, Scalar, Vector, depends_on, is_zero, root, substitute, symbol, tidy
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.field import UNITY, Scalar, Vector, depends_on, is_zero, root, substitute, symbol, tidy
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import pair
 from rbpsym.statement.model import Element, PointRef

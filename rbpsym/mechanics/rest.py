@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 
-from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, short, substitute, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import rooted
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import rooted
+from rbpsym.decide.signs import sign
+from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, short, substitute, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics

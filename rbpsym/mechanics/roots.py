@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import gcd
 
-from rbpsym.algebra import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
-from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
-from rbpsym.algebra.normal import normal
+from rbpsym.field import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
+from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, substitute
+from rbpsym.field.normal import normal
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.elimination import short
 

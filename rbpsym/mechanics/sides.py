@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra import Scalar
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Losses, pushes

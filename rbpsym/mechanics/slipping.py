@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra import depends_on, derivative, names_in, short, substitute, without_even_roots
+from rbpsym.field import depends_on, derivative, names_in, short, substitute, without_even_roots
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.solutions import TIME, Course, Given

@@ -3,7 +3,7 @@
 q̈ = c - s q - b q̇ - k q̇² + h(t) with constant c, s, b, k: free, damped and harmonically driven oscillations (k = 0), resistance
 in proportion to the speed (s = k = 0) and to its square (s = b = 0); and q̈ = f(q̇), a power of the
 speed, as of a constant power, or an exponential of it. That it starts as the motion does and solves the equation is proved
-(`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6; Symon, Mechanics, 2.
+(`proof.checks.solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6; Symon, Mechanics, 2.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, UNITY, Scalar, is_zero, symbol
-from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, root, substitute
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import root_of
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import root_of
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber
+from rbpsym.field import NOTHING, UNITY, Scalar, is_zero, symbol
+from rbpsym.field.calculus import depends_on, derivative, function, names_in, root, substitute
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short

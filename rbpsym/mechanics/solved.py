@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
-from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
-from rbpsym.algebra.exponentials import with_exponentials_joined
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
+from rbpsym.field import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
+from rbpsym.field.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
+from rbpsym.field.exponentials import with_exponentials_joined
 from rbpsym.mechanics.demands import WAYS, Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.forms import power_law, raised

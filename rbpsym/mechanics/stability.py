@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra import UNITY, Scalar, generator, is_zero, name_of, short, with_root_taken_out
-from rbpsym.algebra.normal import is_root_of_number
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError
+from rbpsym.field import UNITY, Scalar, generator, is_zero, name_of, short, with_root_taken_out
+from rbpsym.field.normal import is_root_of_number
 from rbpsym.mechanics.elimination import Matrix, determinant
 from rbpsym.mechanics.roots import numerator_factors
 

@@ -8,9 +8,9 @@ Kleppner & Kolenkow 2.4, 7.6.
 
 from __future__ import annotations
 
-from rbpsym.algebra import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol, tidy
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import StatementError
+from rbpsym.field import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol, tidy
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry, no_direction
 from rbpsym.mechanics.system import Force

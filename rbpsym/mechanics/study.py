@@ -5,24 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Self
 
-from rbpsym.algebra import (
-    COEFFICIENT,
-    NOTHING,
-    OTHER,
-    PI,
-    Scalar,
-    Style,
-    Vector,
-    apart,
-    at_most,
-    kept,
-    names_in,
-    substitute,
-    symbol,
-)
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import LimitError
+from rbpsym.expr.tree import Fn, Sym, walk
+from rbpsym.field import NOTHING, PI, Scalar, Vector, apart, at_most, kept, names_in, substitute, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
@@ -31,7 +18,7 @@ from rbpsym.mechanics.instant import Instant, has_start
 from rbpsym.mechanics.placing import origins
 from rbpsym.mechanics.system import Condition, System
 from rbpsym.mechanics.unsolvable import too_long
-from rbpsym.notation.tree import Fn, Sym, walk
+from rbpsym.present.style import COEFFICIENT, OTHER, Style
 from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
 from rbpsym.statement.letters import Letters, letters_of
 from rbpsym.statement.model import Problem

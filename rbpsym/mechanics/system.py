@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from rbpsym.algebra import NOTHING, ORIGIN, QUARTER, Scalar, Scope, Vector, kept, substitute, time_derivative
-from rbpsym.algebra.vector import vector_sum
+from rbpsym.field import NOTHING, ORIGIN, QUARTER, Scalar, Scope, Vector, kept, substitute, time_derivative
+from rbpsym.field.vector import vector_sum
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem

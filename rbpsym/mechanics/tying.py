@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import Scalar, Scope, depends_on, is_zero, substitute, time_derivative
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import present
 from rbpsym.errors import StatementError
+from rbpsym.field import Scalar, Scope, depends_on, is_zero, substitute, time_derivative
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, integrated, rate_conditions, solve_explicitly
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.system import BodyState, Condition, Pose, at_point
-from rbpsym.notation.machine import to_machine
+from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
+from rbpsym.typeset.machine import to_machine
 
 Rates = dict[int, Condition]  # conditions on the speeds by their place among all of them
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
 
-from rbpsym.algebra import Scalar, is_rooted, is_zero
 from rbpsym.errors import LimitError, NoNumber, StatementError
+from rbpsym.field import Scalar, is_rooted, is_zero
 from rbpsym.mechanics.elimination import is_surely_nonzero_on, linear_row
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.system import System

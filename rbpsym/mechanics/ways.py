@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.algebra import Scalar, substitute
+from rbpsym.field import Scalar, substitute
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.friction import geometry_of

@@ -11,7 +11,7 @@ from itertools import groupby
 
 import numpy as np
 
-from rbpsym.algebra import ONE, Poly, Scalar, atoms, elliptic
+from rbpsym.field import ONE, Poly, Scalar, atoms, elliptic
 from rbpsym.frozen import Frozen
 
 FUNCTIONS: Mapping[str, Callable[[np.ndarray], np.ndarray]] = {
@@ -97,7 +97,7 @@ class Formulas(Frozen):
 def compiled(values: Iterable[Scalar], defined: Mapping[str, Scalar] | None = None) -> Formulas:
     """The function of some formulas; a `defined` name stands for its formula.
 
-    >>> from rbpsym.algebra.scalar import symbol
+    >>> from rbpsym.field.scalar import symbol
     >>> area = compiled([symbol("a") * symbol("b"), symbol("a") / symbol("b")])
     >>> area({"a": 3.0, "b": 2.0}).tolist()
     [6.0, 1.5]

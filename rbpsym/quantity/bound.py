@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
-from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Vector, depends_on, function, shorten, symbol
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.domain import Condition
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.domain import Condition
 from rbpsym.errors import StatementError, Undecided
+from rbpsym.field import NOTHING, Scalar, Scope, Space, Vector, depends_on, function, shorten, symbol
 from rbpsym.frozen import Frozen, field
 from rbpsym.quantities import Dimension
 

@@ -11,14 +11,14 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, short, substitute, with_squares
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.signs import sign
+from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, short, substitute, with_squares
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import by_letters
-from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
 from rbpsym.quantity.oscillations import PHRASES as OSCILLATIONS
 from rbpsym.quantity.path import first_push, work_done

@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cmp_to_key, partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import PI, Scalar, function, is_zero, short
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.signs import sign
+from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import PI, Scalar, function, is_zero, short
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import orbit, solutions, solved
 from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.orbit import swing_of
 from rbpsym.mechanics.oscillation import Equilibrium, amplitudes, decaying, where_stable
-from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
 
 if TYPE_CHECKING:

@@ -12,18 +12,18 @@ from collections.abc import Iterable, Iterator, Mapping
 from hashlib import blake2b
 from itertools import product
 
-from rbpsym.algebra import NOTHING, ONE, Scalar, is_zero, kept, short, symbol
-from rbpsym.algebra.calculus import depends_on, derivative, inside, names_in, root, substitute
-from rbpsym.algebra.integration import definite
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.equality.domain import Condition
-from rbpsym.equality.points import Point
-from rbpsym.equality.signs import sign
+from rbpsym.decide.domain import Condition
+from rbpsym.decide.points import Point
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, ONE, Scalar, is_zero, kept, short, symbol
+from rbpsym.field.calculus import depends_on, derivative, inside, names_in, root, substitute
+from rbpsym.field.integration import definite
+from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.numbers import number
-from rbpsym.notation import tree as t
 from rbpsym.quantity.bound import Motion
 
 STEPS, EDGE = 32, 1e-9

@@ -10,7 +10,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import (
+from rbpsym.decide.rooted import root_of
+from rbpsym.errors import StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import (
     NOTHING,
     ORIGIN,
     PI,
@@ -25,12 +28,9 @@ from rbpsym.algebra import (
     symbol,
     time_derivative,
 )
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.rooted import root_of
-from rbpsym.errors import StatementError
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, stretched, translational_energy
-from rbpsym.notation.infix import read_infix
 from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import Bound, Phrase, axial, number, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS

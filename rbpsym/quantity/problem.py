@@ -6,26 +6,26 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Space, Vector, kept, substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.domain import Condition
-from rbpsym.equality.points import names_of
+from rbpsym.decide.domain import Condition
+from rbpsym.decide.points import names_of
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.expr.glyphs import notation_for
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.tree import Sym
+from rbpsym.field import NOTHING, ORIGIN, Scalar, Space, Vector, kept, substitute
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import pair, position
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force
-from rbpsym.notation.glyphs import notation_for
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.tree import Sym
 from rbpsym.quantities import TIME, Dimension
 from rbpsym.quantity.bound import Bound, Motion, number
 from rbpsym.quantity.phrases import EXAMPLES, PHRASES
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.model import PointRef
 from rbpsym.statement.source import did_you_mean
+from rbpsym.typeset.latex import to_latex
 
 if TYPE_CHECKING:
     from rbpsym.mechanics.phases import Stage

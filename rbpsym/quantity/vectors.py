@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import UNITY, Scalar, Space, Vector, function, is_zero, space_derivative
 from rbpsym.errors import StatementError
+from rbpsym.field import UNITY, Scalar, Space, Vector, function, is_zero, space_derivative
 from rbpsym.quantities import LENGTH
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
 from rbpsym.statement.paths import tensions

@@ -9,16 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra import NOTHING, at_most, depends_on, is_zero, names_in, substitute
-from rbpsym.algebra.present import present
 from rbpsym.ask.finding import checked
 from rbpsym.ask.limits import SMALL, leading, squeezed
-from rbpsym.derivation.step import Derivation, Step
-from rbpsym.equality.domain import divisors
-from rbpsym.equality.rooted import neat
-from rbpsym.equality.signs import sign
+from rbpsym.decide.domain import divisors
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, at_most, depends_on, is_zero, names_in, substitute
+from rbpsym.present.forms import present
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.quantities import LENGTH, MASS
 from rbpsym.remarks.dependence import drops_out, free_of, monotone
 from rbpsym.remarks.result import Made, Result, results

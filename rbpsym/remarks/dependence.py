@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from rbpsym.algebra import Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
-from rbpsym.derivation.step import BodyRef
-from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
+from rbpsym.decide.signs import sign
+from rbpsym.decide.verdict import Verdict, all_of, proved, undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.mechanics.system import Force
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import MASS, NUMBER, Dimension
 from rbpsym.remarks.result import CAUSED, Made, Result
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra import Scalar, is_zero, names_in
-from rbpsym.derivation.assertions import told
-from rbpsym.derivation.step import Certificate, Derivation, Step
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.verdict import Verdict
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.verdict import Verdict
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.tree import ZERO
+from rbpsym.field import Scalar, is_zero, names_in
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.tree import ZERO
+from rbpsym.proof.assertions import told
+from rbpsym.proof.step import Certificate, Derivation, Step
 from rbpsym.quantities import Quantity
 
 

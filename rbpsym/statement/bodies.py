@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from rbpsym.expr.tree import ONE, ZERO, Fn, Node, Num, add, mul, neg
 from rbpsym.frozen import Frozen, replace
-from rbpsym.notation.tree import ONE, ZERO, Fn, Node, Num, add, mul, neg
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
 from rbpsym.statement.kinds import ShapeKind
@@ -94,8 +94,8 @@ def _placed(
 
 def _place_of(item: SourceItem, before: Mapping[str, Body], what: str) -> Pair:
     """Where a point of another body is, from the place and the angle of that body."""
-    from rbpsym.algebra.evaluate import scalar
-    from rbpsym.algebra.present import present
+    from rbpsym.field.evaluate import scalar
+    from rbpsym.present.forms import present
 
     name, _, point = item.value.partition(".")
     told, (x, y) = (before[name].placed if name in before else None) or ("", (ZERO, ZERO))

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rbpsym.errors import StatementError
-from rbpsym.notation.glyphs import MARKS
-from rbpsym.notation.tree import Node, Num, names
+from rbpsym.expr.glyphs import MARKS
+from rbpsym.expr.tree import Node, Num, names
 from rbpsym.quantities import FORCE, Dimension
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.example import check_example

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.notation.tree import ZERO
+from rbpsym.expr.tree import ZERO
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import round_size, runs
 from rbpsym.statement.premises import sign_of, surely_above

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 from decimal import Decimal, InvalidOperation
 
 from rbpsym.errors import StatementError
-from rbpsym.notation import tree as t
-from rbpsym.notation.tree import Node
+from rbpsym.expr import tree as t
+from rbpsym.expr.tree import Node
 from rbpsym.quantities import Dimension, Quantity
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.hints import unit_example

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.notation.tree import ONE, TWO, ZERO, Neg, Pow, add, names, neg
+from rbpsym.expr.tree import ONE, TWO, ZERO, Neg, Pow, add, names, neg
 from rbpsym.statement.curves import CURVE_RULES, Rule
 from rbpsym.statement.model import Body, Element, Pair, PointRef
 from rbpsym.statement.premises import sign_of

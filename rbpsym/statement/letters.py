@@ -8,9 +8,9 @@ from functools import cached_property
 from itertools import chain, count
 
 from rbpsym.errors import StatementError
+from rbpsym.expr.glyphs import ACCENTS, DOTS, Notation, notation_for
+from rbpsym.expr.symbol_table import Drawn, drawn_glyph
 from rbpsym.frozen import Frozen
-from rbpsym.notation.glyphs import ACCENTS, DOTS, Notation, notation_for
-from rbpsym.notation.symbol_table import Drawn, drawn_glyph
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Problem
 

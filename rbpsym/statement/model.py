@@ -1,6 +1,6 @@
 """The values that a problem statement consists of.
 
-All expressions are display trees (`notation.tree`). Counter-clockwise is positive; x points
+All expressions are display trees (`expr.tree`). Counter-clockwise is positive; x points
 to the right, y upwards. A body frame has its origin at the shape's reference point and its
 x' axis at the body's `angle`, counter-clockwise from +x.
 """
@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from rbpsym.errors import Place, StatementError
+from rbpsym.expr.tree import ZERO, Node
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.notation.tree import ZERO, Node
 from rbpsym.quantities import TIME, Dimension, Quantity
 from rbpsym.showing import Shown
 

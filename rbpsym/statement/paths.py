@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rbpsym.notation.tree import ZERO, Node
+from rbpsym.expr.tree import ZERO, Node
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Element, PointRef, Turn
 from rbpsym.statement.references import read_point

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.notation.tree import ONE, Node
+from rbpsym.expr.tree import ONE, Node
 from rbpsym.quantities import TIME
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.constraints import CONSTRAINTS, MEETING

@@ -1,6 +1,6 @@
 """What is declared of quantities — signs and ranges — and which expressions contradict it.
 
-Signs are decided by `equality.signs`: what is not so for any values that are declared is refused where it stands, and so
+Signs are decided by `decide.signs`: what is not so for any values that are declared is refused where it stands, and so
 is a size (a mass, a length, a stiffness) that is negative for some of them. What else holds for some and fails for others
 is left to the obligations of the steps that need it. The algebra is imported only where the form does not tell.
 """
@@ -12,15 +12,15 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation import tree as t
-from rbpsym.notation.tree import Node
 from rbpsym.quantities import Quantity
 from rbpsym.statement.model import Coordinate
 
 if TYPE_CHECKING:
-    from rbpsym.algebra.scalar import Scalar
-    from rbpsym.equality.assumptions import Assumptions
+    from rbpsym.decide.assumptions import Assumptions
+    from rbpsym.field.scalar import Scalar
 
 BROKEN = {"!=": ("zero",), ">=": ("negative",), ">": ("negative", "zero", "nonpositive")}
 OPS = {"positive": ">", "nonnegative": ">=", "nonzero": "!="}
@@ -49,7 +49,7 @@ class Declared(Frozen):
     @property
     def assumptions(self) -> Assumptions:
         """The same for the algebra; a bound without a value is none."""
-        from rbpsym.equality.assumptions import Assumptions
+        from rbpsym.decide.assumptions import Assumptions
 
         ranges = {name: (_bound(low), _bound(high)) for name, (low, high) in self.bounds.items()}
         return Assumptions(self.signs, ranges)
@@ -71,7 +71,7 @@ def _bound(node: Node | None) -> Scalar | None:
 
 
 def _value(node: Node) -> Scalar | None:
-    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.field.evaluate import scalar
 
     try:
         return scalar(node)
@@ -80,13 +80,13 @@ def _value(node: Node) -> Scalar | None:
 
 
 def sign_of(node: Node, given: Declared = NOTHING_DECLARED) -> str | None:
-    """What is surely the sign of an expression (see `equality.signs.SignResult`), or None."""
+    """What is surely the sign of an expression (see `decide.signs.SignResult`), or None."""
     plain = _by_form(node, given.signs)
     return BY_FORM[plain] if plain is not None else _by_value(node, given, factoring=False)
 
 
 def _by_value(node: Node, given: Declared, *, factoring: bool) -> str | None:
-    from rbpsym.equality.signs import sign
+    from rbpsym.decide.signs import sign
 
     value = _value(node)
     return None if value is None else sign(value, given.assumptions, factoring=factoring).kind
@@ -142,9 +142,9 @@ def _has_no_value(part: Node, given: Declared) -> bool:
         return False
     if isinstance(part, t.Div) and _by_form(part.den, given.signs):
         return False
-    from rbpsym.algebra.evaluate import BARE
-    from rbpsym.equality import domain
-    from rbpsym.equality.signs import sign
+    from rbpsym.decide import domain
+    from rbpsym.decide.signs import sign
+    from rbpsym.field.evaluate import BARE
 
     try:
         found = list(domain.RULES[type(part)](part, BARE))

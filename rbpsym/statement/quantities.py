@@ -8,7 +8,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 
 from rbpsym.errors import DimensionError
-from rbpsym.notation.tree import ZERO, Div, Node, Num, Sym, names
+from rbpsym.expr.tree import ZERO, Div, Node, Num, Sym, names
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
 from rbpsym.statement.hints import SIGNS, for_a_dimension
 from rbpsym.statement.model import Coordinate

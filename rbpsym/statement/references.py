@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from math import prod
 
 from rbpsym.errors import StatementError
-from rbpsym.notation import tree
-from rbpsym.notation.tree import ONE, ZERO, Node, Sym, add, div, mul, neg
+from rbpsym.expr import tree
+from rbpsym.expr.tree import ONE, ZERO, Node, Sym, add, div, mul, neg
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Curve, Line, PointRef
 from rbpsym.statement.scope import Scope, read_pair, read_text, text_of

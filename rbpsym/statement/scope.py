@@ -5,18 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rbpsym.equality.dimensions import require_dimension
+from rbpsym.decide.dimensions import require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.tree import Add, Node, Num, Sym, walk
+from rbpsym.expr.tree import names as tree_names
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import written_otherwise
-from rbpsym.notation.tree import Add, Node, Num, Sym, walk
-from rbpsym.notation.tree import names as tree_names
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
 from rbpsym.statement.premises import LEFT_OPEN, NOTHING_DECLARED, Declared, contradicts, without_value
 from rbpsym.statement.source import SourceItem, did_you_mean, kind_of, relocate, written
+from rbpsym.typeset.machine import written_otherwise
 
 ORIGIN: Pair = (Num(0), Num(0))
 CLOCK = "t"

@@ -10,15 +10,15 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.errors import StatementError
+from rbpsym.expr import tree
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.tree import ZERO, Fn, Node, Num, Sym, add, div, mul, neg
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.notation import tree
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.tree import ZERO, Fn, Node, Num, Sym, add, div, mul, neg
 from rbpsym.statement.kinds import ElementText, ShapeKind
 from rbpsym.statement.model import MassElement, Pair, PlacedShape, Range, Shape
 
 if TYPE_CHECKING:
-    from rbpsym.algebra.scalar import Scalar
+    from rbpsym.field.scalar import Scalar
 
 # --- names replaced by formulas in a tree, with the numbers of fractions put together
 
@@ -164,9 +164,9 @@ def _range(row: tuple[str, str, str], values: Mapping[str, Node]) -> Range:
 
 def integrate_ranges(integrand: Scalar, element: MassElement) -> Scalar:
     """The integral over the variables of the element, from the innermost outwards."""
-    from rbpsym.algebra.evaluate import scalar
-    from rbpsym.algebra.integration import definite
-    from rbpsym.algebra.normal import tidy
+    from rbpsym.field.evaluate import scalar
+    from rbpsym.field.integration import definite
+    from rbpsym.field.normal import tidy
 
     for item in reversed(element.ranges):
         found = definite(integrand, item.variable, scalar(item.lower), scalar(item.upper))
@@ -181,8 +181,8 @@ def integrate_ranges(integrand: Scalar, element: MassElement) -> Scalar:
 
 def spread_of(elements: tuple[MassElement, ...], mass: Node) -> tuple[MassElement, ...]:
     """The elements with densities in the same proportions, and this mass in all."""
-    from rbpsym.algebra.evaluate import scalar
-    from rbpsym.algebra.present import present
+    from rbpsym.field.evaluate import scalar
+    from rbpsym.present.forms import present
 
     amounts = (integrate_ranges(scalar(e.density) * scalar(e.measure), e) for e in elements)
     share = scalar(mass) / sum(amounts, start=scalar(ZERO))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 
-from rbpsym.notation.tree import Node, Sym, walk
+from rbpsym.expr.tree import Node, Sym, walk
 from rbpsym.statement.model import Problem
 
 SAID = ("meanings", "names", "notation", "example", "text", "file")  # what is told of a name does not use it

@@ -17,16 +17,16 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from rbpsym.algebra import Scalar
-from rbpsym.algebra.present import present
-from rbpsym.derivation.step import Derivation
 from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
+from rbpsym.field import Scalar
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.mathml import to_mathml
+from rbpsym.present.forms import present
+from rbpsym.proof.step import Derivation
 from rbpsym.statement.library import library_folder, problem_files
 from rbpsym.studio.kept import FILE, derived, problem_of, study
+from rbpsym.typeset.mathml import to_mathml
 
 FORMATS = ("html", "tex", "md", "ipynb", "typ")  # of notes; PDF where Typst is installed
 SHEETS = ("html", "tex", "moodle", "qti", "canvas", "prairielearn", "gift")
@@ -125,9 +125,9 @@ def notes(text: str, language: str = "en", detail: str = "standard") -> Answer:
 
 def glance(text: str, language: str = "en") -> Answer:
     """{title, figure, alt, motion, forces}: what is known at once: the drawing (SVG); accelerations and forces as MathML."""
-    from rbpsym.document.figures.svg import to_svg
     from rbpsym.document.notes_figures import system_figure
     from rbpsym.document.words import Words
+    from rbpsym.pictures.figures.svg import to_svg
 
     known = study(text)
     said = Words(language, known.problem)
@@ -185,7 +185,7 @@ def _told(found: Any) -> Answer:
 
 def explorer(text: str, language: str = "en") -> Answer:
     """{html}: the page in which the system moves."""
-    from rbpsym.document.explorer.page import explorer as page
+    from rbpsym.explorer.page import explorer as page
 
     return {"html": page((problem_of(text),), language)}
 
@@ -220,8 +220,8 @@ def _files(contents: Mapping[str, str | bytes]) -> list[Answer]:
 
 def check(text: str, paper: str, suffix: str = ".tex") -> list[Answer]:
     """[{line, latex, outcome, detail, fix}]: each formula of a pasted text decided with the names of the problem."""
-    from rbpsym.verify.claims_run import Certificates, check_paper, names_of_problem
-    from rbpsym.verify.paper_formats import TEXTS
+    from rbpsym.claims.papers.formats import TEXTS
+    from rbpsym.claims.run import Certificates, check_paper, names_of_problem
 
     _one_of(suffix, tuple(TEXTS), "kind of text")
     problem_of(text)

@@ -1,6 +1,6 @@
 """Where an equation along a motion fails: the motion from its start as power series in the time, at points of the parameters.
 
-The equations of motion give one coefficient after the other, each enclosed by fractions (`equality.series`). An equation that
+The equations of motion give one coefficient after the other, each enclosed by fractions (`decide.series`). An equation that
 holds along the motion has the same series on both sides, so that a coefficient that surely differs refutes it. Of a place (a
 rest, the end of a contact) only the state itself is known.
 """
@@ -13,14 +13,14 @@ from fractions import Fraction
 from itertools import islice
 from math import factorial
 
-from rbpsym.algebra import NOTHING, ONE, UNITY, Poly, Scalar, atoms, cosine, is_zero, names_in, root, substitute, symbol
-from rbpsym.equality import enclosure as e
-from rbpsym.equality import series
-from rbpsym.equality.enclosure import Number, Outside
-from rbpsym.equality.points import Point, angle_name, angle_parts, points
-from rbpsym.equality.series import Series
-from rbpsym.equality.verdict import Verdict, Witness, refuted, undecided
+from rbpsym.decide import enclosure as e
+from rbpsym.decide import series
+from rbpsym.decide.enclosure import Number, Outside
+from rbpsym.decide.points import Point, angle_name, angle_parts, points
+from rbpsym.decide.series import Series
+from rbpsym.decide.verdict import Verdict, Witness, refuted, undecided
 from rbpsym.errors import RbpsymError
+from rbpsym.field import NOTHING, ONE, UNITY, Poly, Scalar, atoms, cosine, is_zero, names_in, root, substitute, symbol
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study

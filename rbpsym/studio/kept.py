@@ -6,10 +6,10 @@ from collections import deque
 from dataclasses import replace
 from functools import lru_cache
 
-from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive, physics_of
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.study import Study
+from rbpsym.proof.step import Derivation
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import Problem
 

@@ -10,16 +10,16 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import cached_property
 
-from rbpsym.algebra import NOTHING, Scalar, Space, Value, names_in, substitute
-from rbpsym.derivation.checks import begin, guarded
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.step import Step
-from rbpsym.equality.verdict import Verdict, refuted, undecided
+from rbpsym.decide.verdict import Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.tree import relations
+from rbpsym.field import NOTHING, Scalar, Space, Value, names_in, substitute
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.oscillation import Equilibrium
-from rbpsym.notation import tree as t
-from rbpsym.notation.tree import relations
+from rbpsym.proof.checks.of_steps import begin, guarded
+from rbpsym.proof.context import Context
+from rbpsym.proof.step import Step
 from rbpsym.studio import following as f
 
 REASONS = ("several", "near", "passing", "place", "rest", "no_state", "nowhere")  # phrases “tutor.why.REASON”

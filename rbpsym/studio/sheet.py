@@ -12,25 +12,25 @@ from contextlib import suppress
 from functools import cached_property
 from types import MappingProxyType
 
-from rbpsym.algebra import NOTHING, Scalar, Value, is_zero, names_in
-from rbpsym.derivation import checks
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.step import Derivation, Step
+from rbpsym.claims.check import relations
+from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.document.notes import notation_of
-from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.infix import read_relation
+from rbpsym.expr.latex.reader import read_latex
+from rbpsym.expr.symbol_table import symbol_table
+from rbpsym.field import NOTHING, Scalar, Value, is_zero, names_in
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.infix import read_relation
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.latex_reader import read_latex
-from rbpsym.notation.symbol_table import symbol_table
+from rbpsym.proof.checks import of_steps as checks
+from rbpsym.proof.context import Context
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.studio.refuting import Refuter
 from rbpsym.studio.slips import Slip, slip
 from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
 from rbpsym.teaching.grading.reading import read_formula
-from rbpsym.verify.claims_check import relations
+from rbpsym.typeset.latex import to_latex
 
 CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
 IN_STATES, ORDERS = (checks.identity, checks.on_motion, checks.along_motion), ("<", "<=", ">", ">=")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterable, Iterator
 
-from rbpsym.algebra import Scalar, Space, Value, is_zero, names_in
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, Space, Value, is_zero, names_in
 from rbpsym.frozen import Frozen, replace
-from rbpsym.notation import tree as t
 
 Valued = Callable[[t.Node], Value | None]
 

@@ -11,25 +11,25 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
-from rbpsym.derivation.step import STANDARD, Derivation, Step
+from rbpsym.claims.check import Checker
+from rbpsym.claims.diagnosis import diagnosis
+from rbpsym.claims.model import Claim, Outcome, Printed, Result, Setting
+from rbpsym.decide.verdict import Verdict
 from rbpsym.document.model import Paragraph
 from rbpsym.document.notes import words_of
 from rbpsym.document.phrases import plain
 from rbpsym.document.telling import Teller
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.text import to_text
+from rbpsym.proof.step import STANDARD, Derivation, Step
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import Sheet, sheets
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_model import Claim, Outcome, Printed, Result, Setting
-from rbpsym.verify.diagnosis import diagnosis
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.text import to_text
 
 TRUE, UNUSED, UNJUSTIFIED = "true", "true, not used", "true, not yet justified"
 WRONG, UNDECIDED, UNREAD = "wrong", "undecided", "unread"

@@ -6,16 +6,16 @@ import math
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import TypeVar
 
-from rbpsym.algebra import Scalar, is_zero
-from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.model import Inlines
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
+from rbpsym.field import Scalar, is_zero
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import unit_of

@@ -9,8 +9,8 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib.util import find_spec
 
-from rbpsym.algebra import Scalar
 from rbpsym.errors import NoNumber
+from rbpsym.field import Scalar
 from rbpsym.mechanics.numbers import number
 
 

@@ -11,17 +11,17 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 
-from rbpsym.algebra import Scalar, at_most, atoms, same, spend
-from rbpsym.algebra.present import present
-from rbpsym.derivation.draft import length
-from rbpsym.derivation.step import Derivation
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.decide import FIRST_POINTS, find_witness, scalars_equal
-from rbpsym.equality.dimensions import dimension_of
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.dimensions import dimension_of
+from rbpsym.decide.equal import FIRST_POINTS, find_witness, scalars_equal
 from rbpsym.errors import LimitError, RbpsymError, Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, at_most, atoms, same, spend
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.present.forms import present
+from rbpsym.proof.draft import length
+from rbpsym.proof.step import Derivation
 from rbpsym.quantities import Dimension
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS

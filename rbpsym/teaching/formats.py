@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from importlib import import_module
 
-from rbpsym.derivation.step import Derivation
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field
+from rbpsym.proof.step import Derivation
 from rbpsym.teaching.model import Worksheet
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from rbpsym.derivation.draft import length
-from rbpsym.derivation.step import STANDARD, Step
+from rbpsym.expr import tree as t
+from rbpsym.expr.places import Path, put
 from rbpsym.frozen import Frozen
-from rbpsym.notation import tree as t
-from rbpsym.notation.places import Path, put
+from rbpsym.proof.draft import length
+from rbpsym.proof.step import STANDARD, Step
 from rbpsym.teaching.bench import ProblemBench
 from rbpsym.teaching.model import Piece, blank
 from rbpsym.teaching.spoilers import meaning

@@ -1,6 +1,6 @@
 """The worksheet: what stands on one student's paper, and the key to it.
 
-Everything is a value. A formula is a display tree everywhere (`notation.tree`), prose is inlines of
+Everything is a value. A formula is a display tree everywhere (`expr.tree`), prose is inlines of
 the document tree (`document.model`); a number is a `Measure`, exact as it is printed. Formats
 (`formats.EXPORTERS`) and grading read this model and nothing else.
 
@@ -16,9 +16,9 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.document.model import Block, Inlines
+from rbpsym.expr.glyphs import DEFAULT, Notation
+from rbpsym.expr.tree import Node, Sym
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.tree import Node, Sym
 from rbpsym.quantities import NUMBER, Dimension
 from rbpsym.statement.model import Problem
 

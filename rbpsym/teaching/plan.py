@@ -14,14 +14,14 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 
-from rbpsym.derivation.step import Derivation
 from rbpsym.document.language import common_notation
 from rbpsym.document.model import Block, Paragraph, words
 from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.notation.glyphs import Notation
+from rbpsym.proof.step import Derivation
 from rbpsym.statement.library import course_files, find_problem, not_found, problem_files, worksheet_files
 from rbpsym.statement.loader import load_problem, load_table
 from rbpsym.statement.model import Problem

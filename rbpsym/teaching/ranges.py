@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterator, Mapping
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import sample
-from rbpsym.notation import tree as t
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import scale_of, unit_of, unit_text

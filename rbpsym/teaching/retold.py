@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, is_zero
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Derivation, Step
+from rbpsym.chapters.methods.registry import METHODS
 from rbpsym.derive import AFTER, BEFORE
 from rbpsym.errors import RbpsymError
+from rbpsym.field import NOTHING, Scalar, Vector, at_most, is_zero
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.study import Study
-from rbpsym.methods.registry import METHODS
+from rbpsym.proof.draft import Draft
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.teaching.targets import axes, momentum
 
 MOST_PRODUCTS = 400_000  # for one chapter; what grows beyond is no line of a student's paper

@@ -10,9 +10,9 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import Scalar, calculus, is_zero
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
+from rbpsym.field import Scalar, calculus, is_zero
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.study import Study
@@ -215,7 +215,7 @@ def _sound(study: Study) -> Iterator[tuple[str, Scalar]]:
 
 def _ordered(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[str, Scalar]]:
     """Lengths keep the order that they have in the example (a hole stays smaller than its disk)."""
-    from rbpsym.algebra.scalar import symbol
+    from rbpsym.field.scalar import symbol
 
     lengths = [q.name for q in study.problem.parameters if q.dimension == LENGTH and q.sign == "positive"]
     middle = middles(ranges)
@@ -257,7 +257,7 @@ def _start(study: Study, coordinate: str | None) -> Callable:
     """(place, speed, acceleration) of the coordinate at the start."""
     if coordinate is None:
         return lambda numbers: (math.nan, math.nan, math.nan)
-    from rbpsym.algebra.calculus import substitute
+    from rbpsym.field.calculus import substitute
     from rbpsym.mechanics.motion import along_motion
 
     start = study.system.scope.start

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from itertools import combinations
 
-from rbpsym.algebra import NOTHING, Scalar, atoms, substitute, symbol
-from rbpsym.algebra.exponentials import with_squares
-from rbpsym.derivation.draft import length
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, Scalar, atoms, substitute, symbol
+from rbpsym.field.exponentials import with_squares
 from rbpsym.mechanics.dynamics import reactions_by_acceleration
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.draft import length
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER
 from rbpsym.statement.printed_units import unit_of, unit_text
 from rbpsym.teaching import bench as b
@@ -39,7 +39,7 @@ Fill = Callable[[Mapping[str, t.Node]], t.Node]
 def filler(node: t.Node, names: Container[str]) -> Fill | None:
     """Puts a tree for each of these names into a formula; None if none of them is in it.
 
-    >>> from rbpsym.notation.tree import Num, Sym, Mul
+    >>> from rbpsym.expr.tree import Num, Sym, Mul
     >>> filler(Mul((Sym("m"), Sym("g"))), {"g"})({"g": Num(10)}) == Mul((Sym("m"), Num(10)))
     True
     """

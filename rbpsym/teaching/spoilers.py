@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from rbpsym.algebra import Scalar, Value, short, value
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, Value, short, value
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
 
 Claim = tuple[t.Node, t.Node] | frozenset[Scalar]  # both ends of a row, or a value with its opposite
 COMMON = 3  # parts of a formula that stands everywhere, as the weight M g does: it gives nothing away

@@ -7,10 +7,10 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import islice
 
-from rbpsym.algebra.present import present
-from rbpsym.derivation.draft import length
 from rbpsym.document.needless import is_struck
 from rbpsym.errors import RbpsymError
+from rbpsym.present.forms import present
+from rbpsym.proof.draft import length
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.bench import Prepared, ProblemBench, formula_of
 from rbpsym.teaching.distractors import ANY

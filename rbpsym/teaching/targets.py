@@ -12,20 +12,20 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, symbol
-from rbpsym.algebra.present import present
 from rbpsym.ask.asking import found_in
-from rbpsym.derivation.chapters.inertia import turns_about
-from rbpsym.derivation.step import BodyRef, Derivation, QuestionRef
-from rbpsym.equality.dimensions import dimension_of
+from rbpsym.chapters.inertia import turns_about
+from rbpsym.chapters.methods.net_work import HALVES
+from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, symbol
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.study import Study
-from rbpsym.methods.net_work import HALVES
-from rbpsym.notation import tree as t
+from rbpsym.present.forms import present
+from rbpsym.proof.step import BodyRef, Derivation, QuestionRef
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
 
 
@@ -83,7 +83,7 @@ class Target(Frozen):
 REFUSALS = (RbpsymError, ZeroDivisionError, KeyError, ValueError, IndexError, StopIteration)
 
 
-# questions that assert something: the sentence by which the derivation says so (`derivation.assertions`)
+# questions that assert something: the sentence by which the derivation says so (`proof.assertions`)
 ASSERTED = {"frequency": "oscillations.frequency.", "loss": "contact.lost"}
 
 

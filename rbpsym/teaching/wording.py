@@ -6,13 +6,13 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from rbpsym.derivation.step import BodyRef
 from rbpsym.document import phrases
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.words import Words
 from rbpsym.document.writers.plain_text import plain_text as bare
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.tree import Node
+from rbpsym.expr.tree import Node
+from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.model import Item, Slip, Worksheet
 

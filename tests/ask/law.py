@@ -6,16 +6,16 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
-from rbpsym.derivation.checks import guarded
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.rules import RULES
-from rbpsym.derivation.step import Step
-from rbpsym.equality.verdict import all_of
-from rbpsym.notation import tree as t
+from rbpsym.decide.verdict import all_of
+from rbpsym.expr import tree as t
+from rbpsym.field.calculus import depends_on, substitute
+from rbpsym.field.scalar import UNITY, Scalar, symbol
+from rbpsym.proof.checks.of_steps import guarded
+from rbpsym.proof.context import Context
+from rbpsym.proof.rules import RULES
+from rbpsym.proof.step import Step
 
 STATED = {"value_then", "value_along", "value_told", "solution", "direction"}  # of a quantity, certified by a draft
 

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rbpsym.algebra.calculus import names_in
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import value_at
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.field.calculus import names_in
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.pushing import begins as supposed
-from rbpsym.verify.simulation import Bench
+from rbpsym.oracles.simulation import Bench
 from tests.oracles.compare import _bench
 from tests.oracles.motion import Unfit, declared_start, follow, forces_at
 from tests.oracles.sets import drawn

@@ -6,14 +6,14 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
+from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
 

@@ -3,11 +3,11 @@
 import pytest
 
 from rbpsym.ask.asking import ask
-from rbpsym.equality.decide import equal
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
+from rbpsym.decide.equal import equal
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
 from rbpsym.statement.loader import load_text
+from rbpsym.typeset.machine import to_machine
 
 CORD = """
 [parameters]

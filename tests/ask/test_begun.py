@@ -3,13 +3,13 @@
 import pytest
 
 from rbpsym.ask.asking import ask
-from rbpsym.equality.decide import equal
+from rbpsym.decide.equal import equal
 from rbpsym.errors import StatementError
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.tree import Sym, walk
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.tree import Sym, walk
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.typeset.machine import to_machine
 
 STRIKING = """
 [parameters]

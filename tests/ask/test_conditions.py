@@ -5,15 +5,15 @@ from collections.abc import Iterable
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
 from rbpsym.errors import StatementError
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import Scalar
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
+from rbpsym.typeset.machine import to_machine
 from tests.ask.test_unseen import asked
 
 WORD = re.compile(r"\b(?!sin\b|cos\b)[A-Za-z]\w*")

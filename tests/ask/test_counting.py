@@ -6,15 +6,15 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import LimitError, StatementError
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.calculus import names_in
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import NOTHING
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
 

@@ -3,8 +3,8 @@
 import pytest
 
 from rbpsym.ask.asking import ask
-from rbpsym.notation.text import to_text
 from rbpsym.statement.loader import load_text
+from rbpsym.typeset.text import to_text
 from tests.ask.test_tipping import ROLLING
 from tests.ask.test_unseen import HERE
 

@@ -7,11 +7,11 @@ import pytest
 from rbpsym.ask.asking import ask
 from rbpsym.ask.numbers import read_numbers
 from rbpsym.ask.telling import record
-from rbpsym.equality.decide import equal
+from rbpsym.decide.equal import equal
+from rbpsym.expr.infix import read_infix
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
 from rbpsym.statement.loader import load_text
+from rbpsym.typeset.machine import to_machine
 
 PLATE = """
 [parameters]

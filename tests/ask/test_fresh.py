@@ -9,8 +9,8 @@ import pytest
 
 from rbpsym.ask.asking import answered
 from rbpsym.ask.numbers import read_numbers
-from rbpsym.notation.machine import to_machine
 from rbpsym.statement.loader import load_problem
+from rbpsym.typeset.machine import to_machine
 from tests.ask.test_unseen import asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 

@@ -10,17 +10,17 @@ import math
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import value_at
-from rbpsym.equality.decide import equal
+from rbpsym.decide.equal import equal
 from rbpsym.errors import RbpsymError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.numbers import number
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.text import to_text
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.typeset.text import to_text
 from tests.ask.lines import on_line
 
 AHEAD, AWAY = 'v_0 = "speed: v_0"', 'x_0 = "length: x_0"'
@@ -178,13 +178,13 @@ def test_a_wrong_solution_is_not_proved() -> None:
     """The checkers notice a solution that is spoiled: another frequency, another start, a later root."""
     from dataclasses import replace
 
-    from rbpsym.algebra.scalar import symbol
-    from rbpsym.derivation.chapters import course
-    from rbpsym.derivation.draft import Draft
-    from rbpsym.derivation.rules import certify
+    from rbpsym.chapters import course
+    from rbpsym.expr import tree as t
+    from rbpsym.field.scalar import symbol
     from rbpsym.mechanics import solutions
     from rbpsym.mechanics.study import Study
-    from rbpsym.notation import tree as t
+    from rbpsym.proof.draft import Draft
+    from rbpsym.proof.rules import certify
 
     study = Study(on_line("-k*x - b*x_dot", more=AWAY))
     known = solutions.given(study, "x")

@@ -3,8 +3,8 @@
 import pytest
 
 from rbpsym.ask.asking import ask
-from rbpsym.equality.decide import equal
-from rbpsym.notation.infix import read_infix
+from rbpsym.decide.equal import equal
+from rbpsym.expr.infix import read_infix
 from rbpsym.statement.loader import load_text
 
 IN_A_PIPE = """

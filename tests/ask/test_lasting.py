@@ -10,11 +10,11 @@ from rbpsym.ask.asking import ask
 from rbpsym.ask.integrated import integrated
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import read_question
-from rbpsym.equality.decide import equal
+from rbpsym.decide.equal import equal
 from rbpsym.errors import StatementError
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
+from rbpsym.expr.infix import read_infix
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.typeset.machine import to_machine
 from tests.ask.textbook import ROLLING, TALL_BOX
 
 DISK = """

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import pytest
 
-from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import Refused, own_answers
 from rbpsym.ask.begun import needed
 from rbpsym.ask.concluded import concluded
@@ -14,7 +13,8 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding
 from rbpsym.ask.seen import scene
-from rbpsym.equality.verdict import proved
+from rbpsym.decide.verdict import proved
+from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem

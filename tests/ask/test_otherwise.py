@@ -7,15 +7,15 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.text import to_text
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
+from rbpsym.typeset.text import to_text
 from tests.ask.lines import on_line
 
 ASKED = (

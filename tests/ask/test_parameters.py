@@ -6,13 +6,13 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.telling import record
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
 from rbpsym.statement.loader import load_problem
 from tests.ask.textbook import INCLINE, ON_ROD, ON_STRING, QUESTIONS, ROLLING, TALL_BOX
 

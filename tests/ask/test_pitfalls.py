@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import ask
 from rbpsym.ask.limits import leading
 from rbpsym.ask.numbers import rounded
 from rbpsym.ask.special import _term
 from rbpsym.ask.telling import latex_of
-from rbpsym.equality.assumptions import NONE
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.decide.assumptions import NONE
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import StatementError
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
+from rbpsym.field.scalar import symbol
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 

@@ -5,12 +5,12 @@ import pytest
 from rbpsym.ask.asking import ask
 from rbpsym.ask.numbers import read_numbers
 from rbpsym.ask.telling import record
-from rbpsym.equality.decide import equal
+from rbpsym.decide.equal import equal
 from rbpsym.errors import StatementError
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.text import to_text
+from rbpsym.expr.infix import read_infix
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.typeset.machine import to_machine
+from rbpsym.typeset.text import to_text
 from tests.ask.test_first_course import PLATE
 
 WEDGE = """

@@ -10,7 +10,7 @@ from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import scene
 from rbpsym.ask.special import special_problem
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.mechanics.numbers import number, samples
 from tests.ask.test_answers import asked
 from tests.ask.test_unseen import ANSWERS

@@ -4,14 +4,14 @@ import math
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import read_numbers
 from rbpsym.ask.telling import record
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.numbers import number, samples
-from rbpsym.notation.machine import to_machine
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.typeset.machine import to_machine
 from tests.ask.test_unseen import HERE
 
 EVEN = (  # of a rod of 1 m and 1 kg, let go at theta_0

@@ -4,10 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import answered
 from rbpsym.ask.integrated import _lasting
 from rbpsym.ask.lasting import held
@@ -18,11 +14,15 @@ from rbpsym.ask.telling import latex_of
 from rbpsym.ask.wanted import Wanted
 from rbpsym.ask.yesno import _always
 from rbpsym.ask.zeros import _by_phase
-from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.decide.assumptions import NONE, Assumptions
 from rbpsym.errors import StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.calculus import depends_on
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
+from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.infix import read_infix
 from tests.ask.test_answers import asked
 
 NEAR = 1e-6

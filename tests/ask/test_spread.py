@@ -5,15 +5,15 @@ from __future__ import annotations
 import pytest
 from pytest import approx
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.ask.asking import ask
 from rbpsym.derive import derive
 from rbpsym.errors import RbpsymError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
+from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import Problem
 from tests.statement.numeric import moments

@@ -9,24 +9,24 @@ import mpmath
 import pytest
 from scipy.integrate import solve_ivp
 
-from rbpsym.algebra import elliptic
-from rbpsym.algebra.calculus import derivative
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
-from rbpsym.derivation.chapters import course
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.rules import certify
-from rbpsym.equality import enclosure
-from rbpsym.equality.signs import sign
+from rbpsym.chapters import course
+from rbpsym.decide import enclosure
+from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import elliptic
+from rbpsym.field.calculus import derivative
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
+from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
+from rbpsym.proof.draft import Draft
+from rbpsym.proof.rules import certify
 from rbpsym.statement.loader import load_text
+from rbpsym.typeset.machine import to_machine
 from tests.ask.test_answers import asked
 
 PUSHED = """

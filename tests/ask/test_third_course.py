@@ -11,7 +11,7 @@ import pytest
 
 from rbpsym.ask.asking import answered
 from rbpsym.errors import StatementError
-from rbpsym.notation.machine import to_machine
+from rbpsym.typeset.machine import to_machine
 from tests.ask.test_unseen import asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 

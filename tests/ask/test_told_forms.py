@@ -9,9 +9,9 @@ import pytest
 
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
-from rbpsym.notation.text import to_text
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_text
+from rbpsym.typeset.text import to_text
 from tests.ask.test_unseen import HERE
 
 CRANK = """

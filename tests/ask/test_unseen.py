@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
-from rbpsym.equality.decide import scalars_equal
-from rbpsym.notation.infix import read_infix
+from rbpsym.decide.equal import scalars_equal
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
 from rbpsym.statement.loader import load_text
 from tests.ask.law import one_value_a_letter
 

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import pytest
 
-from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding
 from rbpsym.ask.words import SAID, doubts
-from rbpsym.derivation.rules import RULES
+from rbpsym.field.scalar import symbol
+from rbpsym.proof.rules import RULES
 from rbpsym.statement.loader import load_problem
 
 # a question of each kind, and what would be false of it

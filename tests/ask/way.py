@@ -8,21 +8,21 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.evaluate import value as value_of
-from rbpsym.algebra.present import present
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
 from rbpsym.errors import NoNumber, NotApplicable, RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.calculus import names_in
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.evaluate import value as value_of
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
+from rbpsym.present.forms import present
 from rbpsym.quantities import NUMBER
+from rbpsym.typeset.machine import to_machine
 from tests.oracles.compare import _bench
 from tests.oracles.motion import Unfit, declared_start, follow
 from tests.oracles.sets import drawn

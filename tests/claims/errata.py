@@ -13,19 +13,19 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from rbpsym.algebra.present import present
+from rbpsym.claims.check import Checker, read, relations
+from rbpsym.claims.diagnosis import diagnosis
+from rbpsym.claims.ground import glossary, with_own_symbols
+from rbpsym.claims.integrals import valued
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Claim, Outcome, Printed
+from rbpsym.claims.run import Worlds
 from rbpsym.errors import RbpsymError
-from rbpsym.notation import tree as t
-from rbpsym.notation.places import sites
-from rbpsym.notation.text import to_text
+from rbpsym.expr import tree as t
+from rbpsym.expr.places import sites
+from rbpsym.present.forms import present
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.claims_check import Checker, read, relations
-from rbpsym.verify.claims_ground import glossary, with_own_symbols
-from rbpsym.verify.claims_integrals import valued
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Claim, Outcome, Printed
-from rbpsym.verify.claims_run import Worlds
-from rbpsym.verify.diagnosis import diagnosis
+from rbpsym.typeset.text import to_text
 from tests.claims.injected import injected, rewritten
 from tests.mutants.changed import is_different
 

@@ -12,16 +12,16 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.present import present
-from rbpsym.notation import tree as t
+from rbpsym.claims.check import decide
+from rbpsym.claims.ground import Ground, glossary, with_own_symbols
+from rbpsym.claims.model import Outcome, Setting
+from rbpsym.claims.run import Worlds
+from rbpsym.expr import tree as t
+from rbpsym.field.normal import is_zero
+from rbpsym.present.forms import present
 from rbpsym.quantity.path import first_push, sense
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
-from rbpsym.verify.claims_check import decide
-from rbpsym.verify.claims_ground import Ground, glossary, with_own_symbols
-from rbpsym.verify.claims_model import Outcome, Setting
-from rbpsym.verify.claims_run import Worlds
 from tests.claims.witnesses import off_the_motion, refutations
 from tests.mutants.changed import is_different, mutants
 

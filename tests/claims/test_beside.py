@@ -279,7 +279,7 @@ def test_a_draft_without_a_fit_is_all_guesses(folder, capsys):
 def test_what_was_decided_before_derives_nothing(folder, capsys, monkeypatch):
     text = f"{TEX}\n% rbpsym: claim\n\\[ {RIGHT} \\]"
     first = checked(folder, capsys, "a.tex", text)
-    monkeypatch.setattr("rbpsym.verify.claims_run.Worlds.problem", lambda *_: pytest.fail("a problem is derived"))
+    monkeypatch.setattr("rbpsym.claims.run.Worlds.problem", lambda *_: pytest.fail("a problem is derived"))
     code, found = checked(folder, capsys, "a.tex", text)
     assert (code, [one["outcome"] for one in found]) == (0, [one["outcome"] for one in first[1]])
 

@@ -5,8 +5,8 @@ import re
 import pytest
 from click.testing import CliRunner
 
+from rbpsym.claims.papers.claims import OF_CLAIM, OF_SETTING
 from rbpsym.cli import main
-from rbpsym.verify.paper_claims import OF_CLAIM, OF_SETTING
 from tests.architecture.source import ROOT
 
 PAGE = (ROOT / "docs" / "book.md").read_text(encoding="utf-8")

@@ -1,8 +1,8 @@
 """With a clock, coordinates and time are tied along the motion: a pair of them taken at will is no witness."""
 
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Outcome
-from rbpsym.verify.claims_run import Certificates, check_claims
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Outcome
+from rbpsym.claims.run import Certificates, check_claims
 
 TRUE_ON_THE_MOTION = r"""
 title = "Works in a truck"

@@ -7,12 +7,12 @@ from xml.etree import ElementTree
 import click
 import pytest
 
+from rbpsym.claims.run import NAME
 from rbpsym.cli import main
 from rbpsym.commands.check import doubtful, verdicts
-from rbpsym.derivation.step import Certificate
-from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.decide.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_run import NAME
+from rbpsym.proof.step import Certificate
 from tests.library.derived import unsimulated
 
 CLAIMS = r"""
@@ -144,7 +144,7 @@ def test_certificates_are_used_again_and_only_for_the_same_content(folder, capsy
     run("claims.toml")
     first = capsys.readouterr().out
     assert (folder / "cache" / "rbpsym" / NAME).is_file()
-    monkeypatch.setattr("rbpsym.verify.claims_check.decide", lambda *_, **__: pytest.fail("decided again"))
+    monkeypatch.setattr("rbpsym.claims.check.decide", lambda *_, **__: pytest.fail("decided again"))
     run("claims.toml")
     assert capsys.readouterr().out == first
     with pytest.raises(pytest.fail.Exception):

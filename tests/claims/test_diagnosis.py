@@ -2,12 +2,12 @@
 
 import pytest
 
+from rbpsym.claims.check import Checker
+from rbpsym.claims.diagnosis import diagnosis
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Outcome, Printed
+from rbpsym.claims.run import Worlds
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Outcome, Printed
-from rbpsym.verify.claims_run import Worlds
-from rbpsym.verify.diagnosis import diagnosis
 
 FILE = load_claims(library_folder() / "claims" / "paper.toml")
 CLAIMS = {claim.id: claim for claim in FILE.claims}

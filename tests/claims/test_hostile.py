@@ -4,8 +4,8 @@ import random
 
 import pytest
 
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_model import Claim, Outcome, Printed
+from rbpsym.claims.check import Checker
+from rbpsym.claims.model import Claim, Outcome, Printed
 from tests.claims.test_decide import LADDER, ROWS, WORLDS, Meaning, Setting
 from tests.effort import MANY, at_most
 

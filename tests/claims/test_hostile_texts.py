@@ -5,8 +5,8 @@ import time
 
 import pytest
 
+from rbpsym.claims.papers.walk import read_paper
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.paper_walk import read_paper
 
 SIZE, SECONDS = 80_000, 4  # of the processor; what is not linear takes minutes
 MARKS = [

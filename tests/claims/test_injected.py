@@ -5,15 +5,15 @@ from collections import Counter
 
 import pytest
 
+from rbpsym.claims.check import Checker
+from rbpsym.claims.diagnosis import diagnosis
+from rbpsym.claims.diagnosis_edits import corrected
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Outcome, Printed
+from rbpsym.claims.run import Worlds
 from rbpsym.errors import RbpsymError
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Outcome, Printed
-from rbpsym.verify.claims_run import Worlds
-from rbpsym.verify.diagnosis import diagnosis
-from rbpsym.verify.diagnosis_edits import corrected
 from tests.claims.errata import run
 from tests.claims.injected import injected
 

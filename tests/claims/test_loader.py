@@ -2,11 +2,11 @@
 
 import pytest
 
+from rbpsym.claims.check import Checker
+from rbpsym.claims.loader import read_claims
+from rbpsym.claims.model import Outcome
+from rbpsym.claims.run import Worlds
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_loader import read_claims
-from rbpsym.verify.claims_model import Outcome
-from rbpsym.verify.claims_run import Worlds
 from tests.claims.broken import CHECKING, CLAIM, HEAD, LOADING
 
 

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Outcome
+from rbpsym.claims.run import Certificates, check_paper
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Outcome
-from rbpsym.verify.claims_run import Certificates, check_paper
-from tests.notation.paper import equations
+from tests.expr.paper import equations
 
 FILE = load_claims(library_folder() / "claims" / "paper.toml")
 NUMBERED = replace(FILE, claims=tuple(claim for claim in FILE.claims if claim.number))

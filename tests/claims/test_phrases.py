@@ -2,10 +2,10 @@
 
 import pytest
 
+from rbpsym.claims.check import Checker
+from rbpsym.claims.model import Claim, Meaning, Outcome, Printed, Setting
+from rbpsym.claims.run import phase_of
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
-from rbpsym.verify.claims_run import phase_of
 from tests.claims.worlds import world
 
 PROVED, REFUTED = Outcome.PROVED, Outcome.REFUTED

@@ -2,9 +2,9 @@
 
 import pytest
 
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
-from rbpsym.verify.claims_run import Worlds
+from rbpsym.claims.check import Checker
+from rbpsym.claims.model import Claim, Meaning, Outcome, Printed, Setting
+from rbpsym.claims.run import Worlds
 
 SYMBOLS = {"q": Meaning("theta"), "L": Meaning("ell")}
 WORLDS = Worlds()

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_run import Certificates, check_claims
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.run import Certificates, check_claims
 
 FILE = r"""
 title = "a drum on a slope"

@@ -2,11 +2,11 @@
 
 import pytest
 
+from rbpsym.claims.check import Checker
+from rbpsym.claims.ground import glossary
+from rbpsym.claims.model import Claim, Meaning, Outcome, Printed, Setting
+from rbpsym.claims.run import Worlds
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_ground import glossary
-from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
-from rbpsym.verify.claims_run import Worlds
 from tests.claims.worlds import world
 
 PROVED, REFUTED, UNDECIDED = Outcome.PROVED, Outcome.REFUTED, Outcome.UNDECIDED

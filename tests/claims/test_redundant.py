@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
-from rbpsym.verify.claims_check import Checker
-from rbpsym.verify.claims_ground import Question, glossary
-from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
-from rbpsym.verify.claims_refute import refutation
-from rbpsym.verify.claims_run import Worlds
+from rbpsym.claims.check import Checker
+from rbpsym.claims.ground import Question, glossary
+from rbpsym.claims.model import Claim, Meaning, Outcome, Printed, Setting
+from rbpsym.claims.refute import refutation
+from rbpsym.claims.run import Worlds
+from rbpsym.field.scalar import NOTHING, UNITY, symbol
 
 LADDER = """
 [parameters]

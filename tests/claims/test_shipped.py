@@ -2,11 +2,11 @@
 
 import pytest
 
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Outcome
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Outcome
+from tests.expr.paper import equations
 from tests.library.derived import checked_claims
-from tests.notation.paper import equations
 
 FILES = sorted((library_folder() / "claims").glob("*.toml"))
 PAPER = library_folder() / "claims" / "paper.toml"

@@ -3,10 +3,10 @@ r"""A LaTeX text is walked: environments, numbers, labels, macros, files put in;
 
 import pytest
 
+from rbpsym.claims.papers.check import printed
+from rbpsym.claims.papers.macros import definitions, expanded
+from rbpsym.claims.papers.walk import read_paper
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.paper_check import printed
-from rbpsym.verify.paper_macros import definitions, expanded
-from rbpsym.verify.paper_walk import read_paper
 from tests.effort import at_most
 
 TEXT = r"""\documentclass{article} % \begin{equation} in a comment

@@ -8,9 +8,9 @@ from contextlib import contextmanager
 
 import pytest
 
+from rbpsym.claims import check as claims_check
+from rbpsym.expr import tree as t
 from rbpsym.mechanics.numbers import number
-from rbpsym.notation import tree as t
-from rbpsym.verify import claims_check
 
 CLOSE = 1e-9
 

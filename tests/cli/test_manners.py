@@ -257,7 +257,7 @@ def test_output_without_a_terminal_has_no_colours() -> None:
 
 @pytest.mark.parametrize("columns", ["50", "80"])
 def test_prose_is_wrapped(columns: str) -> None:
-    from rbpsym.document.escaping import columns as wide
+    from rbpsym.typeset.escaping import columns as wide
 
     text = CliRunner().invoke(main, ["derive", "sliding-ladder"], env={"COLUMNS": columns}).output
     prose = [line for line in text.splitlines() if line.startswith("  ") and not line.startswith("   ")]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rbpsym.document.figures.placing import crosses, overlap, strokes_of
-from rbpsym.document.figures.scene import Label, Scene
+from rbpsym.pictures.figures.placing import crosses, overlap, strokes_of
+from rbpsym.pictures.figures.scene import Label, Scene
 
 
 def collisions(scene: Scene) -> list[tuple[Label, object]]:

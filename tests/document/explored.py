@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from rbpsym.document.explorer.page import FOLDER, Model, model
+from rbpsym.explorer.page import FOLDER, Model, model
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study

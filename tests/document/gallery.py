@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from rbpsym.document.figures.sketch import (
+from rbpsym.expr.tree import Mul, Node, Num, Sym
+from rbpsym.pictures.figures.sketch import (
     AngleMark,
     LengthMark,
     RadiusMark,
@@ -18,7 +19,6 @@ from rbpsym.document.figures.sketch import (
     SketchPart,
     SketchPoint,
 )
-from rbpsym.notation.tree import Mul, Node, Num, Sym
 
 DOWN = (0.0, -1.0)
 

@@ -5,19 +5,6 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from rbpsym.document.figures.free_body import free_body
-from rbpsym.document.figures.schematic import schematic
-from rbpsym.document.figures.sketch import (
-    AngleMark,
-    LengthMark,
-    RadiusMark,
-    Sketch,
-    SketchBody,
-    SketchForce,
-    SketchLine,
-    SketchLink,
-    SketchPoint,
-)
 from rbpsym.document.model import (
     Callout,
     Display,
@@ -35,8 +22,8 @@ from rbpsym.document.model import (
     words,
 )
 from rbpsym.document.notes_figures import describe, describe_free_body
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.tree import (
+from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.tree import (
     Add,
     Bracket,
     Cross,
@@ -54,6 +41,19 @@ from rbpsym.notation.tree import (
     Vec,
     equation,
     relation,
+)
+from rbpsym.pictures.figures.free_body import free_body
+from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.sketch import (
+    AngleMark,
+    LengthMark,
+    RadiusMark,
+    Sketch,
+    SketchBody,
+    SketchForce,
+    SketchLine,
+    SketchLink,
+    SketchPoint,
 )
 
 DOWN = (0.0, -1.0)

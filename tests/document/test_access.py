@@ -18,10 +18,10 @@ from rbpsym.document.model import Display, Document, FigureBlock, Math
 from rbpsym.document.notes import course_notes
 from rbpsym.document.numbering import parts
 from rbpsym.document.writers import writer
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.speech import to_speech
+from rbpsym.expr.glyphs import Notation
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
+from rbpsym.typeset.speech import to_speech
 from tests.document.samples import sample
 from tests.npm import MODULES
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.document import breaking
-from rbpsym.notation import latex
-from rbpsym.notation.glyphs import DEFAULT
-from rbpsym.notation.tree import ZERO, Add, Div, Fn, Mul, Node, Num, Sym, equation
+from rbpsym.expr.glyphs import DEFAULT
+from rbpsym.expr.tree import ZERO, Add, Div, Fn, Mul, Node, Num, Sym, equation
+from rbpsym.typeset import latex
 
 COS, SIN = Fn("cos", Sym("theta")), Fn("sin", Sym("theta"))
 

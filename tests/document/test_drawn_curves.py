@@ -8,9 +8,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from rbpsym.document.figures.scene import Arc, Circle, Line, Scene
-from rbpsym.document.figures.svg import SCALE, to_svg
-from rbpsym.document.figures.tikz import to_tikz
+from rbpsym.pictures.figures.scene import Arc, Circle, Line, Scene
+from rbpsym.pictures.figures.svg import SCALE, to_svg
+from rbpsym.pictures.figures.tikz import to_tikz
 
 ARCS = [
     Arc((0.5, -0.25), 1.5, start, start + sweep)

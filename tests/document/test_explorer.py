@@ -14,8 +14,8 @@ import pytest
 from click.testing import CliRunner
 
 from rbpsym.cli import main
-from rbpsym.document.explorer.page import explorer, model, problem_stages
 from rbpsym.document.files import data_folder
+from rbpsym.explorer.page import explorer, model, problem_stages
 from rbpsym.mechanics.numbers import number
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem

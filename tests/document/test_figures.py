@@ -9,17 +9,17 @@ from types import SimpleNamespace as Told
 
 import pytest
 
-from rbpsym.document.figures import placing
-from rbpsym.document.figures.dimensions import solid_line
-from rbpsym.document.figures.free_body import free_body
-from rbpsym.document.figures.outlines import OUTLINES
-from rbpsym.document.figures.scene import COLORS, STYLES, Label, Line, Scene
-from rbpsym.document.figures.schematic import schematic
-from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
-from rbpsym.document.figures.svg import SCALE, label_svg, number, to_svg
-from rbpsym.document.figures.tikz import to_tikz
-from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.notes_figures import describe, describe_free_body
+from rbpsym.pictures.figures import placing
+from rbpsym.pictures.figures.dimensions import solid_line
+from rbpsym.pictures.figures.free_body import free_body
+from rbpsym.pictures.figures.outlines import OUTLINES
+from rbpsym.pictures.figures.scene import COLORS, STYLES, Label, Line, Scene
+from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
+from rbpsym.pictures.figures.svg import SCALE, label_svg, number, to_svg
+from rbpsym.pictures.figures.tikz import to_tikz
+from rbpsym.pictures.figures.typst import to_typst_drawing
 from rbpsym.statement.shapes import SHAPES
 from tests.document.collisions import collisions
 from tests.document.gallery import GALLERY

@@ -7,23 +7,23 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.scalar import symbol
-from rbpsym.document.figures.free_body import free_body
-from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.scene import Scene
-from rbpsym.document.figures.schematic import schematic
-from rbpsym.document.figures.sketch import Sketch, SketchCouple
-from rbpsym.document.figures.svg import to_svg
-from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.language import problem_notation
 from rbpsym.document.notes_figures import describe, describe_free_body
-from rbpsym.document.plots.following import Flow, leg, require_motion
-from rbpsym.document.pose import DrawnPose
-from rbpsym.document.sketches import sketch_of, sketch_of_pose
 from rbpsym.errors import NotApplicable
+from rbpsym.expr import tree as t
+from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.pictures.figures.free_body import free_body
+from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import Scene
+from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.sketch import Sketch, SketchCouple
+from rbpsym.pictures.figures.svg import to_svg
+from rbpsym.pictures.figures.tikz import to_tikz
+from rbpsym.pictures.plots.following import Flow, leg, require_motion
+from rbpsym.pictures.pose import DrawnPose
+from rbpsym.pictures.sketches import sketch_of, sketch_of_pose
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.library import problem_files
 from tests.architecture.source import ROOT
@@ -50,7 +50,7 @@ def pose(found: Study, share: float | None) -> DrawnPose:
 
 
 def place(first: DrawnPose, coordinate, share: float) -> float:
-    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.field.evaluate import scalar
 
     low, high = (None if b is None else number(scalar(b), first.numbers) for b in (coordinate.lower, coordinate.upper))
     here = first.numbers[coordinate.name]

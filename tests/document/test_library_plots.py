@@ -8,12 +8,12 @@ from functools import cache
 
 import pytest
 
-from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.scene import Label, Line
 from rbpsym.document.notes import notation_of
-from rbpsym.document.plots.motion import PlottedMotion, motion
-from rbpsym.document.plots.panel import Panel, scene
-from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
+from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import Label, Line
+from rbpsym.pictures.plots.motion import PlottedMotion, motion
+from rbpsym.pictures.plots.panel import Panel, scene
+from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
 from tests.document.collisions import collisions
 from tests.library.derived import FILES, FOLLOWED, derived
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from rbpsym.document.accents import accented
 from rbpsym.document.files import data_folder
-from rbpsym.notation.mathml import _SLANTS, to_mathml
-from rbpsym.notation.tree import BodyIntegral, Num, Pow, Sym, Vec
+from rbpsym.expr.tree import BodyIntegral, Num, Pow, Sym, Vec
+from rbpsym.typeset.accents import accented
+from rbpsym.typeset.mathml import _SLANTS, to_mathml
 
 FONT = Path("/usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf")
 ITALIC, LEAST = {*range(0x1D434, 0x1D468), *range(0x1D6FC, 0x1D715)}, 0.08  # slanted Latin and small Greek letters

@@ -16,7 +16,7 @@ from rbpsym.document.phrases import languages
 from rbpsym.document.telling import known_key
 from rbpsym.document.words import Words
 from rbpsym.document.writers import files, writer
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, problem_files
 from rbpsym.statement.loader import load_text

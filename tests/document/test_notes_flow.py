@@ -12,11 +12,11 @@ from rbpsym.document.model import Display, Document, FigureBlock, Math, Paragrap
 from rbpsym.document.notes import plain
 from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.numbering import numbered, once_each, parts
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.telling import TOO_WIDE
 from rbpsym.document.words import Words, upright
+from rbpsym.expr import tree as t
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.pictures.pose import DrawnPose
 from rbpsym.statement.library import problem_files
 from tests.library.derived import stated
 from tests.library.derived import unsimulated as derived

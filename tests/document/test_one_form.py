@@ -4,12 +4,12 @@ from collections.abc import Iterator
 
 import pytest
 
-from rbpsym.algebra.evaluate import value
-from rbpsym.derivation.forms import PLAIN
 from rbpsym.document.model import Display, Document
 from rbpsym.document.notes import notes
-from rbpsym.notation import tree as t
-from rbpsym.notation.text import to_text
+from rbpsym.expr import tree as t
+from rbpsym.field.evaluate import value
+from rbpsym.proof.forms import PLAIN
+from rbpsym.typeset.text import to_text
 from tests.library.derived import NAMES, unsimulated
 
 

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from rbpsym.notation import tree as t
-from tests.derivation.test_assertions import said_in
+from rbpsym.expr import tree as t
 from tests.library.derived import FOLLOWED, derived, problem
+from tests.proof.test_assertions import said_in
 
 IN_PHASES = [name for name in FOLLOWED if problem(name).phases]
 COUNTED = "In this phase t is counted from its beginning."

@@ -11,9 +11,9 @@ import pytest
 from rbpsym.document.language import usual_notation
 from rbpsym.document.model import DocumentError, Emph, Math, Ref, Text
 from rbpsym.document.phrases import FOLDER, grammar, has_phrase, languages, phrase, phrases, plain
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.speech import to_speech
-from rbpsym.notation.tree import Fn, Sym
+from rbpsym.expr.tree import Fn, Sym
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.speech import to_speech
 
 THETA, OMEGA, ELL = Sym("theta"), Sym("omega"), Sym("ell")
 

@@ -8,14 +8,14 @@ from rbpsym.courses import derive_course
 from rbpsym.document.language import problem_notation
 from rbpsym.document.notes import course_notes
 from rbpsym.errors import RbpsymError
-from rbpsym.notation import tree as t
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.mathml import to_mathml
-from rbpsym.notation.text import to_text
-from rbpsym.notation.typst import to_typst
+from rbpsym.expr import tree as t
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_text
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.mathml import to_mathml
+from rbpsym.typeset.text import to_text
+from rbpsym.typeset.typst import to_typst
 
 TEXT = find_problem("sliding-ladder").read_text(encoding="utf-8")
 PRINTERS = {"latex": to_latex, "typst": to_typst, "mathml": to_mathml, "text": to_text}

@@ -14,11 +14,11 @@ from rbpsym.document.model import DocumentError
 from rbpsym.document.notes import notes
 from rbpsym.document.phrases import grammar, phrases, plain
 from rbpsym.document.writers import writer
-from rbpsym.notation.speech import WORDS
-from rbpsym.notation.tree import Fn, Sym
+from rbpsym.expr.tree import Fn, Sym
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.wording import teaching_phrases
+from rbpsym.typeset.speech import WORDS
 
 ENGLISH, SPANISH = phrases("en"), phrases("es")
 

@@ -5,23 +5,23 @@ from pathlib import Path
 
 import pytest
 
-from rbpsym.derivation.assertions import Said
 from rbpsym.document.model import Inlines, Math
 from rbpsym.document.notes_sentences import DRIVEN, SENTENCES, element_sentences
 from rbpsym.document.notes_statement import _bodies, _phases
 from rbpsym.document.phrases import phrases
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.expr import tree as t
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.pictures.pose import DrawnPose
+from rbpsym.proof.assertions import Said
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.phases import EVENTS, IMPULSES, KINDS
-from tests.derivation.test_assertions import said_in
 from tests.library.derived import derived
+from tests.proof.test_assertions import said_in
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"
 FILES = {**problem_files(), **{path.stem: path for path in EXAMPLES.glob("*.toml")}}

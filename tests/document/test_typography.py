@@ -16,14 +16,14 @@ import pytest
 from rbpsym.courses import derive_course
 from rbpsym.document.model import Display
 from rbpsym.document.notes import course_notes
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.latex_reader import read_latex
-from rbpsym.notation.symbol_table import symbol_table
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import DEFAULT, Notation
+from rbpsym.expr.latex.reader import read_latex
+from rbpsym.expr.symbol_table import symbol_table
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
-from tests.notation.paper import NAMES, SPELLINGS, equations
+from rbpsym.typeset.latex import to_latex
+from tests.expr.paper import NAMES, SPELLINGS, equations
 
 TABLE = symbol_table(NAMES, spellings=SPELLINGS)
 

@@ -2,12 +2,12 @@
 
 import pytest
 
-from rbpsym.derivation.step import Step
 from rbpsym.document.chapters import in_page_order
 from rbpsym.document.needless import owed_by
 from rbpsym.document.notes import shown_steps
 from rbpsym.document.used import led_to
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.step import Step
 from tests.library.derived import FOLLOWED, unsimulated
 
 MEANS = {  # rules of steps that are no ends in themselves, by chapter

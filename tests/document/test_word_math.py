@@ -9,7 +9,7 @@ import pytest
 from rbpsym.document.model import Display, Document, Section, words
 from rbpsym.document.writers import writer
 from rbpsym.document.writers.word import NUMBER, TEXT_WIDTH, borders, frame
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 from tests.document.samples import sample
 
 SIDES = ("top", "left", "bottom", "right")

@@ -22,11 +22,11 @@ from rbpsym.document.writers.html import folding_pieces, write_html
 from rbpsym.document.writers.markdown import in_markdown
 from rbpsym.document.writers.pdf import write_pdf
 from rbpsym.errors import RbpsymError
-from rbpsym.notation import boxes as b
-from rbpsym.notation import latex, mathml, omml, typst
-from rbpsym.notation.latex_reader import read_latex
-from rbpsym.notation.layout import layout
-from rbpsym.notation.tree import names
+from rbpsym.expr.latex.reader import read_latex
+from rbpsym.expr.tree import names
+from rbpsym.typeset import boxes as b
+from rbpsym.typeset import latex, mathml, omml, typst
+from rbpsym.typeset.layout import layout
 from tests.document.samples import NASTY, SKETCHES, sample
 from tests.library.derived import unsimulated
 

@@ -10,8 +10,8 @@ import sympy
 
 import rbpsym
 from rbpsym.errors import RbpsymError
+from rbpsym.expr.tree import Sym
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.tree import Sym
 from rbpsym.statement.library import problem_files
 
 NAME = "rod-pendulum"

@@ -7,12 +7,12 @@ import sympy
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rbpsym.equality.decide import equal
+from rbpsym.decide.equal import equal
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as n
 from rbpsym.face.reading import tree_of
 from rbpsym.face.writing import Alphabet, alphabet
-from rbpsym.notation import tree as n
-from rbpsym.notation.machine import to_machine
+from rbpsym.typeset.machine import to_machine
 from tests.library.derived import NAMES, unsimulated
 
 M, ell, g = sympy.symbols("M ell g", positive=True)

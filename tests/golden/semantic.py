@@ -13,16 +13,16 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from rbpsym.derivation.step import Derivation, Lesson
-from rbpsym.equality.assumptions import NONE, Assumptions
-from rbpsym.equality.decide import equal
+from rbpsym.decide.assumptions import NONE, Assumptions
+from rbpsym.decide.equal import equal
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.tree import Node
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.tree import Node
+from rbpsym.proof.step import Derivation, Lesson
 from rbpsym.solve import results
 from rbpsym.statement.library import course_files, library_folder, problem_files, worksheet_files
 from rbpsym.teaching.model import Item, Measure, Student, Worksheet
+from rbpsym.typeset.machine import to_machine
 from tests.library.derived import checked_claims, derived, derived_from
 
 ROOT = Path(__file__).parents[2]
@@ -80,7 +80,7 @@ def worksheet_record(name: str) -> Record:
 
 def plan_record(name: str) -> Record:
     """The balances that the torque method takes, in their order."""
-    from rbpsym.methods.balances import plan
+    from rbpsym.chapters.methods.balances import plan
 
     found = plan(derived(name).study)
     taken = found.balances if found else ()

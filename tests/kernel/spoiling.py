@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from random import Random
 
+from rbpsym.expr import tree as t
 from rbpsym.kernel.certificates import Lemma
 from rbpsym.kernel.certify import Written, text
 from rbpsym.kernel.claim import Claim
-from rbpsym.notation import tree as t
 
 
 def _turned(claim: Claim) -> Claim:

@@ -10,9 +10,10 @@ from functools import cache
 import pytest
 from click.testing import CliRunner
 
-from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
 from rbpsym.errors import Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field.scalar import symbol
 from rbpsym.kernel.certificates import Lemma, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
 from rbpsym.kernel.claim import Claim
@@ -20,7 +21,6 @@ from rbpsym.kernel.claims import AHEAD
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, with_prelude
 from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.rocq import REFUSED, identifier
-from rbpsym.notation import tree as t
 from tests.kernel.spoiling import attempted, draws
 from tests.library.derived import unsimulated
 
@@ -84,7 +84,7 @@ def test_multiples_are_found_with_their_account() -> None:
 
 
 def symbol_of(index: int) -> str:
-    from rbpsym.algebra.atoms import symbol_name
+    from rbpsym.field.atoms import symbol_name
 
     return symbol_name(index) or ""
 

@@ -8,12 +8,12 @@ from pathlib import Path
 
 from click.testing import CliRunner
 
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import CERTIFIED, Result
+from rbpsym.claims.run import Certificates, check_claims
 from rbpsym.cli import main
+from rbpsym.expr import tree as t
 from rbpsym.kernel.claimed import NO_COQC, Notary, written_of
-from rbpsym.notation import tree as t
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import CERTIFIED, Result
-from rbpsym.verify.claims_run import Certificates, check_claims
 from tests.kernel.test_certify import needs_coqc
 
 HEAD = 'title = "Claims"\nproblem = "atwood-with-massive-pulley"\n[symbols]\n\'I\' = "moment of inertia of pulley"\n'

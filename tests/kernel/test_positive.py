@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.calculus import substitute
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import Scalar, symbol
 from rbpsym.kernel.certificates import wound
 from rbpsym.kernel.positive import positive_sum
-from rbpsym.notation.infix import read_infix
 
 POSITIVE = ("M", "m", "k", "r", "a", "p")
 SUMS = [

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.derive import derive
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 from tests.letters.renaming import Names, original, renamed, same_names
 from tests.library.derived import NAMES
 

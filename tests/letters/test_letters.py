@@ -11,23 +11,23 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import symbol
-from rbpsym.derivation.rules import certify
-from rbpsym.derivation.step import Derivation
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.derive import derive
 from rbpsym.document.language import problem_notation
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.decide import scalars_equal
 from rbpsym.errors import RbpsymError
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import ACCENTS, DOTS
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.latex_reader import read_latex
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import ACCENTS, DOTS
+from rbpsym.expr.infix import read_infix
+from rbpsym.expr.latex.reader import read_latex
+from rbpsym.field.calculus import substitute
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import symbol
+from rbpsym.proof.rules import certify
+from rbpsym.proof.step import Derivation
 from rbpsym.solve import results
 from rbpsym.statement.references import RESERVED
+from rbpsym.typeset.latex import to_latex
 from tests.letters.renaming import Names, dictionary, original, renamed, symbols_of, things_of
 from tests.library.derived import answered
 

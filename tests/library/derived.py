@@ -7,17 +7,17 @@ from typing import Any
 
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused, own_answers
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.step import Derivation, Step
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Result
+from rbpsym.claims.run import Certificates, check_claims
 from rbpsym.derive import derive
 from rbpsym.mechanics.study import Study
+from rbpsym.proof.context import Context
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.solve import results
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.statement.model import Problem
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Result
-from rbpsym.verify.claims_run import Certificates, check_claims
 
 FILES = problem_files()
 NAMES = tuple(sorted(FILES))

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from math import gcd
 
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 
 
 def factors(node: t.Node) -> tuple[t.Node, ...]:

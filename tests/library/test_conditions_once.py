@@ -5,18 +5,18 @@ from itertools import combinations
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.duties import merged
-from rbpsym.derivation.step import Derivation
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.signs import sign
 from rbpsym.document.needless import owed_by
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_relation
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
+from rbpsym.field.scalar import Scalar
 from rbpsym.mechanics.elimination import short
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_relation
+from rbpsym.proof.duties import merged
+from rbpsym.proof.step import Derivation
 from rbpsym.solve import answer_of
 from tests.library.derived import NAMES, answers_to, unsimulated
 

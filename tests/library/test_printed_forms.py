@@ -7,9 +7,9 @@ import pytest
 from rbpsym.document.breaking import lines
 from rbpsym.document.notes import notation_of
 from rbpsym.document.writers.latex import COLUMN
-from rbpsym.notation import tree as t
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.latex_reader import read_latex
+from rbpsym.expr import tree as t
+from rbpsym.expr.latex.reader import read_latex
+from rbpsym.typeset.latex import to_latex
 from tests.library.derived import NAMES, derived
 from tests.library.suspicious import SUSPICIONS, suspicions
 

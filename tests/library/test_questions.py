@@ -2,10 +2,10 @@
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.answer import Answer
-from rbpsym.equality.decide import scalars_equal
-from rbpsym.notation.infix import read_infix
+from rbpsym.decide.equal import scalars_equal
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
 from tests.library.derived import NAMES, answers_to, problem, unsimulated
 from tests.library.published import ANSWERS
 

@@ -10,7 +10,7 @@ import pytest
 from rbpsym.document.notes import notes
 from rbpsym.document.phrases import grammar
 from rbpsym.document.writers import writer
-from rbpsym.notation.letters import LETTERS
+from rbpsym.expr.letters import LETTERS
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from tests.library.derived import NAMES, derived, problem

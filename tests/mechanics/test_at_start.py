@@ -6,17 +6,17 @@ from itertools import islice
 
 import pytest
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import same
 from rbpsym.ask.asking import ask
-from rbpsym.document.explorer.page import explorer
 from rbpsym.errors import StatementError
+from rbpsym.explorer.page import explorer
+from rbpsym.field.calculus import substitute
+from rbpsym.field.normal import same
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.numbers import samples
 from rbpsym.mechanics.phases import stages
+from rbpsym.oracles.simulation import simulate_study
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
-from rbpsym.verify.simulation import simulate_study
 from tests.mechanics.textbook import Textbook, answer, derivation, differences, read
 
 SETS = 20  # of numbers for the parameters

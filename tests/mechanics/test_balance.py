@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from rbpsym.derivation.rules import certify
 from rbpsym.derive import derive
+from rbpsym.expr import tree as t
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.rules import certify
 from rbpsym.statement.loader import load_problem, load_text
 
-DOOR = (Path(__file__).parents[1] / "derivation/systems/trapdoor-with-spring.toml").read_text(encoding="utf-8")
+DOOR = (Path(__file__).parents[1] / "proof/systems/trapdoor-with-spring.toml").read_text(encoding="utf-8")
 
 
 def balance(text: str):
@@ -58,13 +58,13 @@ def test_a_place_in_closed_form_is_no_open_balance():
 
 
 def test_a_damped_system_gets_no_frequency():
-    damped = load_problem(Path(__file__).parents[1] / "derivation/systems/damped-trapdoor.toml")
+    damped = load_problem(Path(__file__).parents[1] / "proof/systems/damped-trapdoor.toml")
     found = Study(damped).open_balance
     assert (found.stable, found.frequency_squared) == (True, None)
 
 
 def test_a_small_motion_about_a_damped_balance_is_told_to_die_out():
-    damped = load_problem(Path(__file__).parents[1] / "derivation/systems/damped-trapdoor.toml")
+    damped = load_problem(Path(__file__).parents[1] / "proof/systems/damped-trapdoor.toml")
     found = derive(damped, simulation=False)
     [step] = [step for step in found.steps if step.rule == "open_linear"]
     assert step.phrase == "oscillations.open.damped" and step.certificate.verdict.is_proved

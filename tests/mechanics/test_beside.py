@@ -5,9 +5,9 @@ import pytest
 from rbpsym.ask.asking import ask
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.machine import to_machine
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.typeset.machine import to_machine
 
 CRATE = problem_files()["crate-on-truck"].read_text(encoding="utf-8")
 WRONG = {

@@ -3,8 +3,8 @@
 import pytest
 
 from rbpsym.mechanics.phases import stages
+from rbpsym.oracles.simulation_phases import followed
 from rbpsym.statement import build as rb
-from rbpsym.verify.simulation_phases import followed
 from tests.mechanics.constraints.closed_forms import assert_same, stated
 
 BALL = "M: mass, R: length, v: speed, u: speed, omega: angular speed, e: number, mu: number, g: acceleration"

@@ -6,8 +6,8 @@ import pytest
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.study import Study
+from rbpsym.oracles.simulation import Bench, Derived
 from rbpsym.statement.loader import load_text
-from rbpsym.verify.simulation import Bench, Derived
 
 
 def chain(n: int) -> str:

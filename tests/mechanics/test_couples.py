@@ -2,8 +2,8 @@
 
 import pytest
 
-from rbpsym.algebra.normal import is_zero
 from rbpsym.derive import derive
+from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.solve import solve
 from rbpsym.statement.library import problem_files

@@ -6,17 +6,17 @@ from types import SimpleNamespace as Told
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.scalar import symbol
-from rbpsym.algebra.vector import cartesian
 from rbpsym.ask.asking import ask
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.derive import derive
-from rbpsym.equality.decide import scalars_equal
 from rbpsym.errors import RbpsymError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import symbol
+from rbpsym.field.vector import cartesian
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import Problem
 

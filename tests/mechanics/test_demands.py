@@ -5,14 +5,14 @@ import random
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import PI, symbol
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.factoring import MINUS, PLUS, ZERO
-from rbpsym.equality.signs import sign
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.factoring import MINUS, PLUS, ZERO
+from rbpsym.decide.signs import sign
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import PI, symbol
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.numbers import number
-from rbpsym.notation.infix import read_infix
 
 GIVEN = Assumptions(
     dict.fromkeys(("m", "M", "k", "L", "mu"), "positive"),

@@ -1,8 +1,8 @@
 """Residues: what is said of a linear system is proved, never guessed."""
 
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.scalar import symbol
-from rbpsym.algebra.trig import cosine, sine
+from rbpsym.field.calculus import root
+from rbpsym.field.scalar import symbol
+from rbpsym.field.trig import cosine, sine
 from rbpsym.mechanics.elimination import is_surely_nonzero_on, solve_linear
 
 A, C, X, Y = map(symbol, "acxy")

@@ -4,11 +4,11 @@ from itertools import permutations
 
 import pytest
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero, same
-from rbpsym.algebra.scalar import NOTHING, symbol
-from rbpsym.algebra.trig import sine
+from rbpsym.field.calculus import depends_on, substitute
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero, same
+from rbpsym.field.scalar import NOTHING, symbol
+from rbpsym.field.trig import sine
 from rbpsym.mechanics.rest import resting_forces, unfit
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.study import Study

@@ -2,8 +2,8 @@
 
 import pytest
 
-from rbpsym.algebra.scalar import NOTHING, PI
 from rbpsym.errors import StatementError
+from rbpsym.field.scalar import NOTHING, PI
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
 from tests.mechanics.constraints.closed_forms import check

@@ -4,10 +4,10 @@ from types import SimpleNamespace as Told
 
 import pytest
 
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.scalar import symbol
-from rbpsym.derivation.chapters import inertia as chapter
-from rbpsym.derivation.chapters.places import Given
+from rbpsym.chapters import inertia as chapter
+from rbpsym.chapters.places import Given
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.inertia import inertia, mass_moments
 from tests.golden.semantic import examples
 from tests.library.derived import NAMES, problem, stated

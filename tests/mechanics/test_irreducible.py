@@ -2,9 +2,9 @@
 
 import pytest
 
-from rbpsym.algebra.ring import factors
-from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.algebra.trig import cosine, sine
+from rbpsym.field.ring import factors
+from rbpsym.field.scalar import Scalar, symbol
+from rbpsym.field.trig import cosine, sine
 from rbpsym.mechanics.roots import _is_irreducible, numerator_factors
 
 a, b, c, x = (symbol(name) for name in "abcx")

@@ -4,11 +4,11 @@ from fractions import Fraction
 
 import pytest
 
-from rbpsym.algebra.scalar import PI, lift, symbol
-from rbpsym.algebra.trig import cosine, sine
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.scalar import PI, lift, symbol
+from rbpsym.field.trig import cosine, sine
 from rbpsym.mechanics.geometry import components
 from rbpsym.mechanics.roots import _principal
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement.model import Line
 
 BETA = symbol("beta")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.field.scalar import NOTHING, UNITY, symbol
 from rbpsym.mechanics.events import Way, _on_way
 
 X = symbol("x")

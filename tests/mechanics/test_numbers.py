@@ -6,9 +6,11 @@ from fractions import Fraction
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import PI, lift, symbol
-from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.decide.assumptions import NONE, Assumptions
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import PI, lift, symbol
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import components
@@ -16,8 +18,6 @@ from rbpsym.mechanics.numbers import NoNumber, number, sample, samples
 from rbpsym.mechanics.rest import turns_within
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import Line
 from tests.library.derived import NAMES, problem

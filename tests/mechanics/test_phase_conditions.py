@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
+from rbpsym.chapters.impulses import hand_overs
 from rbpsym.commands.derive import lines
-from rbpsym.derivation.chapters.impulses import hand_overs
-from rbpsym.derivation.rules import certify
 from rbpsym.derive import derive
+from rbpsym.proof.rules import certify
 from rbpsym.solve import solve, text
 from rbpsym.statement import load_text
 

@@ -54,9 +54,9 @@ ASKED = [
 
 @pytest.mark.parametrize(("phase", "question", "expected"), ASKED)
 def test_how_a_phase_begins(phase: str, question: str, expected: str) -> None:
-    from rbpsym.algebra.evaluate import scalar
-    from rbpsym.algebra.normal import is_zero
-    from rbpsym.notation.infix import read_infix
+    from rbpsym.expr.infix import read_infix
+    from rbpsym.field.evaluate import scalar
+    from rbpsym.field.normal import is_zero
 
     [found] = ask(thrown(phase), question)
     assert is_zero(found.value - scalar(read_infix(expected, ("v_0", "g", "T")))), found.text

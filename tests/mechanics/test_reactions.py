@@ -1,7 +1,7 @@
 """Unknown forces have a value wherever the system can be: none is divided by a sine that may vanish."""
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.field.calculus import substitute
+from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
 from tests.mechanics.textbook import read

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.notation.infix import read_infix
+from rbpsym.oracles.lagrange import lagrange_verdict
+from rbpsym.oracles.simulation import simulate_study
 from rbpsym.statement.loader import load_text
-from rbpsym.verify.lagrange import lagrange_verdict
-from rbpsym.verify.simulation import simulate_study
 
 BLOCK = """
 [parameters]

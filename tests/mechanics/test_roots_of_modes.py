@@ -6,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from rbpsym.algebra.scalar import lift
-from rbpsym.equality.assumptions import NONE
+from rbpsym.decide.assumptions import NONE
+from rbpsym.field.scalar import lift
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.oscillation import conditions, decaying, eigenvalues, hurwitz, squares
 

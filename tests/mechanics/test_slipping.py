@@ -2,16 +2,16 @@
 
 import pytest
 
-from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.ask.asking import ask
 from rbpsym.errors import RbpsymError
+from rbpsym.field.calculus import depends_on, substitute
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.solutions import courses, given
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.text import to_text
 from rbpsym.solve import results
 from rbpsym.statement import load_text
+from rbpsym.typeset.text import to_text
 from tests.library.derived import FOLLOWED, problem
 
 BLOCK = """

@@ -5,15 +5,15 @@ from types import SimpleNamespace as Told
 
 import pytest
 
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.normal import is_zero, same
-from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
-from rbpsym.algebra.trig import cosine, sine
-from rbpsym.algebra.vector import cartesian
-from rbpsym.derivation.checks import _by_equations_of_motion
-from rbpsym.derivation.checks_stability import _along
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.chapters.methods import known_works
+from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import LimitError
+from rbpsym.expr import tree as t
+from rbpsym.field.calculus import root
+from rbpsym.field.normal import is_zero, same
+from rbpsym.field.scalar import NOTHING, UNITY, symbol
+from rbpsym.field.trig import cosine, sine
+from rbpsym.field.vector import cartesian
 from rbpsym.mechanics import oscillation
 from rbpsym.mechanics.constraints import _weld_angles
 from rbpsym.mechanics.contacts import slip_speed
@@ -26,8 +26,8 @@ from rbpsym.mechanics.placing import _join_angle
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solved import _terminal
 from rbpsym.mechanics.study import Study
-from rbpsym.methods import known_works
-from rbpsym.notation import tree as t
+from rbpsym.proof.checks.of_steps import _by_equations_of_motion
+from rbpsym.proof.checks.stability import _along
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import PointRef
 from tests.library.derived import NAMES, problem

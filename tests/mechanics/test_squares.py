@@ -1,6 +1,6 @@
 """Squares of speeds where several coordinates move: the last one from the energy integral."""
 
-from rbpsym.algebra.normal import is_zero
+from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
 from tests.mechanics.textbook import read

@@ -5,8 +5,8 @@ import random
 import numpy as np
 import pytest
 
-from rbpsym.algebra.scalar import lift, symbol
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.field.scalar import lift, symbol
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.stability import essential, is_stable, stable_where
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rbpsym.algebra.scalar import NOTHING, PI, symbol
+from rbpsym.field.scalar import NOTHING, PI, symbol
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
 

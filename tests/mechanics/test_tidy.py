@@ -3,9 +3,9 @@
 
 import pytest
 
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.normal import same, without_even_roots
-from rbpsym.algebra.scalar import Scalar, lift, symbol
+from rbpsym.field.calculus import root
+from rbpsym.field.normal import same, without_even_roots
+from rbpsym.field.scalar import Scalar, lift, symbol
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import inertia, tidy
 from rbpsym.mechanics.numbers import number, sample

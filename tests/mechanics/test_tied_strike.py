@@ -4,15 +4,15 @@ import re
 
 import pytest
 
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import symbol
+from rbpsym.decide.equal import equal
 from rbpsym.derive import derive
-from rbpsym.equality.decide import equal
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.pushing import start_valid
-from rbpsym.notation.infix import read_infix
+from rbpsym.present.forms import present
 from rbpsym.statement import load_text
 from rbpsym.statement.library import problem_files
 

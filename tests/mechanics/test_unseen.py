@@ -6,10 +6,10 @@ import re
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
 from rbpsym.derive import derive
 from rbpsym.errors import StatementError
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import problem_files

@@ -4,8 +4,8 @@ from fractions import Fraction
 
 import pytest
 
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.scalar import PI, symbol
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import PI, symbol
 from tests.mechanics.textbook import answer, complaints, derivation, read
 from tests.mechanics.variants import changed, edited, image, names_as_scalars, renamed, shipped, values
 

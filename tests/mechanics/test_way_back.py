@@ -4,12 +4,12 @@ import re
 
 import pytest
 
-from rbpsym.algebra.present import present
 from rbpsym.commands.derive import lines
 from rbpsym.derive import derive
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.machine import to_machine
+from rbpsym.present.forms import present
 from rbpsym.statement import load_text
+from rbpsym.typeset.machine import to_machine
 
 LOOP = """
 [parameters]

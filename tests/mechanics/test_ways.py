@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.pushing import start_valid, ways_taken

@@ -2,15 +2,15 @@
 
 import pytest
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import without_even_roots
-from rbpsym.equality.signs import sign
+from rbpsym.decide.signs import sign
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.calculus import substitute
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import is_zero
+from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import common_zeros, factor_zeros, factors_in, zeros
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement import load_text
 
 NAMES = ("a", "b", "c", "x", "theta")

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import Scalar
+from rbpsym.proof.step import Derivation
 from rbpsym.solve import results
 from rbpsym.statement.loader import load_problem
 

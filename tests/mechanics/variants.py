@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.field.calculus import substitute
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import Scalar, symbol
 from rbpsym.statement.library import problem_files
 from tests.mechanics.textbook import answer, read
 

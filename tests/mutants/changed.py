@@ -10,14 +10,14 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from rbpsym.algebra.vector import Space
+from rbpsym.claims.diagnosis import is_in_exponent, put, sites, terms
+from rbpsym.claims.diagnosis_numbers import Numbers, Sample, samples
+from rbpsym.claims.ground import Ground, Question
+from rbpsym.claims.integrals import prepared, valued
 from rbpsym.errors import NoNumber, RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field.vector import Space
 from rbpsym.mechanics.numbers import number
-from rbpsym.notation import tree as t
-from rbpsym.verify.claims_ground import Ground, Question
-from rbpsym.verify.claims_integrals import prepared, valued
-from rbpsym.verify.diagnosis import is_in_exponent, put, sites, terms
-from rbpsym.verify.diagnosis_numbers import Numbers, Sample, samples
 
 DIFFERENT = 1e-5
 COEFFICIENTS = tuple(
@@ -228,7 +228,7 @@ def _is_in_range(look: Sample) -> bool:
 
 
 def _is_false(relation: t.Chain, look: Sample) -> bool:
-    from rbpsym.verify.diagnosis_numbers import value
+    from rbpsym.claims.diagnosis_numbers import value
 
     left, right = (value(item, look) for item in relation.items)
     apart = right - left if relation.ops[0] in ("<", "<=") else left - right

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from rbpsym.algebra.scalar import symbol
-from rbpsym.notation import tree as t
-from rbpsym.verify.claims_ground import Ground
-from rbpsym.verify.diagnosis import is_in_exponent, put, sites
+from rbpsym.claims.diagnosis import is_in_exponent, put, sites
+from rbpsym.claims.ground import Ground
+from rbpsym.expr import tree as t
+from rbpsym.field.scalar import symbol
 
 HALF_TURN = t.Div(t.Sym("pi"), t.TWO)
 MULTIPLIERS = tuple(t.Num(n) for n in (2, 3, 5, 7, 4, 6, 9, 10, 12, 15, 16, 18, 20, 21, 24, 30))

@@ -12,13 +12,13 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 
-from rbpsym.notation import tree as t
-from rbpsym.notation.text import to_text
-from rbpsym.verify.claims_check import Checker, decide, read, relations
-from rbpsym.verify.claims_ground import Ground, glossary, with_own_symbols
-from rbpsym.verify.claims_loader import load_claims
-from rbpsym.verify.claims_model import Claim, Outcome
-from rbpsym.verify.claims_run import Worlds
+from rbpsym.claims.check import Checker, decide, read, relations
+from rbpsym.claims.ground import Ground, glossary, with_own_symbols
+from rbpsym.claims.loader import load_claims
+from rbpsym.claims.model import Claim, Outcome
+from rbpsym.claims.run import Worlds
+from rbpsym.expr import tree as t
+from rbpsym.typeset.text import to_text
 from tests.mutants.changed import is_different, mutants
 from tests.mutants.rewritten import rewrites
 

@@ -13,17 +13,17 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import Scalar
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import Values, number
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.pushing import ways_taken
 from rbpsym.mechanics.study import Study
+from rbpsym.oracles import simulation_phases
+from rbpsym.oracles.simulation import Bench, Derived, Errors, angular_momenta, known_works
 from rbpsym.statement.model import Problem
-from rbpsym.verify import simulation_phases
-from rbpsym.verify.simulation import Bench, Derived, Errors, angular_momenta, known_works
 from tests.oracles.motion import CLOSE, LONGEST, NEAR, Followed, Unfit, declared_start, follow, forces_at
 from tests.oracles.sets import Numbers, bounds, drawn
 

@@ -11,17 +11,17 @@ from types import MappingProxyType
 
 import numpy as np
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import Scalar
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.pushing import ways_kept
 from rbpsym.mechanics.study import Study
+from rbpsym.oracles.simulation import Bench
+from rbpsym.oracles.simulation_contacts import slipping, spot_at
+from rbpsym.oracles.simulation_placement import dotted
 from rbpsym.statement.paths import runs
-from rbpsym.verify.simulation import Bench
-from rbpsym.verify.simulation_contacts import slipping, spot_at
-from rbpsym.verify.simulation_placement import dotted
 
 USED_UP = 1e-2  # of a straight run of a string: it ends there
 LATE = 1e-6  # of the time of a phase: what ends then, ends it

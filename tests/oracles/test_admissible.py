@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derive import derive
 from rbpsym.errors import StatementError
+from rbpsym.field.scalar import NOTHING
 from rbpsym.mechanics.demands import assuming
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import number

@@ -16,13 +16,13 @@ import pytest
 
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.study import Study
+from rbpsym.oracles.simulation import Bench, Derived
 from rbpsym.solve import results
 from rbpsym.statement.loader import load_problem
-from rbpsym.verify.simulation import Bench, Derived
-from tests.derivation.conftest import FILES
 from tests.library.derived import FOLLOWED
 from tests.oracles.conftest import DRAWS, SETS
 from tests.oracles.sets import Numbers, bounds, drawn
+from tests.proof.conftest import FILES
 
 ALL = (*FOLLOWED, "systems/guided-rod", "systems/damped-rod", "systems/cart-rod", "systems/rod-on-strings")
 FEW, MANY = 2, 20

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 
-from rbpsym.algebra.scalar import NOTHING, symbol
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.decide import compare
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.equal import compare
+from rbpsym.field.scalar import NOTHING, symbol
 from tests.oracles.judged import judged
 from tests.oracles.systems import FAMILIES, statement, used
 

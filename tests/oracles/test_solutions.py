@@ -13,9 +13,9 @@ from rbpsym.mechanics import solutions
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.numeric.integration import followed
+from rbpsym.oracles.simulation_phases import _bench
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
-from rbpsym.verify.simulation_phases import _bench
 from tests.ask.lines import on_line
 from tests.oracles.sets import drawn
 

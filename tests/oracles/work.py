@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from unittest.mock import patch
 
-from rbpsym.algebra.poly import Poly
-from rbpsym.verify.simulation_motion import Equations
+from rbpsym.field.poly import Poly
+from rbpsym.oracles.simulation_motion import Equations
 
 A_PLACE = 8  # of a motion at which the equations are solved: it takes as long as so many terms
 

@@ -7,23 +7,23 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import ask
+from rbpsym.decide.bounds import of_symbol
+from rbpsym.decide.samples import chosen, samples_of
+from rbpsym.decide.verdict import proved, undecided
 from rbpsym.derive import derive
 from rbpsym.document.model import Math
 from rbpsym.document.notes import words_of
-from rbpsym.document.plots.following import at
-from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.samples import chosen, samples_of
-from rbpsym.equality.verdict import proved, undecided
 from rbpsym.errors import StatementError
-from rbpsym.notation.text import to_text
+from rbpsym.field.calculus import names_in
+from rbpsym.field.evaluate import scalar
+from rbpsym.pictures.plots.following import at
 from rbpsym.remarks.choosing import KINDS, guarded, remarks
 from rbpsym.remarks.dependence import monotone
 from rbpsym.remarks.result import Made, results
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.typeset.text import to_text
 
 
 @cache

@@ -6,19 +6,19 @@ from pathlib import Path
 
 import pytest
 
-from rbpsym.algebra import NOTHING, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import RbpsymError, ReadError, StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import NOTHING, substitute
+from rbpsym.field.normal import is_zero
+from rbpsym.field.scalar import Scalar, symbol
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.pushing import begins, begun_numbers
-from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
 from rbpsym.solve import answer_of, solve
 from rbpsym.statement import load_text
+from rbpsym.typeset.machine import to_machine
 from tests.library.derived import FOLLOWED, NAMES, problem, unsimulated
 
 FALLING = """

@@ -4,11 +4,11 @@ import json
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import same
 from rbpsym.ask.asking import own_answers
 from rbpsym.ask.telling import record
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import same
 from rbpsym.solve import solve
 from rbpsym.statement.library import problem_files
 from tests.library.derived import answered, derived, problem

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from rbpsym.notation import tree
-from rbpsym.notation.tree import Node
+from rbpsym.expr import tree
+from rbpsym.expr.tree import Node
 from rbpsym.statement.model import MassElement
 
 Values = Mapping[str, float]

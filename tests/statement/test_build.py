@@ -100,7 +100,7 @@ def test_no_algebra_is_imported() -> None:
     code = (
         "import sys; from rbpsym.statement import load_problem, find_problem;"
         "load_problem(find_problem('sliding-ladder'));"
-        "print([m for m in sys.modules if m.startswith(('sympy', 'rbpsym.algebra', 'rbpsym.mechanics'))])"
+        "print([m for m in sys.modules if m.startswith(('sympy', 'rbpsym.field', 'rbpsym.mechanics'))])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"

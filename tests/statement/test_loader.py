@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.tree import ZERO, Num, Sym, names
+from rbpsym.expr.tree import ZERO, Num, Sym, names
 from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement import find_problem, load_problem, load_text, problem_files
 from rbpsym.statement.model import Element, Problem
@@ -119,7 +119,7 @@ def test_lines(text: str, a: float, b: float, c: float) -> None:
     from math import atan
 
     import rbpsym.statement.references as lines
-    from rbpsym.notation.infix import read_infix
+    from rbpsym.expr.infix import read_infix
 
     known = {"x": 0, "y": 0, "beta": 0, "ell": 0}
     left, right = (read_infix(side.strip(), known) for side in text.split("="))

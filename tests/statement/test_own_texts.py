@@ -10,10 +10,10 @@ from rbpsym.document.notes import course_notes
 from rbpsym.document.own_texts import asserting
 from rbpsym.document.phrases import languages, phrases
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.latex import to_latex
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
 from rbpsym.statement.own_text import OwnFormula, own_paragraphs
+from rbpsym.typeset.latex import to_latex
 
 CLAIM = r"""
 [settings.ladder]

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr.infix import read_infix
 from rbpsym.statement import load_text
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS

@@ -12,17 +12,17 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from rbpsym.claims.check import relations
 from rbpsym.cli import main
 from rbpsym.document.phrases import languages, phrases
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.places import put, sites
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.places import put, sites
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
 from rbpsym.studio.sheet import Sheet
 from rbpsym.studio.tutor import ACCEPTED, NARRATES, TELLS, TRUE, UNDECIDED, UNJUSTIFIED, WRONG, Tutor
-from rbpsym.verify.claims_check import relations
+from rbpsym.typeset.latex import to_latex
 from tests.library.derived import NAMES, derived
 
 PAPER = tuple(part.name for part in load_course(course_files()["paper"]).parts if part.kind == "problem")

@@ -7,11 +7,11 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import cache
 
-from rbpsym.document.figures.scene import Label, Line, Scene
 from rbpsym.document.model import Display, FigureBlock, Math, Paragraph, Text, words
-from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import notation_for
-from rbpsym.notation.infix import read_infix, read_relation
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import notation_for
+from rbpsym.expr.infix import read_infix, read_relation
+from rbpsym.pictures.figures.scene import Label, Line, Scene
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem

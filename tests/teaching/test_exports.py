@@ -15,10 +15,10 @@ from xml.etree import ElementTree as Tree
 
 import pytest
 
-from rbpsym.algebra.evaluate import value
 from rbpsym.document.model import Paragraph, words
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import value
 from rbpsym.teaching.exports.bench import free_pairs, nearest_pairs, orders
 from rbpsym.teaching.exports.page import zipped
 from rbpsym.teaching.formats import Exported, Options, exporter

@@ -9,7 +9,6 @@ import math
 import pytest
 
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.machine import to_machine
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.choices import judge_choice
 from rbpsym.teaching.grading.desk import Desk, grade_worksheet
@@ -20,6 +19,7 @@ from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.model import ChoiceKey, ExplanationKey, FormulaKey, NumberKey, Option, Student
 from rbpsym.teaching.plan import plan_of
 from rbpsym.teaching.spreadsheets import parse_answers
+from rbpsym.typeset.machine import to_machine
 
 CHAIN = """
 title = "Chain"

@@ -11,9 +11,6 @@ from pathlib import Path
 import pytest
 
 from rbpsym.errors import ReadError
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.machine import to_machine
-from rbpsym.notation.text import to_text
 from rbpsym.teaching.grading.desk import Desk, Mark, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name
 from rbpsym.teaching.grading.marking import grade
@@ -34,6 +31,9 @@ from rbpsym.teaching.model import (
 from rbpsym.teaching.plan import plan_of
 from rbpsym.teaching.spreadsheets import RISKY, marks_csv, parse_answers, read_answers, safe
 from rbpsym.teaching.units import measure_text
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.machine import to_machine
+from rbpsym.typeset.text import to_text
 from tests.teaching.sample_worksheet import POWERED, worksheet
 
 SHEET, DESK = worksheet(), Desk()

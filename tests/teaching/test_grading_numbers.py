@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from rbpsym.errors import RbpsymError
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.answer import grade_number
 from rbpsym.teaching.grading.number import judge_number, wanted

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 
 import pytest
 
-from rbpsym.algebra import NOTHING, substitute
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.document.model import Display, Math, Paragraph
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, substitute
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import Scalar
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.spoilers import is_telling, meaning

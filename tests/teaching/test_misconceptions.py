@@ -8,11 +8,11 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.decide import equal, scalars_equal
-from rbpsym.equality.dimensions import dimension_of
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
+from rbpsym.decide.dimensions import dimension_of
+from rbpsym.decide.equal import equal, scalars_equal
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.teaching.bench import ProblemBench

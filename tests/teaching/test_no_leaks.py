@@ -7,8 +7,7 @@ from functools import cache
 
 import pytest
 
-from rbpsym.notation import tree as t
-from rbpsym.notation.text import to_text
+from rbpsym.expr import tree as t
 from rbpsym.teaching import model as m
 from rbpsym.teaching.formats import Options, exporter
 from rbpsym.teaching.papers import latex_paper, typst_paper
@@ -16,6 +15,7 @@ from rbpsym.teaching.papers.html_paper import write_html
 from rbpsym.teaching.papers.layout import paper_document
 from rbpsym.teaching.plan import plan_of
 from rbpsym.teaching.units import measure_text
+from rbpsym.typeset.text import to_text
 
 SOURCES = ["rod-and-disk-fixed", "sliding-ladder", "rod-and-disk-free", "works-that-cancel", "spin-part", "falling-spool"]
 OTHER = t.Mul((t.Num(17), t.Sym("g")))

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 import rbpsym
-from rbpsym.derivation.step import BodyRef
+from rbpsym.decide.dimensions import a
 from rbpsym.document.language import usual_notation
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.equality.dimensions import a
+from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
@@ -26,11 +26,11 @@ from rbpsym.teaching.wording import languages, say_slip
 
 HOUSE = Path(rbpsym.__file__).parent
 READERS = (
-    *sorted((HOUSE / "notation").glob("infix*.py")),
-    *(HOUSE / "notation" / f"{name}.py" for name in ("limits", "source")),
+    *sorted((HOUSE / "expr").glob("infix*.py")),
+    *(HOUSE / "expr" / f"{name}.py" for name in ("limits", "source")),
     HOUSE / "statement" / "units.py",
     *(
-        HOUSE / "notation" / f"latex_{name}.py"
+        HOUSE / "expr" / "latex" / f"{name}.py"
         for name in ("calculus", "functions", "grammar", "names", "reader", "rows", "sums", "tokens")
     ),
     *(HOUSE / "teaching" / "grading" / f"{name}.py" for name in ("quantity", "reading", "words")),

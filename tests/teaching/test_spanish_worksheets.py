@@ -9,10 +9,10 @@ from functools import cache
 
 import pytest
 
-from rbpsym.document.figures.scene import Scene
 from rbpsym.document.model import Text
 from rbpsym.document.phrases import INLINES, grammar
-from rbpsym.notation.tree import Node
+from rbpsym.expr.tree import Node
+from rbpsym.pictures.figures.scene import Scene
 from rbpsym.teaching.papers.layout import key_document, paper_document
 from rbpsym.teaching.plan import plan_of
 from tests.library.test_spanish import ENGLISH, FEMININE, MASCULINE, PASSED

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.derivation.draft import length
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.draft import length
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.lines import shares

@@ -8,10 +8,10 @@ from functools import cache
 
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.decide import equal, scalars_equal
+from rbpsym.decide.equal import equal, scalars_equal
+from rbpsym.expr import tree as t
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.compiled import compiled

@@ -6,9 +6,9 @@ from functools import cache
 
 import pytest
 
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.grading.answer import grade_answer

@@ -209,7 +209,7 @@ def page_keys(sheet: Worksheet) -> dict:
 
 def test_the_page_checks_typed_formulas_numbers_and_orders() -> None:
     sheet, keys = ladder(), page_keys(ladder())
-    from rbpsym.notation.text import to_text
+    from rbpsym.typeset.text import to_text
 
     cases = []
     for item in sheet.items:

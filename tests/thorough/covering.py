@@ -21,7 +21,7 @@ from tests.library import derived
 ROOT = Path(__file__).parents[2]
 HOME = str(ROOT / "rbpsym") + "/"
 INSTANCES = 8
-ROOMS = ("tests/notation", "tests/equality", "tests/algebra", "tests/mechanics")
+ROOMS = ("tests/expr", "tests/decide", "tests/field", "tests/mechanics")
 GOLDEN = "tests/golden/test_semantic.py::test_it_says"  # what every problem says: they come to most places
 WHOLE = (*ROOMS, GOLDEN)
 ONCE = ("derived", "derived_from", "checked_claims")  # of tests.library.derived: kept for all tests of a worker

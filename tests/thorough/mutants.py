@@ -35,17 +35,16 @@ from tests.thorough.warm import altered, serve
 ROOT = Path(__file__).parents[2]
 # area: (share of the draw, patterns of its files)
 AREAS: Mapping[str, tuple[int, tuple[str, ...]]] = {
-    "field": (60, ("algebra/*.py",)),
-    "verdicts": (60, ("equality/*.py",)),
+    "field": (60, ("field/*.py", "present/*.py")),
+    "verdicts": (60, ("decide/*.py",)),
     "mechanics": (90, ("mechanics/*.py",)),
-    "steps and checkers": (80, ("derivation/*.py", "derivation/chapters/*.py", "methods/*.py", "verify/lagrange.py")),
-    "readers": (50, ("notation/infix*.py", "notation/latex_*.py")),
+    "steps and checkers": (80, ("proof/**/*.py", "chapters/**/*.py", "oracles/lagrange.py")),
+    "readers": (50, ("expr/infix*.py", "expr/latex/*.py")),
     "printers": (
         60,
         (
-            *(f"notation/{name}.py" for name in "latex mathml omml typst text printer machine speech glyphs boxes".split()),
-            *(f"notation/{name}_layout.py" for name in ("algebra", "atom", "calculus", "function")),
-            "document/figures/svg.py", "document/figures/tikz.py", "document/writers/word_math.py",
+            "typeset/*.py", "expr/glyphs.py",
+            "pictures/figures/svg.py", "pictures/figures/tikz.py", "document/writers/word*.py",
             "teaching/exports/canvas.py",
         ),
     ),

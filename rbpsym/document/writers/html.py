@@ -10,18 +10,18 @@ from markupsafe import Markup, escape
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.accents import accented
-from rbpsym.document.escaping import typographic
-from rbpsym.document.figures.svg import color_rules, to_svg
 from rbpsym.document.files import data_folder
 from rbpsym.document.model import Display
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen
-from rbpsym.notation import boxes as b
-from rbpsym.notation.mathml import render, to_mathml
-from rbpsym.notation.tree import Node
+from rbpsym.pictures.figures.svg import color_rules, to_svg
+from rbpsym.typeset import boxes as b
+from rbpsym.typeset.accents import accented
+from rbpsym.typeset.escaping import typographic
+from rbpsym.typeset.mathml import render, to_mathml
 
 # --- formulas in HTML: MathML whose lines fold at + and − where the screen is narrow
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.escaping import latex_text
-from rbpsym.document.figures.tikz import tikz_styles, to_tikz
 from rbpsym.document.numbering import numbered
 from rbpsym.document.phrases import plain
 from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.rare_letters import with_rare_letters
-from rbpsym.notation.latex import PREAMBLE, render, to_latex
+from rbpsym.pictures.figures.tikz import tikz_styles, to_tikz
+from rbpsym.typeset import cutting
+from rbpsym.typeset.escaping import latex_text
+from rbpsym.typeset.latex import PREAMBLE, render, to_latex
 
 COLUMN = 37.0
 
@@ -135,7 +136,7 @@ def cell(inlines: tuple, page: Page) -> str:
 def strut(row: tuple, page: Page) -> str:
     """What keeps the lines of a row with tall formulas apart."""
     nodes = [part.node for inlines in row for part in inlines if isinstance(part, d.Math)]
-    tall = any(breaking.node_height(node, page.notation) > 1.6 for node in nodes)
+    tall = any(cutting.node_height(node, page.notation) > 1.6 for node in nodes)
     return r"\tallrow" if tall else ""
 
 

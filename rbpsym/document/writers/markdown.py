@@ -7,12 +7,13 @@ from collections.abc import Mapping
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.escaping import markdown_text
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
 from rbpsym.document.writers.page import Page, body, prints
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.letters import script
+from rbpsym.expr.letters import script
+from rbpsym.typeset import cutting
+from rbpsym.typeset.escaping import markdown_text
+from rbpsym.typeset.latex import to_latex
 
 # --- laTeX that survives Markdown: on GitHub, formulas pass through the reader of Markdown before MathJax
 # Taken for emphasis: an underscore after a bracket (github.com/github/markup, issue 1575). Taken for
@@ -112,7 +113,7 @@ def cell(inlines: d.Inlines, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
     if len(inlines) != 1 or not isinstance(inlines[0], d.Math):
         return in_cell(page.inlines(inlines))
-    style = r"\displaystyle " if breaking.node_height(inlines[0].node, page.notation) > 1.6 else ""
+    style = r"\displaystyle " if cutting.node_height(inlines[0].node, page.notation) > 1.6 else ""
     return in_cell(f"${style}{in_markdown(to_latex(inlines[0].node, page.notation))}$")
 
 

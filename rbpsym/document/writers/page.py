@@ -8,8 +8,8 @@ from functools import cache
 from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
 from rbpsym.document.phrases import plain
+from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, replace
-from rbpsym.notation.glyphs import Notation
 
 Print = Callable[[object, "Page"], str]
 

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from rbpsym.document.model import Emph, Inlines, Math, Ref, Strong, Text
 from rbpsym.document.writers.page import Page, Print
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.text import to_text
+from rbpsym.expr.glyphs import Notation
+from rbpsym.typeset.text import to_text
 
 PLAIN: Mapping[type, Print] = {
     Text: lambda inline, page: inline.text,

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from unicodedata import category, name
 
-from rbpsym.notation.letters import LETTERS
+from rbpsym.expr.letters import LETTERS
 
 # what inputenc knows with T1 and TS1, as ranges of code points
 KNOWN = re.compile(

@@ -8,15 +8,15 @@ from textwrap import wrap
 
 import click
 
+from rbpsym.decide.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
 from rbpsym.document import model as d
-from rbpsym.document.escaping import columns, padded
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
+from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.tree import Chain, System
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.text import to_text
-from rbpsym.notation.tree import Chain, System
+from rbpsym.typeset.escaping import columns, padded
+from rbpsym.typeset.text import to_text
 
 MARKS: Mapping[Kind, tuple[str, str]] = {PROVED: ("✓", "green"), REFUTED: ("✗", "red"), UNDECIDED: ("?", "yellow")}
 UNCERTIFIED = ("○", "green")  # proved, and Rocq was asked and has not certified it

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.escaping import typst_string, typst_text
-from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.notation.speech import to_speech
-from rbpsym.notation.tree import Node
-from rbpsym.notation.typst import render, to_typst
+from rbpsym.expr.tree import Node
+from rbpsym.pictures.figures.typst import to_typst_drawing
+from rbpsym.typeset.escaping import typst_string, typst_text
+from rbpsym.typeset.speech import to_speech
+from rbpsym.typeset.typst import render, to_typst
 
 COLUMN = 43.0
 

@@ -6,15 +6,15 @@ from collections.abc import Mapping
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.escaping import typographic
 from rbpsym.document.files import extra
 from rbpsym.document.model import Display
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, prints
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_xml import STAYS, Cell, TableLook, link, paragraph, safe, table_of, text_run
-from rbpsym.notation.layout import layout
-from rbpsym.notation.omml import NOTHING, formula, render, to_omml
+from rbpsym.typeset.escaping import typographic
+from rbpsym.typeset.layout import layout
+from rbpsym.typeset.omml import NOTHING, formula, render, to_omml
 
 # --- displayed formulas in Word: native equations in a row with their number, lines meeting at the relation signs
 

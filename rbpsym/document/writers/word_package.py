@@ -13,7 +13,7 @@ from rbpsym.document.numbering import parts
 from rbpsym.document.pictures import Picture, pictures
 from rbpsym.document.writers.word_xml import UNPRINTABLE, W
 from rbpsym.frozen import Frozen
-from rbpsym.notation.omml import NAMESPACE
+from rbpsym.typeset.omml import NAMESPACE
 
 LETTERS = "Cambria"
 EMU = 360_000  # a centimetre

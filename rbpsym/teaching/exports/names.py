@@ -6,9 +6,9 @@ import keyword
 import re
 from collections.abc import Iterable, Mapping
 
-from rbpsym.notation import tree as t
-from rbpsym.notation.machine import to_machine
+from rbpsym.expr import tree as t
 from rbpsym.statement.model import Problem
+from rbpsym.typeset.machine import to_machine
 
 # names that mean something in Maxima or sympy
 _WORDS = ("beta", "gamma", "zeta", "psi", "lambda", "e", "i", "pi", "I", "E", "S", "N", "O", "Q", "C", "D")

@@ -14,15 +14,15 @@ from collections.abc import Callable, Mapping
 from markupsafe import escape
 
 from rbpsym.document import model as d
-from rbpsym.document.figures.scene import Scene
 from rbpsym.document.pictures import drawings
 from rbpsym.document.writers.html import HTML
 from rbpsym.document.writers.page import Page, Print, shell
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.latex import to_latex
-from rbpsym.notation.mathml import to_mathml
-from rbpsym.notation.tree import Node
+from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.tree import Node
+from rbpsym.pictures.figures.scene import Scene
 from rbpsym.teaching.model import BLANK
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.mathml import to_mathml
 
 SQUARE = r"\square "
 ELSEWHERE = (

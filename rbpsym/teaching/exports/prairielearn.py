@@ -12,7 +12,6 @@ from markupsafe import Markup, escape
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.writers.page import shell
 from rbpsym.frozen import Frozen
-from rbpsym.notation.latex import to_latex
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
@@ -21,6 +20,7 @@ from rbpsym.teaching.exports.names import sympy_text
 from rbpsym.teaching.exports.page import between, slug
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.wording import feedback, left_out
+from rbpsym.typeset.latex import to_latex
 
 OURS = UUID("6f0a1a5e-6a0e-5f6c-9a39-2d0c5b7f9d11")  # the space in which the ids of questions are made
 

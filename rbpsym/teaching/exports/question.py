@@ -13,8 +13,8 @@ from typing import Any
 from markupsafe import escape
 
 from rbpsym.document.model import Math, Text
+from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen
-from rbpsym.notation import tree as t
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from rbpsym.algebra import Scalar, atoms
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.signs import sign
+from rbpsym.decide.signs import sign
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import Scalar, atoms
+from rbpsym.field.evaluate import scalar
 from rbpsym.statement.model import Problem
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading import judgement as j

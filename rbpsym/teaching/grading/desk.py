@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
 from rbpsym.teaching.grading import judgement as j

@@ -18,15 +18,15 @@ from rbpsym.document.translated import translated as document_translated
 from rbpsym.document.writers.page import shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.glyphs import renamed
-from rbpsym.notation.mathml import to_mathml
-from rbpsym.notation.tree import Node
+from rbpsym.expr.glyphs import renamed
+from rbpsym.expr.tree import Node
 from rbpsym.teaching.grading.desk import Mark
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status, sentence
 from rbpsym.teaching.model import Slip, Worksheet
 from rbpsym.teaching.papers.naming import own
 from rbpsym.teaching.units import number_text
 from rbpsym.teaching.wording import FOLDER, say_slip, teaching_phrases
+from rbpsym.typeset.mathml import to_mathml
 
 # --- what the readers say of an answer that can't be read, in the language of the worksheet
 

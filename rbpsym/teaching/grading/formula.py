@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeVar
 
-from rbpsym.algebra import Scalar
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.decide import scalars_equal
-from rbpsym.equality.dimensions import a, dimension_of
+from rbpsym.decide.dimensions import a, dimension_of
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
-from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
@@ -289,7 +289,7 @@ def _with_meaning(ground: GradingGround, name: str, node: t.Node) -> GradingGrou
 
 
 def _is_linear(gap: t.Node, sought: Sought) -> bool:
-    from rbpsym.algebra import atoms
+    from rbpsym.field import atoms
 
     value = _value(gap, sought.ground)
     if value is None:

@@ -10,15 +10,15 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import lcm
 
-from rbpsym.algebra import BARE, NOTHING, Scalar, Scope, atoms, is_zero, symbol
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.assumptions import NONE, Assumptions
-from rbpsym.equality.decide import cross_difference, scalars_equal
-from rbpsym.equality.factoring import primes
-from rbpsym.equality.verdict import Verdict, undecided
+from rbpsym.decide.assumptions import NONE, Assumptions
+from rbpsym.decide.equal import cross_difference, scalars_equal
+from rbpsym.decide.factoring import primes
+from rbpsym.decide.verdict import Verdict, undecided
+from rbpsym.expr import tree as t
+from rbpsym.expr.limits import number_of
+from rbpsym.field import BARE, NOTHING, Scalar, Scope, atoms, is_zero, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation import tree as t
-from rbpsym.notation.limits import number_of
 
 LARGEST_NUMBER = 10**6  # that is split into primes
 Power = tuple[t.Node, Fraction]

@@ -6,14 +6,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from types import MappingProxyType
 
-from rbpsym.algebra import BARE, Scalar, Scope
-from rbpsym.algebra.exponentials import with_squares
-from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.decide.assumptions import NONE, Assumptions
+from rbpsym.expr.glyphs import Notation, glyph, renamed
+from rbpsym.expr.letters import without_accents
+from rbpsym.expr.symbol_table import SymbolTable, drawn_glyph, symbol_table
+from rbpsym.field import BARE, Scalar, Scope
+from rbpsym.field.exponentials import with_squares
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.glyphs import Notation, glyph, renamed
-from rbpsym.notation.letters import without_accents
-from rbpsym.notation.symbol_table import SymbolTable, drawn_glyph, symbol_table
 from rbpsym.quantities import LENGTH, MASS, TIME, Dimension
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.teaching.grading.intervals import Sampling

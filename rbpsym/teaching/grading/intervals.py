@@ -8,16 +8,16 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from rbpsym.algebra import BARE, Scope, function, symbol
-from rbpsym.equality import enclosure as e
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.enclosure import Enclosure, Number, Outside
-from rbpsym.equality.points import Point, points
-from rbpsym.equality.verdict import Verdict, Witness, refuted, undecided
+from rbpsym.decide import enclosure as e
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.enclosure import Enclosure, Number, Outside
+from rbpsym.decide.points import Point, points
+from rbpsym.decide.verdict import Verdict, Witness, refuted, undecided
+from rbpsym.expr import tree as t
+from rbpsym.expr.limits import number_of
+from rbpsym.expr.tree import Node
+from rbpsym.field import BARE, Scope, function, symbol
 from rbpsym.frozen import Frozen, field
-from rbpsym.notation import tree as t
-from rbpsym.notation.limits import number_of
-from rbpsym.notation.tree import Node
 
 MOST_POINTS = 4
 MOST_DENOMINATOR, CLOSE = 64, Fraction(1, 10**20)  # of a ratio that is told

@@ -8,7 +8,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import Any
 
-from rbpsym.equality.verdict import Witness
+from rbpsym.decide.verdict import Witness
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.teaching.model import Slip

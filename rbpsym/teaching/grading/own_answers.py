@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.equality.dimensions import dimension_of
+from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.limits import number_of
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.numbers import number
-from rbpsym.notation import tree as t
-from rbpsym.notation.limits import number_of
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Status

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from rbpsym.equality import enclosure
-from rbpsym.equality.dimensions import dimension_of
-from rbpsym.equality.enclosure import ends
+from rbpsym.decide import enclosure
+from rbpsym.decide.dimensions import dimension_of
+from rbpsym.decide.enclosure import ends
 from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
 from rbpsym.frozen import Frozen, replace
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix
 from rbpsym.statement.units import UnitOf, read_unit
 from rbpsym.teaching.grading.ground import Book, GradingGround
 from rbpsym.teaching.grading.intervals import enclosed

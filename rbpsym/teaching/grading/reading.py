@@ -9,10 +9,10 @@ from functools import partial
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, Place, ReadError
-from rbpsym.notation import tree as t
-from rbpsym.notation.infix import Ways, read_infix, read_relation, read_ways
-from rbpsym.notation.infix_names import MAX_LENGTH
-from rbpsym.notation.latex_reader import latex_ways, read_latex
+from rbpsym.expr import tree as t
+from rbpsym.expr.infix import Ways, read_infix, read_relation, read_ways
+from rbpsym.expr.infix_names import MAX_LENGTH
+from rbpsym.expr.latex.reader import latex_ways, read_latex
 from rbpsym.teaching.grading import dialects as d
 from rbpsym.teaching.grading.dialects import NUMBER, arguments_from, is_label, latex, without_unit
 from rbpsym.teaching.grading.ground import Book
@@ -67,7 +67,7 @@ def is_latex(text: str) -> bool:
 
 
 def plain(text: str, book: Book) -> str:
-    """Typed text in the grammar of `notation.infix`, with the names of the problem."""
+    """Typed text in the grammar of `expr.infix`, with the names of the problem."""
     for step in STEPS:
         text = step(text, book)
     return text

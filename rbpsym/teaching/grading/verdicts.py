@@ -1,4 +1,4 @@
-"""Is an answer equal to a key? Decided by `rbpsym.equality`, with a bound on the work, not on the time."""
+"""Is an answer equal to a key? Decided by `rbpsym.decide`, with a bound on the work, not on the time."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from collections.abc import Callable
 from math import comb
 from typing import Any
 
-from rbpsym.algebra.evaluate import at_start, rate, scalar
-from rbpsym.equality.decide import equal, scalars_equal
-from rbpsym.equality.domain import Condition, conditions, holds_at
-from rbpsym.equality.enclosure import sign_of
-from rbpsym.equality.points import Point, points
-from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import Verdict, undecided
+from rbpsym.decide.domain import Condition, conditions, holds_at
+from rbpsym.decide.enclosure import sign_of
+from rbpsym.decide.equal import equal, scalars_equal
+from rbpsym.decide.points import Point, points
+from rbpsym.decide.signs import sign
+from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.errors import LimitError, ReadError, Undecided
-from rbpsym.notation import tree as t
-from rbpsym.notation.limits import number_of
-from rbpsym.notation.tree import Node
+from rbpsym.expr import tree as t
+from rbpsym.expr.limits import number_of
+from rbpsym.expr.tree import Node
+from rbpsym.field.evaluate import at_start, rate, scalar
 from rbpsym.teaching.grading.fractional_powers import equal_with_roots
 from rbpsym.teaching.grading.ground import GradingGround
 

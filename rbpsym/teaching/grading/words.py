@@ -13,11 +13,11 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from rbpsym.errors import ReadError
-from rbpsym.notation import tree as t
-from rbpsym.notation.hyperbolic import HYPERBOLIC
-from rbpsym.notation.infix_names import FUNCTIONS
-from rbpsym.notation.letters import LETTERS, SAME_LETTER, names_of_letter
-from rbpsym.notation.limits import number_of
+from rbpsym.expr import tree as t
+from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.infix_names import FUNCTIONS
+from rbpsym.expr.letters import LETTERS, SAME_LETTER, names_of_letter
+from rbpsym.expr.limits import number_of
 from rbpsym.teaching.grading.ground import Book
 
 # --- trees that students write, in the words of the field: e^x, 2^x, hyperbolic functions, cube roots

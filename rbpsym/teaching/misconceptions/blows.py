@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from rbpsym.algebra import Scalar, substitute
-from rbpsym.algebra.present import present
-from rbpsym.derivation.step import BodyRef
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, substitute
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.present.forms import present
+from rbpsym.proof.step import BodyRef
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.targets import axes

@@ -7,11 +7,11 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from rbpsym.algebra import NOTHING, ORIGIN, Scalar, is_zero, short, symbol
-from rbpsym.derivation.step import BodyRef
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, ORIGIN, Scalar, is_zero, short, symbol
 from rbpsym.mechanics.motion import ForceWork, Work, along_motion
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import model as change

@@ -7,15 +7,15 @@ from dataclasses import replace
 from functools import partial
 from math import prod
 
-from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, depends_on, is_zero, substitute
-from rbpsym.derivation.step import BodyRef
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, depends_on, is_zero, substitute
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import BodyRef
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site, Sites, of_forces, weights
 from rbpsym.teaching.targets import axes

@@ -7,11 +7,11 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial, reduce
 
-from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.derivation.step import BodyRef
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, Scalar, is_zero, names_in
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import BodyRef
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site, Sites
 from rbpsym.teaching.targets import axes

@@ -7,13 +7,13 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from rbpsym.algebra import NOTHING, UNITY, depends_on, derivative, is_zero, short
-from rbpsym.derivation.step import BodyRef
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, UNITY, depends_on, derivative, is_zero, short
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.energy import with_energy

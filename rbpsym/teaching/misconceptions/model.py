@@ -6,16 +6,16 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property, partial
 from typing import Any
 
-from rbpsym.algebra import Scalar, Vector, is_zero
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import present
-from rbpsym.derivation.step import BodyRef
 from rbpsym.errors import NoNumber
+from rbpsym.expr.tree import Node, Vec
+from rbpsym.field import Scalar, Vector, is_zero
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
-from rbpsym.notation.tree import Node, Vec
+from rbpsym.present.forms import present
+from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Element, Problem
 
 

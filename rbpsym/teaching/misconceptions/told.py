@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.study import Study
 from rbpsym.teaching.misconceptions.model import Site

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 
 from rbpsym.document.model import Block, Display, FigureBlock, Inlines, Math, Paragraph
+from rbpsym.expr import tree as t
+from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen
-from rbpsym.notation import tree as t
-from rbpsym.notation.tree import Node
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 

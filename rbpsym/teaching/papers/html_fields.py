@@ -7,13 +7,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from markupsafe import escape
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.writers.html import content, inline_math
 from rbpsym.document.writers.page import Page
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.text import to_text
-from rbpsym.notation.tree import Node, Sym
+from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.tree import Node, Sym
+from rbpsym.field.evaluate import scalar
 from rbpsym.statement.printed_units import OFFERED, offered
 from rbpsym.teaching import model as m
 from rbpsym.teaching.codes import Draws
@@ -22,6 +21,7 @@ from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.papers.layout import SIGN_WORDS, feedback
 from rbpsym.teaching.units import si
 from rbpsym.teaching.wording import plain_text
+from rbpsym.typeset.text import to_text
 
 # --- values of formulas at some points, for pages that compare typed formulas without holding the key
 

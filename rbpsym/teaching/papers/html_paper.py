@@ -18,7 +18,7 @@ from rbpsym.document.writers.html import HTML, font, style
 from rbpsym.document.writers.html import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text as bare
-from rbpsym.notation.tree import Node
+from rbpsym.expr.tree import Node
 from rbpsym.teaching import model as m
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked
 from rbpsym.teaching.papers.html_fields import FIELDS

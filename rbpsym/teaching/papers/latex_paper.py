@@ -6,19 +6,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from rbpsym.document import breaking
-from rbpsym.document.escaping import latex_text
-from rbpsym.document.figures.tikz import tikz_styles
 from rbpsym.document.model import Document, FigureBlock, Section, Table
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import LATEX, babel, blocks, cell
 from rbpsym.document.writers.latex import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text as bare
-from rbpsym.notation.latex import PREAMBLE, render
-from rbpsym.notation.tree import Node
+from rbpsym.expr.tree import Node
+from rbpsym.pictures.figures.tikz import tikz_styles
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, Rules, fits_a_page, height
 from rbpsym.teaching.papers.layout import head
+from rbpsym.typeset.escaping import latex_text
+from rbpsym.typeset.latex import PREAMBLE, render
 
 COLUMN = 36.0
 INDENT = r"{} \qquad "

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
-from rbpsym.derivation.step import Derivation
 from rbpsym.document import model as d
 from rbpsym.document.language import usual_notation
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.proof.step import Derivation
 from rbpsym.teaching import model as m
 from rbpsym.teaching.papers.blocks import LETTERS, AnswerOptions, EmptySpace, Form, Lead, Marked, Rules
 from rbpsym.teaching.units import measure_text, number_text

@@ -77,7 +77,7 @@ def _typst_sets(text: str) -> bool:
     """Tried on a page that holds nothing else."""
     import typst
 
-    from rbpsym.document.escaping import typst_string
+    from rbpsym.typeset.escaping import typst_string
 
     source = f'#set document(title: "x")\n#set text(font: "{FONT}", lang: "en")\n#{typst_string(text)}'
     try:

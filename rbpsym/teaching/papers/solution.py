@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rbpsym.derivation.step import Derivation
 from rbpsym.document.chapters import chapter_sections
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, words
 from rbpsym.document.notes import shown_steps, words_of
 from rbpsym.document.notes_events import phase_sentences
 from rbpsym.document.notes_statement import statement_section
-from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, sentences
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.pictures.pose import DrawnPose
+from rbpsym.proof.step import Derivation
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
 from rbpsym.teaching.model import Measure

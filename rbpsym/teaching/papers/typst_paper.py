@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
-from rbpsym.document.escaping import typst_string, typst_text
 from rbpsym.document.model import Document, Section
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text as bare
 from rbpsym.document.writers.typst import TYPST, blocks, cell_content, spoken
 from rbpsym.document.writers.typst import section as titled_section
-from rbpsym.notation.tree import Node
-from rbpsym.notation.typst import render, to_typst
+from rbpsym.expr.tree import Node
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, Rules, fits_a_page
 from rbpsym.teaching.papers.layout import head
+from rbpsym.typeset.escaping import typst_string, typst_text
+from rbpsym.typeset.typst import render, to_typst
 
 COLUMN = 38.0
 

@@ -7,15 +7,15 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from rbpsym.algebra import UNITY, Scalar, is_zero, substitute, symbol
-from rbpsym.derivation.step import BodyRef
+from rbpsym.decide.signs import sign
 from rbpsym.document.model import Display, Math, Paragraph
-from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.field import UNITY, Scalar, is_zero, substitute, symbol
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import LENGTH, MASS
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, formula_of
 from rbpsym.teaching.distractors import Wrong, shown

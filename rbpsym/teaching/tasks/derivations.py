@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 
-from rbpsym.algebra import Scalar, is_zero, substitute
-from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.document.needless import is_struck
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, is_zero, substitute
 from rbpsym.frozen import Frozen
-from rbpsym.notation import tree as t
+from rbpsym.proof.step import Step
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, sentence
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, gist, has_value, lines_to, piece, precedence, shares

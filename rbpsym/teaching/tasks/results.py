@@ -7,9 +7,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rbpsym.algebra import Poly, Scalar
 from rbpsym.document.model import Math, Paragraph
-from rbpsym.notation import tree as t
+from rbpsym.expr import tree as t
+from rbpsym.field import Poly, Scalar
 from rbpsym.teaching import bench as b
 from rbpsym.teaching.distractors import Distractor, apart, shown
 from rbpsym.teaching.model import Anticipated, ChoiceKey, FormulaKey, Item, Measure, NumberKey, Option

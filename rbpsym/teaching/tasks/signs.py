@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from rbpsym.algebra import NOTHING
-from rbpsym.derivation.step import BodyRef
-from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.model import Block, FigureBlock, Math, Paragraph, Table
-from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.motion import Work
-from rbpsym.notation import tree as t
+from rbpsym.pictures.figures.free_body import free_body
+from rbpsym.pictures.sketches import sketch_of
+from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import ENERGY
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, given_as
 from rbpsym.teaching.model import AskedQuantity, Item, SignRow, SignsKey

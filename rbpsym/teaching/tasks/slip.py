@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.derivation.draft import length
-from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Inlines, Paragraph
+from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
-from rbpsym.notation import tree as t
+from rbpsym.proof.draft import length
+from rbpsym.proof.step import Step
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench
 from rbpsym.teaching.lines import gist, lines_to, piece, precedence
 from rbpsym.teaching.misconceptions.model import sign_of

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import same
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.equality.verdict import PROVED
+from rbpsym.decide.verdict import PROVED
+from rbpsym.expr.infix import read_infix
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import same
+from rbpsym.field.scalar import Scalar
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.infix import read_infix
+from rbpsym.oracles.lagrange import lagrange_verdict
+from rbpsym.oracles.simulation import Derived, simulate
 from rbpsym.solve import text
 from rbpsym.statement import build as rb
 from rbpsym.statement.model import Problem
-from rbpsym.verify.lagrange import lagrange_verdict
-from rbpsym.verify.simulation import Derived, simulate
 
 GRAVITY = {"W": rb.gravity()}
 TOLERANCE = 1e-6

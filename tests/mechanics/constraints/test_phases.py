@@ -2,9 +2,9 @@
 
 import pytest
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import substitute
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.field import atoms
+from rbpsym.field.calculus import substitute
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import results

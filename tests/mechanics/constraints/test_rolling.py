@@ -2,7 +2,7 @@
 
 import pytest
 
-from rbpsym.algebra.normal import is_zero
+from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.study import Study
 from rbpsym.statement import build as rb
 from tests.mechanics.constraints.closed_forms import assert_same, check, stated, work_of

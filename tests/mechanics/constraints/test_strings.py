@@ -1,6 +1,6 @@
 """Strings over pulleys and round drums, against the closed forms of textbooks."""
 
-from rbpsym.algebra.normal import is_zero
+from rbpsym.field.normal import is_zero
 from rbpsym.statement import build as rb
 from tests.mechanics.constraints.closed_forms import assert_same, check, stated, work_of
 

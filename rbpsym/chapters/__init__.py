@@ -1,0 +1,1 @@
+"""What a derivation tells, and in which order."""

@@ -1,0 +1,275 @@
+"""How a phase of the motion ends: when or where, and the state at that moment.
+
+Where the accelerations are constant, the moment is found first; else the place, and the speed there
+from the first integral.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute, symbol, time_derivative
+from rbpsym.frozen import Frozen
+from rbpsym.mechanics.arrivals import State, at_start
+from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.jumps import Kept, until_no_slip
+from rbpsym.mechanics.system import Force, by_letters, in_state
+from rbpsym.present.forms import present
+from rbpsym.proof.draft import Draft
+from rbpsym.proof.step import BodyRef, PhraseRef, Step, StepRef, bodies_named
+from rbpsym.statement.curves import curve_body, toucher
+from rbpsym.statement.model import Phase
+
+
+def write(draft: Draft, ending: Ending) -> None:
+    """Steps that lead to the state at the end; none where the next phase begins at once."""
+    if ending.phase.event == "at once":
+        return
+    state, slip = ending.state, _slip(draft, ending)
+    sources = [] if slip is None else kept_until(draft, ending, slip)
+    if sources:
+        _state(draft, ending, "speed", state.speeds, sources)
+    if state.time is not None:
+        _condition(draft, ending, slip)
+        _moment(draft, ending)
+    else:
+        _place(draft, ending)
+    _state(draft, ending, "place", state.places)
+    if not sources:
+        _state(draft, ending, "speed", state.speeds)
+    _energy(draft, ending)
+
+
+# --- when
+
+
+def _slip(draft: Draft, ending: Ending) -> Scalar | None:
+    """How fast it slips; None where no slip ends."""
+    if ending.phase.event != "no slip":
+        return None
+    system = draft.study.system
+    geometry = geometry_of(system)
+    return short(substitute(slip_speed(geometry, meeting(system.element(ending.phase.subject), geometry)), system.dependent))
+
+
+def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
+    """For a slip that goes: its speed, and the rate at which that changes."""
+    if value is None:
+        return
+    study, element = draft.study, draft.study.system.element(ending.phase.subject)
+    letter = draft.define(draft.free("u"), value)
+    on, by = toucher(element), curve_body(element)
+    draft.add(
+        "slip.speed",
+        "slip",
+        t.equation(letter, draft.show(value)),
+        "phases.slip",
+        letter=letter,
+        body=BodyRef(on or by),
+        data={"element": element, "value": value},
+    )
+    rate = short(study.on_motion(time_derivative(value, study.system.scope)))
+    draft.add(
+        "slip.rate",
+        "balance",
+        t.equation(t.Deriv(letter), draft.show(rate, factor=True)),
+        "phases.slip_rate",
+        premises=["slip.speed"],
+        letter=letter,
+    )
+
+
+def _moment(draft: Draft, ending: Ending) -> None:
+    """t_1."""
+    time = ending.state.time
+    letter = draft.define(draft.free(f"t_{ending.number}"), time)
+    draft.add(
+        "moment",
+        "event_time",
+        t.equation(letter, draft.show(time, factor=True, met=ending.state.valid or None)),
+        f"phases.moment.{MOMENTS[begun(ending.phase)]}",
+        premises=draft.those("slip.speed", "slip.rate"),
+        letter=letter,
+        coordinate=t.Sym(ending.phase.subject or ""),
+        is_result=True,
+        obligations=draft.asked(ending.state.valid),
+        data={"ending": ending},
+    )
+
+
+# --- where
+
+
+def _place(draft: Draft, ending: Ending) -> None:
+    """The place at which the force vanishes, friction reaches its limit, or a coordinate its value."""
+    [name] = _mover(draft, ending)
+    value = ending.state.places[name]
+    letter = draft.define(place_name(draft, name, ending.number), value)
+    draft.add(
+        "place",
+        "event_place",
+        t.equation(letter, draft.show(value)),
+        f"phases.place.{PLACES[begun(ending.phase)]}",
+        letter=letter,
+        force=t.Sym(ending.phase.subject or ""),
+        coordinate=t.Sym(name),
+        is_result=True,
+        obligations=draft.asked(ending.state.valid),
+        data={"ending": ending, "name": name, "value": value},
+    )
+
+
+def begun(phase: Phase) -> str:
+    """The event as it is told: a string that begins is taut."""
+    return "taut" if phase.gap is not None and "path" in phase.gap.values else phase.event
+
+
+MOMENTS = {"no slip": "slip", "reaches": "value", "takes": "value", "rests": "rest", "time": "time", "begins": "begins",
+           "taut": "taut"}  # fmt: skip
+PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value", "no slip": "rest", "rests": "turn",
+          "begins": "value", "taut": "value"}  # fmt: skip
+
+
+def _mover(draft: Draft, ending: Ending) -> list[str]:
+    """The independent coordinate that moved."""
+    start, names = at_start(draft.study), draft.study.system.independent
+    known = [n for n in names if n in draft.study.squares and ending.state.places[n] != symbol(n)]
+    moved = [n for n in known if not is_zero(ending.state.places[n] - start.places[n])]
+    return moved[:1] or list(names[:1])
+
+
+# --- the state then
+
+
+def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar], given: Sequence[Step] = ()) -> None:
+    """All places (or speeds) that were not named yet, or only by what is kept, from which they follow then."""
+    rows, letters, start = [], {}, at_start(draft.study)
+    begun = start.places if what == "place" else start.speeds
+    name_of: Callable[[Draft, str, int], str] = place_name if what == "place" else speed_name
+    for name, value in values.items():
+        letter = name_of(draft, name, ending.number)
+        known = letter in draft.context.scalars and not given
+        draft.context.scalars[letter] = value
+        if not known and value not in (symbol(name), symbol(f"{name}_dot")) and not is_zero(value - begun[name]):
+            rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True, met=ending.state.valid or None)))
+            letters[letter] = name
+    if rows:
+        draft.add(
+            f"state.{what}",
+            "end_state",
+            t.system(rows),
+            f"phases.state.{'kept' if given else what}",
+            premises=[step.id for step in given] or draft.those("moment", "place"),
+            sources=[StepRef(step.id) for step in given],
+            free=PhraseRef("phases.free", {"coefficient": _coefficient(draft, ending), "count": len(rows)}),
+            count=len(rows),
+            is_result=True,
+            data={"ending": ending, "what": what, "letters": letters},
+        )
+
+
+def _coefficient(draft: Draft, ending: Ending) -> t.Node:
+    """That of the friction of what slips; 0 where nothing does."""
+    element = draft.study.system.element(ending.phase.subject) if ending.phase.event == "no slip" else None
+    return t.ZERO if element is None else element["coefficient"]
+
+
+def _energy(draft: Draft, ending: Ending) -> None:
+    """What kinetic friction has taken by then."""
+    study, start = draft.study, at_start(draft.study)
+    if ending.phase.event != "no slip":
+        return
+    before, after = (kinetic(draft, s.places, s.speeds) for s in (start, ending.state))
+    lost = short(before - after)
+    letters = [draft.define(draft.free(f"K_{k}"), v) for k, v in ((ending.number - 1, before), (ending.number, after))]
+    states = ((study.system, start.places, start.speeds), (study.system, ending.state.places, ending.state.speeds))
+    draft.add(
+        "energy.taken",
+        "energy_jump",
+        t.equation(t.add(letters[0], t.neg(letters[1])), draft.show(lost, factor=True)),
+        "phases.taken",
+        premises=draft.those("state.speed"),
+        is_result=True,
+        data={"states": states},
+    )
+
+
+def kinetic(draft: Draft, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Scalar:
+    """The kinetic energy of the draft's system in a state."""
+    return short(in_state(sum(draft.study.kinetic, NOTHING), places, speeds))
+
+
+def is_plain(value: Scalar) -> bool:
+    """Zero, a number or a single name: there is no need for a name of its own."""
+    return value.number() is not None or isinstance(present(value), t.Sym)
+
+
+def speed_symbol(draft: Draft, coordinate: str, number: int, value: Scalar) -> Scalar:
+    """The speed at the end of a phase as it is written in an equation: its value if that is plain, else its letter."""
+    name = speed_name(draft, coordinate, number)
+    return value if is_plain(value) or name not in draft.context.scalars else symbol(name)
+
+
+class Ending(Frozen):
+    """The end of the phase number `number` (counted from 1) that begins `phase`."""
+
+    phase: Phase
+    number: int
+    state: State
+
+
+def place_name(draft: Draft, coordinate: str, number: int) -> str:
+    """x_1: the coordinate at the end of phase 1."""
+    return draft.free(f"{coordinate}_{number}")
+
+
+def speed_name(draft: Draft, coordinate: str, number: int) -> str:
+    """x_1_dot, or v_1 where the speed is called v."""
+    alias = draft.study.problem.notation.get(f"{coordinate}_dot")
+    return draft.free(f"{alias}_{number}" if alias else f"{coordinate}_{number}_dot")
+
+
+def kept_until(draft: Draft, ending: Ending, slip: Scalar) -> list[Step]:
+    """The steps; none where what is kept does not give the speeds at the end."""
+    found = until_no_slip(draft.study, slip, ending.state)
+    for name in draft.study.system.independent if found else ():
+        draft.context.scalars[speed_name(draft, name, ending.number)] = ending.state.speeds[name]
+    return [_kept_step(draft, ending, kept, slip) for kept in found]
+
+
+def _kept_step(draft: Draft, ending: Ending, kept: Kept, slip: Scalar) -> Step:
+    letters = draft.study.letters
+    point = t.Sym(kept.label or letters.free("C", taken=letters.things))
+    return draft.add(
+        f"kept.{kept.label or 'there'}.{'.'.join(kept.bodies)}",
+        "kept_until",
+        t.system([_unchanged(draft, ending, kept.value), t.equation(draft.show(_then(draft, ending, slip)), t.ZERO)]),
+        f"phases.until.{'named' if kept.label else 'there'}",
+        bodies=bodies_named(kept.bodies),
+        point=point,
+        place=draft.show_vector(kept.where),
+        silent=_those("phases.quiet", kept.silent, point),
+        cancel=_those("phases.cancel", kept.cancel, point),
+        data={"kept": kept, "ending": ending},
+    )
+
+
+def _those(key: str, forces: tuple[Force, ...], point: t.Node) -> PhraseRef:
+    names = [t.Vec(name) for name in dict.fromkeys(force.name for force in forces)]
+    return PhraseRef(key if names else "torque.none", {"forces": names, "count": len(names), "point": point})
+
+
+def _unchanged(draft: Draft, ending: Ending, value: Scalar) -> t.Node:
+    """L at the end = L at the start, positive where both are negative."""
+    value = -value if isinstance(draft.show(value), t.Neg) else value
+    begun = by_letters(at_start(draft.study).speeds)
+    return t.equation(draft.show(_then(draft, ending, value)), draft.show(substitute(value, begun)))
+
+
+def _then(draft: Draft, ending: Ending, value: Scalar) -> Scalar:
+    """A value at the end, its speeds as letters."""
+    names = draft.study.system.independent
+    images = {f"{name}_dot": symbol(speed_name(draft, name, ending.number)) for name in names}
+    return substitute(substitute(value, images), ending.state.places)

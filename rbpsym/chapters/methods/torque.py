@@ -1,0 +1,241 @@
+"""Angular momentum and torque: the planner's balances, written out and solved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.chapters.methods.balances import Balance, Plan, outer_forces, plan, silent_forces
+from rbpsym.chapters.methods.body_by_body import along_k, by_bodies
+from rbpsym.errors import LimitError
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, UNITY, Scalar, Space, at_most, is_zero, same, short, symbol
+from rbpsym.field.calculus import names_in
+from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.present.signs import positive_first
+from rbpsym.proof.draft import Draft, acceleration_symbol, length
+from rbpsym.proof.step import Step, StepRef, bodies_named
+
+NAME = "torque"
+MOST_PRODUCTS = 150_000  # what takes more can't be read either; of what a method may spend it leaves enough for the other way
+
+
+def write(draft: Draft) -> Mapping[str, Scalar] | None:
+    """The steps; returns the accelerations that they give, None if the method does not apply."""
+    draft.chapter, before = "motion", len(draft.steps)
+    try:
+        with at_most(MOST_PRODUCTS):
+            found = plan(draft.study)
+            if found is not None:
+                return _solve(draft, found, _balances(draft, found))
+    except LimitError:
+        draft.forget(before)
+    draft.skip(NAME, "skipped.planner")
+    _projected(draft)
+    return None
+
+
+def _projected(draft: Draft) -> None:
+    """The equations of motion along the velocities that the constraints allow, where no balances were found."""
+    dynamics, system = draft.study.dynamics, draft.study.system
+    for name, row, force in zip(system.independent, dynamics.mass_matrix, dynamics.forcing, strict=True):
+        left = sum((m * symbol(a) for m, a in zip(row, system.accelerations, strict=True)), NOTHING)
+        draft.add(
+            f"motion.{name}",
+            "balance",
+            t.equation(draft.show(left), draft.show(force)),
+            "torque.projected",
+            coordinate=t.Sym(name),
+            is_result=True,
+        )
+
+
+def _balances(draft: Draft, found: Plan) -> list[Step]:
+    """The balances one after the other; an acceleration that one says is zero is left out of the next."""
+    steps: list[Step] = []
+    settled: dict[str, Step] = {}
+    for balance in found.balances:
+        steps.append(_balance(draft, balance, settled))
+        settled.update({n: steps[-1] for n in balance.unknowns if len(balance.unknowns) == 1 and _vanishes(draft, n)})
+    return steps
+
+
+def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
+    if balance.kind == "force":
+        pushed = _push(draft, balance)
+        if balance.left and not balance.right and len(balance.unknowns) > 1:
+            _kept_momentum(draft, balance, pushed)
+        return pushed
+    whole = _rate(draft, balance, _net_torque(draft, balance))
+    if _is_of_parts(draft, balance):
+        by_bodies(draft, balance, settled)
+    return whole
+
+
+def _is_of_parts(draft: Draft, balance: Balance) -> bool:
+    """Whether the whole is made of bodies that turn in different ways, so that one may see what acts between them."""
+    return balance.kind == "fixed" and len(balance.bodies) > 1 and not _is_rigid(draft, balance.bodies)
+
+
+def _is_rigid(draft: Draft, bodies: tuple[str, ...]) -> bool:
+    """Whether the bodies turn with one angular velocity about the same point (welded together)."""
+    states = [draft.study.system.bodies[name] for name in bodies]
+    return all(same(states[0].omega, state.omega) for state in states[1:])
+
+
+def _point(draft: Draft, balance: Balance) -> t.Sym:
+    """What the point is called: a fixed one as it is, the centre of mass, or a letter that no thing has."""
+    letters = draft.study.letters
+    return t.Sym({"fixed": balance.label, "center": "cm"}.get(balance.kind) or letters.free("C", taken=letters.things))
+
+
+def _subscript(draft: Draft, balance: Balance) -> str:
+    return "_".join([_point(draft, balance).name, *balance.bodies])
+
+
+def _net_torque(draft: Draft, balance: Balance) -> Step:
+    """The net torque on the set, force by force."""
+    forces = outer_forces(draft.study.system, balance.bodies)
+    name = draft.free(f"tau_{_subscript(draft, balance)}" if not draft.is_single else f"tau_{_point(draft, balance).name}")
+    parts = [short(f.torque(balance.where)) for f in forces]
+    shown = t.add(*positive_first([draft.show(part) for part in parts if part]))
+    draft.context.vectors[name] = Space(z=balance.right)
+    together = draft.show(balance.right, factor=True)
+    shorter = length(together) < 0.8 * length(shown)
+    items = [t.Vec(name), along_k(shown)] + ([along_k(together)] if shorter and len(parts) > 1 else [])
+    left = names_in(balance.right)  # a normal force may have no torque, and yet stay in that of its friction
+    silent = [f for f in forces if f.unknowns and not left & set(f.unknowns)]
+    return draft.add(
+        f"torque.{balance.kind}.{'.'.join(balance.bodies)}",
+        "torque",
+        t.equation(*items),
+        f"torque.net.{_manner(draft, balance)}",
+        premises=[f"force.{f.name}.{f.on}" for f in forces],
+        point=_point(draft, balance),
+        bodies=bodies_named(balance.bodies),
+        silent=silent_forces(silent),
+        place=draft.show_vector(balance.where),
+        variant="some" if balance.right else "zero",
+        data={"forces": tuple(forces), "origin": balance.where, "value": balance.right},
+    )
+
+
+def _manner(draft: Draft, balance: Balance) -> str:
+    """How the point is spoken of: a moving one is where a round body touches, or a joint."""
+    touching = balance.kind == "moving" and balance.label in draft.study.problem.body_names
+    return "contact" if touching else balance.kind
+
+
+def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
+    """Rate of change of angular momentum = net torque."""
+    momenta = _momenta(draft, balance)
+    statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
+    return draft.add(
+        f"balance.{'.'.join(balance.bodies)}",
+        "balance",
+        statement,
+        f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'fixed_unseen'}",
+        premises=[net.id, *(ref.id for ref in momenta if ref.id.endswith(f".{balance.label}"))],
+        point=_point(draft, balance),
+        bodies=bodies_named(balance.bodies),
+        net=StepRef(net.id),
+        momenta=momenta,
+        variant="some" if balance.right else "zero",
+        data={"origin": balance.where},
+    )
+
+
+def _momenta(draft: Draft, balance: Balance) -> list[StepRef]:
+    """The steps that gave the angular momentum whose rate of change is balanced."""
+    whole = set(balance.bodies) == set(draft.study.system.bodies) and len(balance.bodies) > 1
+    ids = [f"momentum.total.{balance.label}"] if whole else [f"momentum.{b}.{balance.label}" for b in balance.bodies]
+    spins = [s.id for b in balance.bodies for s in draft.steps if s.id.startswith(f"momentum.{b}.")][:1]
+    return [StepRef(id) for id in [id for id in ids if draft.has(id)] or spins]
+
+
+def _left(draft: Draft, balance: Balance) -> t.Node:
+    """The inertial side; about a moving point the two parts stand separately."""
+    if balance.kind in ("moving", "crossing"):
+        orbital, spin = NOTHING, NOTHING
+        for name in balance.bodies:
+            state = draft.study.system.bodies[name]
+            orbital = orbital + state.mass * (state.center - balance.where).cross(state.acceleration)
+            spin = spin + state.moment * state.alpha
+        return t.add(*(draft.show_brief(short(part)) for part in (orbital, spin) if not is_zero(part)))
+    return draft.show_brief(balance.left)
+
+
+def _push(draft: Draft, balance: Balance) -> Step:
+    """Mass times acceleration along a direction; where nothing accelerates, the forces balance."""
+    axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(balance.label, draft.show_vector(balance.where))
+    way = balance.label.split(" ")[0]
+    manner = "rest" if is_zero(balance.left) else "push" if balance.right else "free"
+    whole = len(balance.bodies) > 1
+    return draft.add(
+        f"push.{balance.label}.{'.'.join(balance.bodies)}",
+        "balance",
+        t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=not whole)),
+        f"torque.{manner}.{way}",
+        bodies=bodies_named(balance.bodies),
+        axis=axis,
+        variant="whole" if whole else "one",
+        data={"along": balance.where, "bodies": balance.bodies},
+    )
+
+
+def _kept_momentum(draft: Draft, balance: Balance, pushed: Step) -> None:
+    """The momentum along a direction in which no outer force acts, by its name."""
+    states = (draft.study.system.bodies[name] for name in balance.bodies)
+    value = short(sum((state.mass * state.velocity.dot(balance.where) for state in states), NOTHING))
+    letter = draft.define(draft.free(f"P_{balance.label.split(' ')[0]}", "tot"), value)
+    draft.add(
+        f"kept.{balance.label}.{'.'.join(balance.bodies)}",
+        "conservation",
+        t.equation(letter, draft.show(value)),
+        "torque.kept",
+        premises=[pushed.id],
+        letter=letter,
+        data={"value": value},
+    )
+
+
+def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
+    """The accelerations, from one equation each where that is enough."""
+    solution = solve_linear([b.row for b in found.balances], found.unknowns)
+    values = {n: solution.values[n] for n in draft.study.system.accelerations}
+    for name, value in values.items():
+        premises = _sources(draft, found, steps, name)
+        coordinate = name.removesuffix("_ddot")
+        draft.add(
+            f"motion.{coordinate}",
+            "solution",
+            t.equation(t.Sym(name), *_as_second_rate(draft, coordinate), draft.show(value, factor=True)),
+            "torque.solved" if value else "torque.solved_zero",
+            premises=premises,
+            is_result=bool(value) or not any(values.values()),
+            sources=[StepRef(p) for p in premises],
+            count=len(premises),
+            coordinate=t.Sym(coordinate),
+            acceleration=acceleration_symbol(coordinate),
+        )
+    return values
+
+
+def _as_second_rate(draft: Draft, coordinate: str) -> tuple[t.Node, ...]:
+    """d²θ/dt² where the acceleration has a letter of its own, so that one sees the differential equation."""
+    has_letter = f"{coordinate}_ddot" in draft.study.problem.notation
+    return (t.Deriv(t.Sym(coordinate), "t", 2),) if has_letter else ()
+
+
+def _sources(draft: Draft, found: Plan, steps: list[Step], name: str) -> list[str]:
+    """The one equation that holds no other unknown, with those that say of its others that they are zero; else all."""
+    zeros = {n for n in draft.study.system.accelerations if n != name and _vanishes(draft, n)}
+    for known in (set(), zeros):
+        for own, balance in zip(steps, found.balances, strict=True):
+            if balance.unknowns - known == {name}:
+                pairs = zip(steps, found.balances, strict=True)
+                return [s.id for s, b in pairs if s is own or (known and b.unknowns <= known)]
+    return [s.id for s in steps]
+
+
+def _vanishes(draft: Draft, name: str) -> bool:
+    return is_zero((draft.study.dynamics.accelerations or {}).get(name, UNITY))

@@ -1,0 +1,1 @@
+"""Formulas that somebody claims: decided, diagnosed, compared."""

@@ -1,0 +1,283 @@
+"""Near misses: what a refuted relation seems to mean, decided by equality on repaired relations.
+
+Repairs are small: another sign, number, exponent, function, symbol, moment of inertia or point.
+Floating-point numbers choose which of them are decided; only one that is PROVED is told.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from rbpsym.claims.check import decide
+from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
+from rbpsym.claims.diagnosis_numbers import TOLERANCE, samples
+from rbpsym.claims.ground import Ground, Question, holds_unknowns
+from rbpsym.claims.integrals import prepared
+from rbpsym.claims.model import Claim, Outcome
+from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.limits import number_of
+from rbpsym.expr.places import Path, put, sites
+from rbpsym.field import Scalar, depends_on, symbol
+from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import Frozen, replace
+from rbpsym.present.forms import present
+from rbpsym.quantity.bound import Bound
+from rbpsym.typeset.text import to_text
+
+
+def terms(relation: t.Chain) -> Iterator[tuple[Path, t.Node]]:
+    """The terms of all sums and the sides themselves, the right side first: what can have a sign or be left out."""
+    for path, node in sorted(sites(relation), key=lambda item: item[0][:1] != (("items", 1),)):
+        if path and (path[-1][0] in ("terms", "items")) and node != t.ZERO:
+            yield path, node
+
+
+def is_in_exponent(path: Path) -> bool:
+    """Does the place stand in an exponent, or in the limits of an integral?"""
+    return any(name in ("exponent", "lower", "upper", "to", "condition") for name, _ in path)
+
+
+MOST_UNSEEN, MOST_LOOSE, MOST_DECIDED = 24, 400, 12
+FACTORS = tuple(Fraction(n, d) for n, d in (
+    (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (6, 1), (1, 6), (8, 1), (1, 8), (5, 1),
+    (1, 5), (12, 1), (1, 12), (-2, 1), (-1, 2),
+))  # fmt: skip
+
+
+class Diagnosis(Frozen):
+    """What a refuted relation seems to mean, in words, and the relation that was proved in its place."""
+
+    words: str = ""
+    relation: t.Chain | None = None
+
+
+def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
+    """The first repair that is PROVED; what is true of a symbol that stands alone if none is."""
+    if relation.ops != ("=",):
+        return Diagnosis()
+    loose = any(ground.kind(name) in ("constant", "up to a constant") for name in t.names(relation))  # then numbers say nothing
+    looks = [] if loose else samples(Question(ground, claim.holds), relation=relation)
+    decided, unseen, most = 0, 0, MOST_LOOSE if loose else MOST_UNSEEN
+    for repair in _repairs(relation, claim, ground):
+        if len(set(repair.relation.items)) == 1:
+            continue  # I = I says nothing
+        seen = _is_likely(repair, ground, looks)
+        unseen += seen is None
+        if seen is False or (seen is None and unseen > most) or decided >= MOST_DECIDED:
+            continue
+        decided += seen is True
+        link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
+        if link.outcome is Outcome.PROVED:
+            return Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
+    return Diagnosis(_actual(relation, ground))
+
+
+FACT = "in fact"  # begins a diagnosis that is no near miss
+LONGEST = 120  # characters of a value that is told
+
+
+def _actual(relation: t.Chain, ground: Ground) -> str:
+    """What a quantity that stands alone on one side really is; "" if that is not known or too long to read."""
+    alone = next((node for node in relation.items if isinstance(node, t.Sym)), None)
+    question = Question(ground)
+    if alone is None or question.motion.is_free or ground.kind(alone.name) != "value":
+        return ""
+    try:
+        found = question.seen(scalar(alone, ground.scope), "start")
+    except (RbpsymError, ZeroDivisionError):
+        return ""
+    if found == symbol(alone.name) or holds_unknowns(found, question) or tells_of_work(found, question):
+        return ""
+    told = to_text(present(found))
+    return f"{FACT} {to_text(alone)} is {told}" if len(told) <= LONGEST else ""
+
+
+def tells_of_work(found: Scalar, question: Question) -> bool:
+    """Does it hold a work that was not carried out?"""
+    return any(depends_on(found, name) for name in question.motion.ledger)
+
+
+def _is_likely(repair: Repair, ground: Ground, looks: list) -> bool | None:
+    """Do numbers agree with the repaired relation? None if they can't be had."""
+    if not looks:
+        return None
+    own = repair.ground or ground
+    try:
+        ready = t.Chain(tuple(prepared(item, own) for item in repair.relation.items), ("=",))
+    except (RbpsymError, ZeroDivisionError):
+        return False
+    if repair.ground is not None:
+        looks = [replace(look, question=replace(look.question, ground=own), known={}) for look in looks]
+    gaps = [look.gap(ready) for look in looks]
+    return None if None in gaps else max(gaps) < TOLERANCE
+
+
+def _repairs(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
+    for rule in RULES:
+        yield from rule(relation)
+    yield from _moments(relation, ground)
+    yield from _pivots(relation, claim, ground)
+    yield from edits(relation, claim, ground)
+
+
+def _signs(relation: t.Chain) -> Iterator[Repair]:
+    for path, node in terms(relation):
+        yield Repair(put(relation, path, t.neg(node)), f"sign of {to_text(node)}")
+
+
+def _products(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, t.Cross):
+        yield replace(node, left=node.right, right=node.left), "order of the vector product"
+
+
+def _coefficients(path: Path, node: t.Node) -> Iterator[Change]:
+    return iter(()) if is_in_exponent(path) else numbers(path, node)
+
+
+def _extra(relation: t.Chain) -> Iterator[Repair]:
+    for path, node in terms(relation):
+        if path[-1][0] == "terms":
+            parent = next(found for way, found in sites(relation) if way == path[:-1])
+            rest = [part for place, part in enumerate(parent.terms) if place != path[-1][1]]
+            yield Repair(put(relation, path[:-1], t.add(*rest)), f"the term {to_text(node)} is too much")
+
+
+def _factors(relation: t.Chain) -> Iterator[Repair]:
+    for path, node in sorted(terms(relation), key=lambda item: item[0][-1][0] != "terms"):
+        for factor in FACTORS:
+            yield Repair(put(relation, path, _times(factor, node)), f"factor {factor} at {to_text(node)}")
+
+
+def _times(factor: Fraction, node: t.Node) -> t.Node:
+    """The node with its number in front multiplied."""
+    if isinstance(node, t.Mul) and (number := number_of(node.factors[0])) is not None:
+        return t.mul(t.Num(number * factor), *node.factors[1:])
+    if isinstance(node, t.Neg):
+        return t.neg(_times(factor, node.arg))
+    return t.mul(t.Num(factor), node)
+
+
+def _functions(path: Path, node: t.Node) -> Iterator[Change]:
+    for other in TURNS if isinstance(node, t.Fn) and node.name in TURNS else ():
+        if other != node.name:
+            yield replace(node, name=other), f"{other} in place of {node.name}"
+
+
+def _exponents(path: Path, node: t.Node) -> Iterator[Change]:
+    if is_in_exponent(path):
+        return
+    if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
+        for step in (-1, 1):
+            yield t.power(node.base, node.exponent.value + step), f"exponent of {to_text(node.base)}"
+    elif (isinstance(node, (t.Sym, t.Fn, t.Group)) and (not path or path[-1][0] != "base")) or (
+        isinstance(node, t.Add) and path and path[-1][0] in ("factors", "terms")
+    ):
+        yield t.Pow(node, t.TWO), f"exponent of {to_text(node)}"
+
+
+def _symbols(relation: t.Chain) -> Iterator[Repair]:
+    """One symbol in place of another that the formula has, in one place or everywhere."""
+    names = sorted({node.name for _, node in sites(relation) if isinstance(node, t.Sym)})
+    for path, node in sites(relation):
+        if isinstance(node, t.Sym) and not is_in_exponent(path):
+            for other in names:
+                if other != node.name:
+                    words = f"{to_text(t.Sym(other))} in place of {to_text(node)}"
+                    yield Repair(put(relation, path, t.Sym(other)), words)
+    for one in names:
+        for other in (name for name in names if name > one):
+            yield Repair(_exchanged(relation, one, other), f"{to_text(t.Sym(one))} and {to_text(t.Sym(other))} exchanged")
+
+
+def _exchanged(relation: t.Chain, one: str, other: str) -> t.Chain:
+    swap = {one: other, other: one}
+    for path, node in list(sites(relation)):
+        if isinstance(node, t.Sym) and node.name in swap:
+            relation = put(relation, path, t.Sym(swap[node.name]))
+    return relation
+
+
+def _limits(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, (t.Integral, t.Bracket)):
+        yield replace(node, lower=node.upper, upper=node.lower), "limits of the integral exchanged"
+
+
+def _turned(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, t.Div):
+        yield replace(node, num=node.den, den=node.num, span=None), f"the fraction {to_text(node)} is upside down"
+
+
+RULES: tuple[Rule, ...] = (
+    anywhere(_products), _signs, anywhere(_functions), anywhere(_coefficients), _factors, _extra,
+    *map(anywhere, (_exponents, _limits, _turned)), _symbols,
+)  # fmt: skip
+
+
+def _moments(relation: t.Chain, ground: Ground) -> Iterator[Repair]:
+    """A moment of inertia, or M d², added to a sum or taken from it."""
+    study = getattr(ground.world, "study", None)
+    bodies = {"": ""} if study is None else {f" of {body}": f"_{body}" for body in study.system.bodies}
+    for tail, label in bodies.items():
+        moment = "moment of inertia about the centre of mass" if study is None else f"moment of inertia{tail}"
+        names = {
+            f"I{label or '_cm'}": moment,
+            f"omega{label}": f"angular velocity{tail}",
+            f"alpha{label}": f"angular acceleration{tail}",
+        }
+        inertia, omega, alpha = names
+        own = _with_phrases(ground, names)
+        yield from _with_terms(relation, t.Sym(inertia), (omega, alpha), own)
+        yield from _with_moment(relation, t.Sym(inertia), f"I_cm{tail}", own)
+
+
+def _with_phrases(ground: Ground, names: dict[str, str]) -> Ground:
+    """The ground with some more names, by their phrases."""
+    bounds = {(name, arrow): ground.world.bound(phrase) for name, phrase in names.items() for arrow in (True, False)}
+    return replace(ground, bounds={**bounds, **ground.bounds})
+
+
+def _with_terms(relation: t.Chain, inertia: t.Sym, speeds: tuple[str, str], ground: Ground) -> Iterator[Repair]:
+    """I ω, I α, ½ I ω² added to the right side."""
+    left, right = relation.items
+    parts = [t.mul(inertia, kind(name)) for name in speeds for kind in (t.Vec, t.Sym)]
+    parts.append(t.mul(t.HALF, inertia, t.Pow(t.Sym(speeds[0]), t.TWO)))
+    for part in parts:
+        for signed, what in ((part, "is missing"), (t.Neg(part), "is too much")):
+            yield Repair(t.Chain((left, t.add(right, signed)), ("=",)), f"{to_text(part)} {what}", ground)
+
+
+def _with_moment(relation: t.Chain, moment: t.Sym, words: str, ground: Ground) -> Iterator[Repair]:
+    def change(path: Path, node: t.Node) -> Iterator[Change]:
+        if isinstance(node, (t.Add, t.Mul, t.Sym)) and path and not is_in_exponent(path):
+            yield t.Add((node, moment)), f"{words} is missing"
+            yield t.Add((node, t.Neg(moment))), f"{words} is too much"
+
+    return anywhere(change, ground)(relation)
+
+
+def _pivots(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
+    """A momentum, torque or moment of inertia about another point."""
+    study = getattr(ground.world, "study", None)
+    if study is None:
+        return
+    points = ["O", *(f"{body}.cm" for body in study.system.bodies)]
+    for latex, meaning in claim.setting.symbols.items():
+        key = ground.glossary.names[latex]
+        found = re.fullmatch(r"(.*) about ([\w.]+)(.*)", meaning.phrase)
+        if key not in ground.bounds or not found:
+            continue
+        for point in points:
+            if point != found[2]:
+                yield from _about(relation, ground, key, f"{found[1]} about {point}{found[3]}", point)
+
+
+def _about(relation: t.Chain, ground: Ground, key: tuple[str, bool], phrase: str, point: str) -> Iterator[Repair]:
+    try:
+        bound: Bound = ground.world.bound(phrase)
+    except RbpsymError:
+        return
+    other = replace(ground, bounds={**ground.bounds, key: bound})
+    yield Repair(relation, f"it holds about {point}", other)

@@ -1,0 +1,312 @@
+"""Repairs with what a formula does not hold itself: another symbol, a lost factor, dot, term, root, or degrees."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from functools import partial
+
+from rbpsym.claims.ground import Ground, Question
+from rbpsym.claims.integrals import valued
+from rbpsym.claims.model import Claim, Meaning
+from rbpsym.claims.refute import carried_out
+from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.latex.grammar import DEGREE
+from rbpsym.expr.places import Path, put, sites
+from rbpsym.field import NOTHING, Scalar, Space, without_even_roots
+from rbpsym.frozen import Frozen, replace
+from rbpsym.present.forms import present
+from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.text import to_text
+
+_FAR = re.compile(r"\b(where|when|until|in|frequency|period|time|start|unknown|constant|defined|smallest|largest)\b")
+LARGEST = 12  # number that is tried in place of another
+MOST = 24  # other symbols that are tried
+MOST_SUMS, LONGEST = 16, 12  # places where a term may be missing; parts of such a term
+TURNS = ("sin", "cos", "tan")
+Change = tuple[t.Node, str]  # what stands in place of a part, and what was changed in words
+Rule = Callable[[t.Chain], Iterator["Repair"]]
+
+
+class Repair(Frozen):
+    """A relation with one thing changed, what was changed in words, and with what it is read, if not with what it was."""
+
+    relation: t.Chain
+    words: str
+    ground: Ground | None = None
+
+
+def anywhere(change: Callable[[Path, t.Node], Iterator[Change]], ground: Ground | None = None) -> Rule:
+    """The repairs that a change makes of each part of a relation in turn."""
+
+    def repairs(relation: t.Chain) -> Iterator[Repair]:
+        for path, node in sites(relation):
+            for new, words in change(path, node):
+                yield Repair(put(relation, path, new), words, ground)
+
+    return repairs
+
+
+def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
+    """The ground with symbols of a claim that its formula does not use, and their phrases by name."""
+    bounds, phrases = dict(ground.bounds), {}
+    own = set(ground.world.symbols.values())
+
+    def place(item: tuple[str, Meaning]) -> tuple[bool, bool]:
+        """Those of the formula first, then the author's."""
+        return ground.glossary.names.get(item[0]) not in ground.bounds, item[1].phrase in own
+
+    for latex, meaning in sorted(claim.setting.symbols.items(), key=place):
+        key = ground.glossary.names.get(latex)
+        if key is None or _FAR.search(meaning.phrase) or len(phrases) >= MOST:
+            continue
+        with suppress(RbpsymError):
+            found = ground.world.bound(meaning.phrase)
+            if found.scalar != NOTHING:  # nobody means what vanishes
+                bounds.setdefault(key, found)
+                phrases[key[0]] = meaning.phrase
+    return replace(ground, bounds=bounds), phrases
+
+
+def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
+    """All of them, the likeliest first."""
+    wide, phrases = known(claim, ground)
+    for change in (_degrees, numbers, _angles, partial(_others, phrases), partial(_lost, phrases)):
+        yield from anywhere(change, wide)(relation)
+    yield from _missing(relation, wide, phrases)
+
+
+def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
+    if isinstance(node, t.Num) and path and path[-1][0] in ("arg", "items"):
+        yield t.mul(node, DEGREE), f"{to_text(node)} is in degrees"
+
+
+def numbers(path: Path, node: t.Node) -> Iterator[Change]:
+    """Another small number, wherever one stands."""
+    for other in range(1, LARGEST + 1) if isinstance(node, t.Num) and isinstance(node.value, int) else ():
+        if other != node.value:
+            yield t.Num(other), f"{other} in place of {to_text(node)}"
+
+
+def _angles(path: Path, node: t.Node) -> Iterator[Change]:
+    """Twice or half the angle; a root that is too much, or missing."""
+    if isinstance(node, t.Fn) and node.name in TURNS:
+        yield from ((t.Fn(node.name, t.mul(factor, node.arg)), f"the angle of {node.name}") for factor in (t.TWO, t.HALF))
+    if isinstance(node, t.Sqrt):
+        yield t.Group(node.arg), "the root is too much"
+    if path and path[-1][0] in ("items", "num", "den"):
+        yield t.Sqrt(node), "a root is missing"
+
+
+def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iterator[Repair]:
+    """The one term by which the sides differ."""
+    named = {phrase: name for name, phrase in phrases.items()}
+    question = Question(ground)
+    found: dict[t.Chain, tuple[int, t.Node]] = {}
+    sides = {_value_of(side, ground) for side in relation.items if isinstance(side, t.Sym)} - {None}
+    alone = {name for name in {*t.names(relation), *phrases} if _value_of(name, ground) in sides}  # by whatever symbol
+    values = {name: own for name in phrases if name not in t.names(relation) and (own := _value_of(name, ground))}
+    whole = any(isinstance(part, (t.Integral, t.PathIntegral)) for part in t.walk(relation))  # nothing else is to be carried out
+    for depth in ("identity", "motion") if whole else ("identity", "motion", "start"):
+        seen = {name: _seen(own, question, depth) for name, own in values.items()}
+        for path, node in _summands(relation):
+            value = _that_is_missing(relation, path, node, question, depth)
+            for term in () if value is None else (*_symbols_of(value, seen), renamed(_told(value, relation, ground), named)):
+                size = len([part for part in t.walk(term) if not isinstance(part, t.Neg)])
+                sums = sum(isinstance(part, t.Add) for part in t.walk(term))
+                known = t.names(term) - {"pi"} <= phrases.keys() and not alone & t.names(term)
+                known = known and _value_of(t.add(node, term), ground) != NOTHING  # α − α
+                if known and size <= LONGEST and sums <= 1 and not isinstance(term, t.Add):
+                    found.setdefault(put(relation, path, t.add(node, term)), (size, term))
+    for repaired, (_, term) in sorted(found.items(), key=lambda item: item[1][0]):
+        yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
+
+
+def _told(value: Scalar, relation: t.Chain, ground: Ground) -> t.Node:
+    """The value as a formula; without its constant where a symbol is known up to a constant only."""
+    found = present(value)
+    if not isinstance(found, t.Add) or not any(ground.kind(name) == "up to a constant" for name in t.names(relation)):
+        return found
+    return t.add(*(term for term in found.terms if t.names(term) & ground.motion.scope.rates.keys()))
+
+
+def _value_of(node: t.Node | str, ground: Ground) -> Scalar | None:
+    """Of a node or name; None if it has none, or is a vector."""
+    with suppress(RbpsymError, ZeroDivisionError):
+        found = valued(t.Sym(node) if isinstance(node, str) else node, ground)
+        return found if isinstance(found, Scalar) else None
+
+
+def _symbols_of(value: Scalar, values: Mapping[str, Scalar | None]) -> Iterator[t.Node]:
+    """Symbols that have this value, or its opposite."""
+    for name, own in values.items():
+        if own in (value, -value):
+            yield t.Sym(name) if own == value else t.Neg(t.Sym(name))
+
+
+def _seen(value: Scalar, question: Question, depth: str) -> Scalar | None:
+    return carried_out(value, question) if depth == "start" else question.seen(value, depth)
+
+
+def _summands(relation: t.Chain) -> list[tuple[Path, t.Node]]:
+    """Where one more term can stand: sides, the right one first, parentheses, above and below the bar."""
+    parents = dict(sites(relation))
+    found = [(path, node) for path, node in parents.items() if path and node != t.ZERO and _is_summand(path, node, parents)]
+    return sorted(found, key=lambda item: item[0][0] != ("items", 1))[:MOST_SUMS]
+
+
+def _is_summand(path: Path, node: t.Node, parents: Mapping[Path, t.Node]) -> bool:
+    kind = path[-1][0]
+    if kind == "factors":  # a parenthesis of which one term is left
+        return isinstance(node, (t.Sym, t.Fn, t.Num))
+    return kind in ("items", "num", "den") or (kind == "arg" and isinstance(parents[path[:-1]], (t.Group, t.Sqrt)))
+
+
+def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Question, depth: str) -> Scalar | None:
+    """The term x for which the gap (a + b x)/(1 + d x) of the sides is zero, found from its values at 0, 1 and 2.
+
+    Under a root it is found from what the root should be.
+    """
+    above = dict(sites(relation)).get(path[:-1])
+    if isinstance(above, t.Sqrt):
+        more = _that_is_missing(relation, path[:-1], above, question, depth)
+        whole = None if more is None else more + valued(above, question.ground)
+        return None if whole is None else without_even_roots(whole * whole - valued(node, question.ground))
+    gaps = []
+    for number in range(3):
+        sides = put(relation, path, t.add(node, t.Num(number)) if number else node).items
+        left, right = (valued(side, question.ground) for side in sides)
+        if isinstance(left, Space) or isinstance(right, Space):
+            return None
+        gaps.append(_seen(left - right, question, depth))
+    first, second, third = gaps
+    if None in gaps or first == second or second == third:
+        return None
+    d = (second * 2 - third - first) / ((third - second) * 2)
+    b = second * (d + 1) - first
+    return None if b == first - first else without_even_roots(-first / b)
+
+
+def renamed(node: t.Node, names: dict[str, str]) -> t.Node:
+    """The formula with other names."""
+    for path, part in list(sites(node)):
+        if isinstance(part, t.Sym) and part.name in names:
+            node = put(node, path, t.Sym(names[part.name]))
+    return node
+
+
+def _others(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
+    """A symbol that the formula does not hold in place of one that it does: a dot, an index, a length, a mass."""
+    for name in phrases if isinstance(node, t.Sym) else ():
+        if name != node.name:
+            yield t.Sym(name), f"{to_text(t.Sym(name))} in place of {to_text(node)}"
+
+
+def _lost(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
+    """A factor that is missing or too much in one term."""
+    if not path or path[-1][0] not in ("terms", "items", "num", "den", "arg") or node == t.ZERO:
+        return
+    for symbol in map(t.Sym, phrases):
+        if not _holds_quotient(node):  # above the bar, and behind the sign
+            yield _among_factors(node, symbol), f"the factor {to_text(symbol)} is missing"
+        if symbol.name in t.names(node):
+            yield t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
+
+
+def _holds_quotient(node: t.Node) -> bool:
+    inner = node.arg if isinstance(node, t.Neg) else node
+    return inner is not node or any(isinstance(part, t.Div) and t.names(part) for part in getattr(inner, "factors", (inner,)))
+
+
+def _among_factors(node: t.Node, symbol: t.Sym) -> t.Node:
+    """The product with one more factor, in front of functions and parentheses."""
+    factors = node.factors if isinstance(node, t.Mul) else (node,)
+    plain = [isinstance(part.base if isinstance(part, t.Pow) else part, (t.Num, t.Sym)) or _is_number(part) for part in factors]
+    place = plain.index(False) if False in plain else len(plain)
+    return t.mul(*factors[:place], symbol, *factors[place:])
+
+
+def _is_number(node: t.Node) -> bool:
+    return not t.names(node)
+
+
+# --- a repaired relation in the author's own LaTeX: what was not changed stays as it is printed
+
+
+def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping[str, str]) -> str:
+    """The formula with one part of a relation replaced; "" if that part has no place in it."""
+    old, new = relation, repaired
+    while (pair := _only_change(old, new)) is not None:
+        old, new = pair
+    if old.span is None:
+        return ""
+    begin, end = _begin(latex, old), old.span[1]
+    kept = {id(node) for _, node in sites(relation) if node.span}
+    text, before, behind = _written(new, latex, kept, symbols), latex[:begin].rstrip(), latex[end:]
+    gap = latex[len(before) : begin]
+    if isinstance(old, t.Num | t.Sym) and isinstance(new, t.Mul) and re.match(r"\s*\^", behind):
+        text = f"({text})"
+    if text.startswith("-") and before.endswith("+"):
+        before, text = before[:-1].rstrip(), f"- {text[1:].lstrip()}"
+    elif isinstance(old, t.Neg) and not text.startswith("-") and not re.search(r"(?:[=({\[&]|\\approx|\\\\)$", before) and before:
+        text = f"+ {text}"
+    elif isinstance(new, t.Add) and before and not _stands_alone(before, behind):
+        text = rf"\left({text}\right)"
+    return f"{before}{gap}{text}{behind}".strip()
+
+
+def _begin(latex: str, node: t.Node) -> int:
+    r"""Where a part begins, with the \left of its first parenthesis."""
+    sized = re.search(r"\\(?:left|[bB]igg?l?)\s*$", latex[: node.span[0]])
+    return sized.start() if sized else node.span[0]
+
+
+def _only_change(old: t.Node, new: t.Node) -> tuple[t.Node, t.Node] | None:
+    """The only part in which two nodes of one kind differ; None if they differ themselves."""
+    if type(old) is not type(new) or _is_printed_in_one(old):
+        return None
+    ones, others = ([node for path, node in sites(node) if len(path) == 1] for node in (old, new))
+    if len(ones) != len(others):
+        return None
+    pairs = [(one, other) for one, other in zip(ones, others, strict=True) if one is not other]
+    whole = type(old) in (t.Chain, t.Add, t.Mul, t.Div, t.Neg, t.Group, t.Pow, t.Sqrt) or all(
+        getattr(old, key, None) == getattr(new, key, None) for key in ("name", "wrt", "var", "order")
+    )
+    return pairs[0] if len(pairs) == 1 and whole and pairs[0][0].span else None
+
+
+def _stands_alone(before: str, behind: str) -> bool:
+    """May a sum stand here without parentheses?"""
+    inside = before.endswith(("{", "(", "[")) and behind.lstrip().startswith(("}", ")", "]", r"\right"))
+    return inside or bool(re.search(r"(?:[=+&]|\\approx|\\\\)$", before))
+
+
+def _is_printed_in_one(node: t.Node) -> bool:
+    r"""Does the exponent stand within its base, as in \\sin^2 x?"""
+    inner = (node.base.span, node.exponent.span) if isinstance(node, t.Pow) else (None, None)
+    return None not in inner and inner[0][0] <= inner[1][0] < inner[0][1]
+
+
+def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str]) -> str:
+    """The LaTeX of a part: as printed if it was there, else its symbols as the author prints them."""
+    if id(node) in kept:
+        return latex[_begin(latex, node) : node.span[1]].strip()
+    if isinstance(node, t.Neg):
+        return f"-{_written(node.arg, latex, kept, symbols)}"
+    if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[:-1]):
+        sign, last = ("-", node.terms[-1].arg) if isinstance(node.terms[-1], t.Neg) else ("+", node.terms[-1])
+        begin = latex[_begin(latex, node.terms[0]) : node.terms[-2].span[1]].strip()
+        return f"{begin} {sign} {_written(last, latex, kept, symbols)}"
+    names = sorted(t.names(node) - {"pi"})
+    marks = {name: f"Q_{place}" for place, name in enumerate(names, 101)}
+    for path, part in list(sites(node)):
+        if isinstance(part, (t.Sym, t.Vec)) and part.name in marks:
+            node = put(node, path, type(part)(marks[part.name]))
+    text = to_latex(node)
+    for name, mark in marks.items():
+        own, drawn = symbols.get(name, name), re.escape(f"Q_{{{mark[2:]}}}")
+        own = f"{own} " if re.search(r"\\[A-Za-z]+$", own) else own
+        text = re.sub(rf"\\vec\{{{drawn}\}}|{drawn}", lambda _, own=own: own, text)
+    return re.sub(r" +(?=[\^_)]|$)", "", text)

@@ -1,0 +1,1 @@
+"""Texts with formulas: found, read, and bound to what they claim."""

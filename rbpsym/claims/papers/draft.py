@@ -1,0 +1,188 @@
+"""A first draft of the comments by which a text carries its claims.
+
+The symbols of its displays are found, problems that ship are tried by proving displays, with symbols of the text matched to
+their names and to what such letters usually mean; what is not proved is a guess, and marked so that nothing takes it for said.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from itertools import islice, product
+
+from rbpsym.claims.check import Checker
+from rbpsym.claims.ground import name_of
+from rbpsym.claims.model import Claim, Meaning, Outcome, Setting
+from rbpsym.claims.papers.check import printed
+from rbpsym.claims.papers.walk import Formula, Paper
+from rbpsym.claims.run import Worlds
+from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.latex.names import drawn_name
+from rbpsym.expr.latex.reader import latex_ways
+from rbpsym.expr.symbol_table import Drawn, SymbolTable
+from rbpsym.frozen import Frozen, replace
+from rbpsym.quantity.bound import World
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
+
+FEW, MOST_SECTIONS = 2, 40
+_EMPTY = frozenset(["the", "and", "its", "for", "with", "from", "whose", "that", "this", "are", "has", "one", "two"])
+_HEADING = re.compile(
+    r"^(?:#{1,6} |=+ |\\(?:chapter|(?:sub)*section)\*?\s*[\[{])|^\S[^\n]*\n(?:={4,}|-{4,}|~{4,}|\^{4,}|\*{4,})[ \t]*$", re.M
+)
+MOST_PROBLEMS, MOST_FORMULAS, MOST_WAYS, MOST_TRIES = 6, 12, 24, 240
+USUAL = {  # what a letter usually means; C is a coordinate, B a body
+    "ω": ("speed of C", "frequency of C", "angular velocity of B"), "α": ("acceleration of C", "angular acceleration of B"),
+    "v": ("speed of C", "magnitude of velocity of B.cm"), "a": ("acceleration of C",), "T": ("kinetic energy", "period of C"),
+    "K": ("kinetic energy",), "V": ("potential energy", "magnitude of velocity of B.cm"), "U": ("potential energy",),
+    "E": ("energy",), "I": ("moment of inertia of B about B.cm", "moment of inertia of B about O"), "L": ("Lagrangian",),
+}  # fmt: skip
+
+
+class _Any(dict[Drawn, tuple[str, ...]]):
+    """A table in which every drawn letter has a name; words in a sentence have none."""
+
+    def get(self, drawn: Drawn, default: tuple[str, ...] = ()) -> tuple[str, ...]:
+        unit = drawn in [Drawn(base, accent="hat") for base in "ijk"]
+        return default if unit or drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) else (name_of(drawn),)
+
+
+ANY = SymbolTable(_Any(), varies=lambda name: True)  # U(x) is hardly a product where nothing is known
+
+
+class Fit(Frozen):
+    """A problem that ships, the displays that hold in it, and what the symbols of the text mean there."""
+
+    problem: str
+    symbols: Mapping[str, str]
+    formulas: tuple[Formula, ...]
+
+
+def symbols_of(formula: Formula, paper: Paper) -> tuple[str, ...]:
+    """The symbols of a display, as they are printed; () if it can't be read."""
+    try:
+        latex = printed(formula, paper).latex
+        trees = latex_ways(latex, ANY, whole=True).trees
+    except RbpsymError:
+        return ()
+    parts = (node for node in t.walk(trees[0]) if isinstance(node, (t.Sym, t.Vec)) and node.span and node.name != "pi")
+    return tuple(dict.fromkeys(latex[slice(*node.span)].strip() for node in parts))
+
+
+def sections(paper: Paper) -> list[Paper]:
+    """The parts of a text between its headings, each of which may be about its own problem; a short one goes with the next."""
+    text, begin, found = paper.text.text, 0, []
+    ends = [heading.start() for heading in _HEADING.finditer(text)] + [len(text)]
+    for end in ends if len(ends) <= MOST_SECTIONS else ends[-1:]:
+        part = replace(paper.text, text=" " * begin + text[begin:end])  # what stands in it keeps its place
+        formulas = tuple(formula for formula in paper.formulas if begin <= formula.offset < end)
+        if sum(formula.displayed and formula.is_relation for formula in formulas) >= FEW or end == len(text):
+            found.append(replace(paper, text=part, formulas=formulas))
+            begin = end
+    return found
+
+
+def fits(paper: Paper, worlds: Worlds) -> list[Fit]:
+    """The problems in which displays are proved, the one with most of them first. Bounded by the number of tries."""
+    found = {formula: symbols_of(formula, paper) for formula in paper.displayed if formula.is_relation}
+    readable = {formula: symbols for formula, symbols in found.items() if 1 < len(symbols) < 9}
+    tried = list(islice(readable.items(), MOST_FORMULAS))
+    left, fitting = [MOST_TRIES], []
+    for name in _likely(paper, {symbol for symbols in found.values() for symbol in symbols}):
+        one = _fit(name, tried, paper, worlds, left)
+        fitting += [one] if one.formulas else []
+    return sorted(fitting, key=lambda fit: -len(fit.formulas))
+
+
+def _likely(paper: Paper, symbols: set[str]) -> list[str]:
+    """The names of the problems whose title and letters are most like those of the text."""
+    words, letters = set(_words(paper.text.text)), {s.strip("\\ ") for s in symbols}
+
+    def likeness(name: str) -> float:
+        problem = load_problem(problem_files()[name])
+        told = set(_words(f"{name} {problem.title.get('en', '')}"))
+        own = {quantity.name for quantity in (*problem.parameters, *problem.coordinates)}
+        return 3 * len(told & words) / max(len(told), 1) + len(own & letters) / max(len(own), 1)
+
+    return sorted(problem_files(), key=lambda name: (-likeness(name), name))[:MOST_PROBLEMS]
+
+
+def _words(text: str) -> list[str]:
+    """What a text speaks of."""
+    return [word for word in re.findall(r"[a-z]{3,}", text.lower()) if word not in _EMPTY]
+
+
+def _fit(name: str, tried: list, paper: Paper, worlds: Worlds, left: list[int]) -> Fit:
+    """What of the text holds in one problem; a symbol keeps the meaning with which a display was proved first."""
+    known: dict[str, str] = {}
+    held: list[Formula] = []
+    try:
+        world = worlds(Setting(name, problem=name))
+    except RbpsymError:
+        return Fit(name, {}, ())
+    for formula, symbols in tried:
+        for meanings in islice(product(*(_meanings(s, world, known) for s in symbols)), MOST_WAYS):
+            left[0] -= 1
+            several = len(set(meanings)) == len(symbols)
+            if left[0] >= 0 and several and _holds(formula, dict(zip(symbols, meanings, strict=True)), name, paper, worlds):
+                known |= dict(zip(symbols, meanings, strict=True))
+                held.append(formula)
+                break
+    return Fit(name, known, tuple(held))
+
+
+def _meanings(symbol: str, world: World, known: Mapping[str, str]) -> list[str]:
+    """What a symbol may mean in a problem: its own name, what such a letter usually means, another name."""
+    if symbol in known:
+        return [known[symbol]]
+    found = drawn_name(symbol)
+    if found in (own := _own(world)):
+        return [own[found]]
+    patterns = USUAL.get(found[0].base, ()) if found else ()
+    slots = [("C", c) for c in world.study.system.independent] or [("C", "")]
+    usual = [
+        re.sub(r"\bC\b", coordinate, re.sub(r"\bB\b", body, pattern))
+        for pattern in patterns for _, coordinate in slots for body in world.study.system.bodies
+    ]  # fmt: skip
+    return list(dict.fromkeys(usual)) or [q.name for q in world.study.problem.parameters]
+
+
+def _own(world: World) -> dict[tuple[Drawn, bool] | None, str]:
+    r"""What the problem's own symbols are called, by how they are drawn: \dot\theta and \dot{\theta} are one."""
+    return {drawn_name(latex): name for latex, name in world.symbols.items()}
+
+
+def _holds(formula: Formula, meanings: Mapping[str, str], name: str, paper: Paper, worlds: Worlds) -> bool:
+    symbols = {symbol: Meaning(phrase) for symbol, phrase in meanings.items()}
+    claim = Claim("draft", Setting(name, problem=name, symbols=symbols), printed(formula, paper))
+    return Checker(worlds).check_safely(claim).outcome is Outcome.PROVED
+
+
+def draft(paper: Paper) -> list[tuple[Formula, list[str]]]:
+    """(the display before which they stand, what comments say) of each section."""
+    worlds = Worlds()
+    return [told for part in sections(paper) for told in _of_section(part, worlds)]
+
+
+def _of_section(paper: Paper, worlds: Worlds) -> list[tuple[Formula, list[str]]]:
+    """Problem and symbols, claims, and guesses behind a “?”."""
+    displays = [formula for formula in paper.displayed if formula.is_relation]
+    every = dict.fromkeys(symbol for formula in displays for symbol in symbols_of(formula, paper))
+    best, *others = fits(paper, worlds) or [Fit("", {}, ())]
+    if len(best.formulas) < min(FEW, len(displays)):  # one display alone is true of too many problems
+        best, others = Fit("", {}, ()), [best, *others]
+    own = _own(worlds(Setting(best.problem, problem=best.problem))) if best.problem else {}
+    bound = best.symbols.items()
+    head = [f": problem = {best.problem}"] if best.problem else ["? problem = NAME"]
+    head += [f": {symbol} is the {phrase}" for symbol, phrase in bound if own.get(drawn_name(symbol)) != phrase]
+    head += [f"? {fit.problem} fits too, {len(fit.formulas)} displays" for fit in others if fit.problem]
+    unknown = (symbol for symbol in every if symbol not in best.symbols and drawn_name(symbol) not in own)
+    head += [f"? {symbol} is {_guess(symbol)}" for symbol in unknown]
+    return [*((formula, head) for formula in displays[:1]), *((formula, [": claim"]) for formula in best.formulas)]
+
+
+def _guess(symbol: str) -> str:
+    """What a letter usually means, for one to change."""
+    found = drawn_name(symbol)
+    return f"the {' or '.join(USUAL.get(found[0].base if found else '', ('...',)))}"

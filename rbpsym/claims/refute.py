@@ -1,0 +1,208 @@
+"""States of the motion at which two values differ: the witnesses of a refutation.
+
+The start is a state; so is each place on the way from the start until the motion first comes to rest, with the
+speed that it has there. Where no start is declared, or the speeds are no functions of the place and nothing is
+said of the start, any position and speed is a state of some motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import replace
+from fractions import Fraction
+
+from rbpsym.claims.ground import Question, holds_unknowns, tells_of_start
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.domain import Condition
+from rbpsym.decide.enclosure import Number, are_disjoint, sign_of
+from rbpsym.decide.equal import find_witness
+from rbpsym.decide.verdict import Kind, Verdict, refuted, undecided
+from rbpsym.errors import RbpsymError, Undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, atoms, depends_on, show, substitute
+from rbpsym.quantity.bound import Motion
+from rbpsym.quantity.path import Path, on_path, path_of, reachable, with_energy, work_done
+
+ORDERS = ("at the start", "rates of change at the start", "second rates at the start", "third rates at the start")
+PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))
+
+
+def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """A state of the motion at which the sides differ."""
+    moves = any(depends_on(value, name) for value in (a, b) for name in question.motion.scope.rates)
+    if question.motion.is_tied and (moves or any(holds_unknowns(value, question) for value in (a, b))):
+        return undecided("the coordinates are tied by conditions that are not solved in closed form")
+    for find in (_at_start, _at_any_state, _along, _in_rates_at_start, _on_other_motions):
+        with suppress(ZeroDivisionError, Undecided):
+            found = find(a, b, question)
+            if found.is_refuted:
+                return found
+    return undecided("neither a proof nor a state of the motion at which the sides differ was found")
+
+
+def witness_of(
+    a: Scalar,
+    b: Scalar,
+    assumptions: Assumptions,
+    domain: Iterable[Condition] = (),
+    differ: Callable[[Number, Number], bool] = are_disjoint,
+    path: Path | None = None,
+) -> Verdict:
+    """REFUTED with a point at which the values differ (or are not ordered), UNDECIDED if none is found."""
+    try:
+        point = find_witness(a, b, assumptions, domain, differ, path=path)
+    except (RbpsymError, ZeroDivisionError):
+        point = None
+    return refuted("the sides differ at a point", point) if point else undecided("no point was found")
+
+
+def _at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """The start is a state of the motion; only tried where start values or integrals are told."""
+    if not (tells_of_start(a, question) or tells_of_start(b, question)):
+        return undecided("")
+    x, y = question.begin(a), question.begin(b)
+    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, question.motion.assumptions)
+
+
+def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Where no path is known and nothing is said of the start: any position and speed that has the energy of the start."""
+    motion = question.motion
+    if tells_of_start(a, question) or tells_of_start(b, question):
+        return undecided("")
+    x, y = (question.seen(v, "motion") for v in (a, b))
+    if holds_unknowns(x, question) or holds_unknowns(y, question) or path_of((x, y), motion).names:
+        return undecided("")
+    kept = motion.kept if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else ()
+    for pair, domain in with_energy((x, y), motion):
+        found = witness_of(*pair, motion.assumptions, [*domain, *kept])
+        if found.is_refuted:
+            return found
+    return undecided("")
+
+
+def _on_other_motions(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Where it is demanded of all motions, and not of the one from the start alone: any position and speed."""
+    if "start" in question.depths:
+        return undecided("")
+    x, y = (question.seen(value, question.depths[-1]) for value in (a, b))
+    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, question.motion.assumptions)
+
+
+def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """What stays equal along the motion has equal rates of change at the start, of each order."""
+    if not path_of((a, b), question.motion).names:
+        return undecided("")
+    for order in ORDERS:
+        x, y = (question.begin(value) for value in (a, b))
+        if not holds_unknowns(x, question) and not holds_unknowns(y, question):
+            found = witness_of(x, y, question.motion.assumptions)
+            if found.is_refuted:
+                return replace(found, witness=replace(found.witness, of=order))
+        a, b = (question.rate(value) for value in (a, b))
+    return undecided("")
+
+
+def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Values along the motion, integrals carried out; else the rates of both sides."""
+    x, y = (carried_out(v, question) for v in (a, b))
+    if x is not None and y is not None:
+        found = _differ(x, y, question)
+        if found.is_refuted:
+            return found
+    return _differ(*(question.seen(question.rate(v), "start") for v in (a, b)), question)
+
+
+def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Where both are known as functions of one place on the path: a place at which they differ."""
+    motion, path = question.motion, path_of((a, b), question.motion)
+    if _mixes_clock(a - b, motion):
+        return undecided("the coordinates are functions of the time that are not known in closed form")
+    if len(path.names) > 1:
+        return undecided("how the coordinates are passed at one time is not known in closed form")
+    for pair, when in on_path((a, b), motion):
+        if holds_unknowns(pair[0] - pair[1], question) or (not motion.is_free and any(map(_holds_speed, pair))):
+            continue
+        found = witness_of(*pair, motion.assumptions, [*reachable(motion), *when], path=path)
+        if found.is_refuted:
+            return found
+    return undecided("")
+
+
+def _mixes_clock(gap: Scalar, motion: Motion) -> bool:
+    """Does it hold the time beside coordinates or speeds? On the motion from the start these are no longer free."""
+    clock = "t" in motion.scope.rates and depends_on(gap, "t")
+    return clock and any(depends_on(gap, n) or depends_on(gap, f"{n}_dot") for n in motion.scope.rates if n != "t")
+
+
+def _is_speed(index: int) -> bool:
+    name = atoms.symbol_name(index)
+    return bool(name) and name.endswith(("_dot", "_ddot"))
+
+
+def carried_out(value: Scalar, question: Question) -> Scalar | None:
+    """The value along the motion with every work and integral in closed form; None if one has none."""
+    images: dict[str, Scalar] = {}
+    for name, power in question.motion.ledger.items():
+        if depends_on(value, name):
+            done = work_done(power, question.motion)
+            if done is None:
+                return None
+            images[name] = done
+    return question.seen(substitute(value, images), "start")
+
+
+def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> Verdict:
+    """A state of the motion in which low is not below high.
+
+    Any position is one, if no path is known; else the places on it, with the speeds that the motion has there.
+    """
+    motion, signs = question.motion, (0, 1) if strict else (1,)
+    values = tuple(question.seen(value, "motion") for value in (low, high))
+    path = path_of(values, motion)
+    if motion.is_tied or any(holds_unknowns(value, question) for value in values):
+        return undecided("the sign of the difference is not known for the motion from the start")
+    for pair, when in on_path(tuple(question.seen(value, "start") for value in values), motion):
+        if any(map(_holds_speed, pair)) and not motion.is_free:
+            return undecided("the sign of the difference is not known for the motion from the start")
+        domain = [*(reachable(motion) if path.names else motion.kept), *when]
+        found = witness_of(*pair, motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs, path)
+        if not found.is_refuted:
+            found = _inside_ranges(pair, motion.assumptions, domain, signs, path)
+        if found.is_refuted:
+            return found
+    return found
+
+
+def _inside_ranges(
+    pair: tuple[Scalar, ...], assumptions: Assumptions, domain: list[Condition], signs: tuple, path: Path
+) -> Verdict:
+    """Where a name has a range between other quantities, numbers alone hardly meet it: at parts of that range."""
+    for name, (lower, upper) in assumptions.ranges.items():
+        if not any(bound is not None and bound.atoms() for bound in (lower, upper)):
+            continue
+        for place, condition in _parts_of(lower, upper):
+            image = {name: place}
+            moved = [Condition(c.node, c.op, substitute(c.value, image)) for c in domain]
+            sides, way = [substitute(value, image) for value in pair], replace(path, at=image)
+            found = witness_of(
+                *sides, assumptions.without(name), [*moved, condition], lambda x, y: sign_of(x - y) in signs, way
+            )
+            if found.is_refuted:
+                return Verdict(Kind.REFUTED, reason=f"where {name} is {show(place)}: {found.witness}")
+    return undecided("no point was found")
+
+
+def _parts_of(lower: Scalar | None, upper: Scalar | None) -> Iterator[tuple[Scalar, Condition]]:
+    """Places in a range, with the condition that there is room for them."""
+    for part in PARTS:
+        if lower is not None and upper is not None:
+            yield lower + (upper - lower) * part, Condition(t.ZERO, ">", upper - lower)
+        elif lower is not None:
+            yield lower * (part + 1), Condition(t.ZERO, ">", lower)
+        elif upper is not None:
+            yield upper * (1 - part), Condition(t.ZERO, ">", upper)
+
+
+def _holds_speed(value: Scalar) -> bool:
+    return any(_is_speed(index) for index in value.atoms())

@@ -1,0 +1,1 @@
+"""Verdicts, witnesses, signs from declared ranges, domains, dimensions."""

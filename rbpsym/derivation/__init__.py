@@ -1,1 +1,0 @@
-"""Derivations: graphs of steps, each with its rule, premises, statement and certificate."""

@@ -1,1 +1,0 @@
-"""The parts of a derivation that all methods share: kinematics, inertia, momentum, forces, oscillations."""

@@ -1,1 +1,0 @@
-"""Figures: a scene of plain geometry, its printers, and the drawing of a system's sketch."""

@@ -1,1 +1,0 @@
-"""Plots of a derivation: its own formulas as curves, drawn as scenes like all other figures."""

@@ -1,1 +1,0 @@
-"""Verdicts: is a formula zero, of one sign, of one dimension?"""

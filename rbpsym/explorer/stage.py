@@ -1,0 +1,215 @@
+"""One phase of a motion as JavaScript: its start, its rates of change, all numbers that are shown, its end.
+
+The state is (coordinates, independent speeds). Events watch a number that is positive while the
+phase lasts: the normal force of a contact, the tension of a string, the slip of a contact with
+kinetic friction, the friction that is left, the range of a coordinate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from rbpsym.explorer.events import events
+from rbpsym.explorer.javascript import Program, function
+from rbpsym.explorer.scenery import scenery
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, symbol
+from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import Frozen
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.elimination import CONSTANT, linear_row
+from rbpsym.mechanics.numbers import sample
+from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import Force
+from rbpsym.statement.model import Element
+
+
+class StagePhase(Frozen):
+    """Code (function texts by name) and data of a phase."""
+
+    code: dict[str, str]
+    data: dict[str, Any]
+
+
+class PhaseEnding(Frozen):
+    """What ends a phase and begins the next: a time since its start (None: not known), events by (kind,
+    name) that are no surprise then, and a value that a coordinate reaches."""
+
+    time: Scalar | None = None
+    events: tuple[tuple[str, str | None], ...] = ()
+    goal: tuple[str, Scalar] | None = None
+
+
+LAST = PhaseEnding()
+Struck = Callable[[Callable[[Scalar], int]], dict[str, Any] | None]
+
+
+class Began(Frozen):
+    """What strikes when a phase begins, and the ground of the other phases, which stays in sight."""
+
+    struck: Struck = lambda put: None
+    ground: tuple[Element, ...] = ()
+
+
+START = Began()
+
+
+def phase(study: Study, names: tuple[str, ...], ending: PhaseEnding = LAST, began: Began = START) -> StagePhase:
+    """A phase; `names` are those of the adjustable numbers in their order."""
+    solved = is_lighter_solved_here(study, names)
+    look, data = _look(study, names, solved, ending, began.ground)
+    data["endsWith"] = [list(event) for event in ending.events]
+    starts = _program(study, names, moving=False)
+    state = [starts.output_again(value) for value in _start(study)]
+    data["strikes"] = began.struck(starts.output)
+    data["endsAt"] = None if ending.time is None else starts.output(ending.time)
+    data["start"] = state
+    gaps, data["gaps"] = _gaps(study, names)
+    data["nudge"] = _nudge(study)
+    code = {"start": starts.text, "rates": _rates(study, names, solved), "look": look.text, "gaps": gaps}
+    return StagePhase({name: function(ARGUMENTS, text) for name, text in code.items()}, data)
+
+
+ARGUMENTS = "x,p,t"
+
+
+def start_name(coordinate: str) -> str:
+    """The adjustable number at which a coordinate without a declared start begins."""
+    return f"{coordinate}(0)"
+
+
+def _program(study: Study, names: tuple[str, ...], *, moving: bool = True, solved: bool = True) -> Program:
+    """A program that knows parameters, the state and all that the dynamics says."""
+    system, dynamics = study.system, study.dynamics
+    inputs = {name: f"p[{k}]" for k, name in enumerate(names)} | {"t": "t"}
+    if not moving:
+        return Program(inputs, {})
+    state = (*system.coordinates, *system.speeds)
+    inputs |= {name: f"x[{k}]" for k, name in enumerate(state)}
+    if not solved:
+        return _eliminating(study, Program(inputs, system.defined))
+    program = Program(inputs, {**system.defined, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})})
+    if dynamics.accelerations is None:
+        program.solve_for(system.accelerations, dynamics.mass_matrix, dynamics.forcing)
+    return program
+
+
+def _eliminating(study: Study, program: Program) -> Program:
+    """Accelerations and unknown forces from the equations of the single bodies, solved in the browser."""
+    wanted = (*study.system.accelerations, *study.system.unknowns)
+    rows = [linear_row(value, wanted) for value in study.newton_euler_rows]
+    rows = [row for row in rows if len(row) > 1]
+    matrix = [[row.get(name, NOTHING) for name in wanted] for row in rows]
+    program.solve_for(wanted, matrix, [-row[CONSTANT] for row in rows])
+    return program
+
+
+def is_lighter_solved_here(study: Study, names: tuple[str, ...]) -> bool:
+    """Whether the closed formulas are short enough; else the browser solves the linear equations at every step."""
+    if study.dynamics.accelerations is None:
+        return False
+    long = len(_rates(study, names, solved=True))
+    return long < LONG or long < len(_rates(study, names, solved=False))
+
+
+LONG = 12_000  # characters
+
+
+def _start(study: Study) -> Iterator[Scalar]:
+    """The start state: declared, an adjustable number, or a guess where a constraint will say."""
+    system, guess = study.system, sample(study.problem)
+    for name in system.coordinates:
+        own = symbol(start_name(name)) if name in system.independent else _rough(guess[name])
+        yield system.scope.start.get(name, own)
+    for speed in system.speeds:
+        yield system.scope.start.get(speed, NOTHING)
+
+
+def _nudge(study: Study) -> dict[str, Any] | None:
+    """The coordinate that is displaced if the system rests in equilibrium at the start, and the way into its range."""
+    system = study.system
+    if system.has_clock or not system.independent:
+        return None
+    coordinates = {c.name: c for c in study.problem.coordinates}
+    name = min(system.independent, key=lambda n: coordinates[n].quantity.dimension.length != 0)
+    upper, start = coordinates[name].upper, coordinates[name].start
+    way = -1 if None not in (upper, start) and is_zero(scalar(upper) - scalar(start)) else 1
+    return {"place": system.coordinates.index(name), "name": name, "way": way}
+
+
+def _rough(value: float) -> Scalar:
+    from fractions import Fraction
+
+    from rbpsym.field.scalar import lift
+
+    return lift(Fraction(value).limit_denominator(10**6))
+
+
+def _rates(study: Study, names: tuple[str, ...], solved: bool) -> str:
+    """d/dt of the state and of the two works of each force on each body."""
+    program, system = _program(study, names, solved=solved), study.system
+    values = [system.scope.rates[name] for name in system.coordinates]
+    values += [symbol(name) for name in system.accelerations]
+    for force in system.forces:
+        state = system.bodies[force.on]
+        arm = (force.point - state.center).cross(force.vector) if force.vector else NOTHING
+        values += [force.vector.dot(state.velocity), (arm + force.couple) * state.omega]
+    texts = [program.value(value) for value in values]
+    return "\n".join([*program.lines, f"return [{','.join(texts)}];"])
+
+
+def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
+    """Conditions that stay as equations, with their slopes along each coordinate; which coordinates are held."""
+    program, system = _program(study, names), study.system
+    rows = []
+    for condition in system.implicit:
+        slopes = [program.output_again(derivative(condition.value, name)) for name in system.coordinates]
+        rows.append([program.output_again(condition.value), slopes])
+    held = [k for k, name in enumerate(system.coordinates) if name in system.scope.start or name in system.independent]
+    return program.text, {"rows": rows, "held": held}
+
+
+def _look(
+    study: Study, names: tuple[str, ...], solved: bool, ending: PhaseEnding, elsewhere
+) -> tuple[Program, dict[str, Any]]:
+    """The program of all numbers that are shown, and where each stands."""
+    program, system = _program(study, names, solved=solved), study.system
+    put = program.output
+    seen = [c.name for c in study.problem.coordinates]
+    data = {
+        "size": len(system.coordinates) + len(system.speeds),
+        "free": len(system.coordinates),
+        "coordinates": {name: put(symbol(name)) for name in seen},
+        "speeds": {name: put(_speed(study, name)) for name in seen},
+        "accelerations": {name[: -len("_ddot")]: put(symbol(name)) for name in system.accelerations},
+        "unknowns": {name: put(symbol(name)) for name in system.unknowns},
+        "couples": [name for name in system.unknowns if any(depends_on(f.couple, name) for f in system.forces)],
+        "forces": [_force(force, put) for force in system.forces],
+        "potential": _potential(study, put),
+        "origins": {name: [put(place.x), put(place.y)] for name, place in study.origins.items()},
+        "events": [{**event, "value": put(event["value"])} for event in events(study, ending.goal)],
+    }
+    return program, {**data, **scenery(study, put, elsewhere)}
+
+
+def _speed(study: Study, name: str) -> Scalar:
+    rate = study.system.scope.rates.get(name)
+    return symbol(f"{name}_dot") if rate is None else rate
+
+
+def _force(force: Force, put) -> dict[str, Any]:
+    return {
+        "name": force.name,
+        "on": force.on,
+        "law": force.law,
+        "unknown": bool(force.unknowns),
+        "at": [put(force.point.x), put(force.point.y)],
+        "vector": [put(force.vector.x), put(force.vector.y)],
+        "couple": put(force.couple),
+    }
+
+
+def _potential(study: Study, put) -> int | None:
+    """The sum of the potential energies that there are; None if no interaction has one."""
+    found = [value for value in energy.potentials(study.system).values() if value is not None]
+    return put(sum(found, NOTHING)) if found else None

@@ -1,0 +1,1 @@
+"""Display trees, names, and the readers that make trees of text."""

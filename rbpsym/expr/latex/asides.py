@@ -1,0 +1,124 @@
+"""What stands in parentheses beside a formula: its number written by hand, which says nothing, or when it holds."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from itertools import pairwise
+
+from rbpsym.expr.latex.tokens import CONDITION, PUNCTUATION, Token
+
+_NUMBER = re.compile(r"\d{1,2}(?:[.-]\d{1,3}){0,2}[a-z]?'?|\*{1,3}")
+_WIDE = re.compile(r"\\q?quad|\\hspace|\\hfil")
+_ARROWS = frozenset((r"\to", r"\leftarrow", r"\uparrow", r"\downarrow"))  # (→): which way, said beside a number
+Span = tuple[int, int]
+
+
+def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
+    """The tokens without hand-written numbers, and with (x > 0) behind a gap at the end of a row as a condition."""
+    tokens = _labelled(_with_and(tokens, relations), relations)
+    found = list(tokens)
+    for begin, end in reversed(_pairs(tokens)):
+        inner = tokens[begin + 1 : end]
+        before, behind = _gap_before(tokens, begin), _gap_behind(tokens, end + 1)
+        if len(inner) == 1 and inner[0].text in _ARROWS and _ends(tokens, end + 1):
+            found[before : end + 1] = [replace(inner[0], kind="row", text=""), replace(inner[0], kind="text")]
+        elif _NUMBER.fullmatch("".join(token.text for token in inner)):
+            if before < begin and _wide(tokens[before:begin]) and _ends(tokens, end + 1):
+                del found[before : end + 1]
+            elif behind > end + 1 and _wide(tokens[end + 1 : behind]) and _begins(tokens, begin):
+                del found[begin:behind]
+        elif before < begin and _ends(tokens, end + 1) and not _begins(tokens, before) and _relates(inner, relations):
+            found[begin : end + 1] = _conditions(tokens[begin], inner, relations)
+    return tuple(found)
+
+
+_AND = ("e", "y")  # in Italian and Portuguese, in Spanish
+
+
+def _with_and(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
+    r"""With a lone e or y as the word that it is, which stands between wide gaps and two relations: a = b \quad e \quad c = d."""
+    found = list(tokens)
+    ends = [-1, *(k for k, token in enumerate(tokens) if token.kind in ("row", "end"))]
+    for begin, end in pairwise(ends):
+        for k in range(begin + 2, end - 1):
+            apart = tokens[k].text in _AND and all(one.kind == "gap" and _wide((one,)) for one in (tokens[k - 1], tokens[k + 1]))
+            if apart and _relates(tokens[begin + 1 : k], relations) and _relates(tokens[k:end], relations):
+                found[k] = replace(tokens[k], kind="row", text="")
+    return tuple(found)
+
+
+def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
+    """With what a row is about, in front of a colon (ΣF_x: or words, or anything with a gap behind it), as a row of words."""
+    found: list[Token] = []
+    for place, token in enumerate(tokens):
+        row = next((k for k in range(len(found), 0, -1) if found[k - 1].kind in ("row", "begin")), 0)
+        about = [one for one in found[row:] if one.kind != "gap" and one.text != "&"]
+        gap = tokens[min(place + 1, len(tokens) - 1)]
+        clear = gap.kind == "gap" or gap.text == "&" or (about[:1] and (about[0].text == r"\sum" or about[0].kind == "text"))
+        relates = token.text == ":" and _relates(tuple(about), relations)
+        if token.text != ":" or not about or relates or not clear:
+            depth = sum((one.text in "([{") - (one.text in ")]}") for one in about if relates and one.kind == "sign")
+            parts = relates and gap.kind == "gap" and _wide((gap,)) and not depth
+            found.append(replace(token, kind="row", text="") if parts else token)
+            continue
+        words = " ".join(one.text for one in about)
+        found[row:] = [replace(about[0], kind="text", text=words, end=token.end), replace(token, kind="row", text="")]
+    return tuple(found)
+
+
+def _pairs(tokens: tuple[Token, ...]) -> list[Span]:
+    """Where parentheses open and close that stand in no brackets or braces."""
+    pairs, depth, begin = [], 0, 0
+    for place, token in enumerate(tokens):
+        if token.kind != "sign":
+            continue
+        if token.text == "(" and depth == 0:
+            begin = place
+        depth += (token.text in "([{") - (token.text in ")]}") if len(token.text) == 1 else 0
+        if token.text == ")" and depth == 0 and tokens[begin].text == "(":
+            pairs.append((begin, place))
+    return pairs
+
+
+def _gap_before(tokens: tuple[Token, ...], place: int) -> int:
+    while place and tokens[place - 1].kind == "gap":
+        place -= 1
+    return place
+
+
+def _gap_behind(tokens: tuple[Token, ...], place: int) -> int:
+    while tokens[place].kind == "gap":
+        place += 1
+    return place
+
+
+def _wide(gaps: tuple[Token, ...]) -> bool:
+    return len(gaps) > 2 or any(_WIDE.match(gap.text) for gap in gaps)
+
+
+def _begins(tokens: tuple[Token, ...], place: int) -> bool:
+    """Does a row begin here, but for an alignment?"""
+    while place and (tokens[place - 1].kind in ("begin", "gap") or tokens[place - 1].text == "&"):
+        place -= 1
+    return place == 0 or tokens[place - 1].kind == "row"
+
+
+def _ends(tokens: tuple[Token, ...], place: int) -> bool:
+    """Does a row end here, but for a mark?"""
+    while tokens[place].kind == "gap" or (tokens[place].text in PUNCTUATION and tokens[place].kind == "sign"):
+        place += 1
+    return tokens[place].kind in ("end", "row") or tokens[place].text.startswith(r"\end")
+
+
+def _relates(tokens: tuple[Token, ...], relations: frozenset[str]) -> bool:
+    return any(token.text in relations and token.kind in ("sign", "command") for token in tokens)
+
+
+def _conditions(opening: Token, inner: tuple[Token, ...], relations: frozenset[str]) -> list[Token]:
+    """Each of them behind an “if”."""
+    found = [replace(opening, kind="row", text=CONDITION)]
+    for place, token in enumerate(inner):
+        parts = token.text in (",", ";") and _relates(inner[:place], relations) and _relates(inner[place + 1 :], relations)
+        found.append(replace(token, kind="row", text=CONDITION) if parts else token)
+    return found

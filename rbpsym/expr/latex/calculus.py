@@ -1,0 +1,367 @@
+"""LaTeX tokens -> fractions, derivatives, integrals, brackets, limits."""
+
+from __future__ import annotations
+
+from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.latex.formal import formal, over_an_index, taken_at
+from rbpsym.expr.latex.functions import SIGNS, operand
+from rbpsym.expr.latex.grammar import argument, begins_factor, between, expression, factor, multiplied
+from rbpsym.expr.latex.names import begins_name, label_after, read_name, read_symbol
+from rbpsym.expr.latex.tokens import Token
+from rbpsym.expr.symbol_table import Drawn, LatexReader, begins
+
+Limits = tuple[t.Node | str | None, t.Node | None]
+
+
+@begins(r"\frac")
+def _fraction(reader: LatexReader) -> t.Node:
+    """A fraction, or a derivative if d stands above and below."""
+    start = reader.take().start
+    num = _with_differential(reader)
+    derivative = _derivative(reader, start) if num is None else None
+    if derivative:
+        return derivative
+    num = argument(reader) if num is None else num
+    return reader.spanned(t.Div(num, argument(reader)), start)
+
+
+def _with_differential(reader: LatexReader) -> t.Node | None:
+    """The numerator {f dx} of an integrand, the differential kept aside; None (and nothing passed) if it is another one."""
+    begin, found = reader.position, t.ONE
+    if not reader.integrals or reader.path is not None or not reader.pass_sign("{"):
+        return None
+    try:
+        found = t.ONE if reader.sees_differential() else multiplied(reader)
+        path = _differential(reader) if reader.sees_differential() else None
+    except RbpsymError:
+        path = None
+    if path is None or not reader.pass_sign("}") or (found is t.ONE and reader.sees_sign("{") and reader.sees_differential(1)):
+        reader.position = begin
+        return None
+    reader.path = path
+    return found
+
+
+def _derivative(reader: LatexReader, start: int) -> t.Node | None:
+    """A derivative, if the fraction is one; else nothing is passed."""
+    if not (reader.sees_sign("{") and reader.sees_differential(1)):
+        return None
+    begin = reader.position
+    reader.take()
+    partial = reader.take().text == "∂"
+    order = _order(reader)
+    of = None if reader.sees_sign("}") else expression(reader)
+    if not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
+        reader.position = begin  # the fraction of a length d, or of a differential
+        return None
+    parts = _below(reader, order)
+    if of is None:
+        of = operand(reader) if begins_factor(reader) else t.Formal("operator", span=(start, reader.previous_end))
+    for wrt, times in reversed(parts):
+        of = reader.spanned(t.Deriv(of, wrt, times, partial), start)
+    return of
+
+
+@begins("d/")
+def slashed_derivative(reader: LatexReader) -> t.Node | None:
+    """dω/dt in a line, if it stands here; else nothing is passed."""
+    start, token = reader.position, reader.token
+    if reader.integrals or not reader.sees_differential():
+        return None
+    partial = reader.take().text == "∂"
+    of = read_name(reader) if begins_name(reader.token) else None
+    if of is None or not reader.pass_sign("/") or not reader.sees_differential():
+        reader.position = start
+        return None
+    reader.take()
+    wrt = "t" if _is_time(reader) else read_symbol(reader)
+    return reader.spanned(t.Deriv(of, wrt, 1, partial), token.start)
+
+
+def _order(reader: LatexReader) -> int:
+    """The order after the d: 1, or what ^ says."""
+    if not reader.pass_sign("^"):
+        return 1
+    token = reader.token
+    order = argument(reader)
+    if isinstance(order, t.Num) and isinstance(order.value, int) and 1 <= order.value <= 9:
+        return order.value
+    raise reader.error("the order of a derivative is a number from 1 to 9", "", token)
+
+
+def _below(reader: LatexReader, order: int) -> list[tuple[str, int]]:
+    """What stands in the denominator dx^m dy^n. Raises ReadError if it doesn't fit the numerator."""
+    opening, found = reader.token, []
+    reader.expect("{")
+    while not found or not reader.sees_sign("}"):
+        if not reader.sees_differential():
+            raise reader.error("a d is expected here, as in the numerator")
+        reader.take()
+        token = reader.token
+        wrt = "t" if _is_time(reader, "}", "^") else read_symbol(reader)
+        found.append((wrt, _order(reader)))
+    if sum(times for _, times in found) != order:
+        raise reader.error("the orders above and below are different", "", token)
+    reader.expect("}", opening)
+    return found
+
+
+def _is_time(reader: LatexReader, *behind: str) -> bool:
+    """Pass a plain t (with one of these behind it); was it there?"""
+    found = reader.token.kind == "letter" and reader.token.text == "t"
+    found = found and (not behind or reader.ahead().text in behind)
+    reader.position += found
+    return found
+
+
+@begins(r"\int")
+def _integral(reader: LatexReader) -> t.Node:
+    """An integral with its differential first or last."""
+    start = reader.take()
+    limits = _limits(reader)
+    if reader.sees_differential():
+        path, sign = _differential(reader), ""
+        if reader.sees_sign(r"\cdot", r"\times"):
+            sign = reader.take().text
+        whole = multiplied(reader) if _has_integrand(reader) else t.ONE
+        return reader.spanned(_integrated(reader, start, whole, sign, path, limits), start.start)
+    begin, around, reader.path = reader.position, reader.path, None
+    reader.integrals += 1
+    integrand = expression(reader) if reader.sees_sign("-") else multiplied(reader)
+    if reader.path is None and reader.sees_sign("+", "-"):
+        reader.position = begin
+        integrand = expression(reader)
+    reader.integrals -= 1
+    sign = reader.take().text if reader.sees_sign(r"\cdot", r"\times") else ""
+    path, reader.path = reader.path, around
+    if path is None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(integrand)):
+        return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
+    if path is None and not reader.sees_differential():
+        raise reader.error("the integral has no differential", "Write dθ at its end.", start)
+    path = _differential(reader) if path is None else path
+    return reader.spanned(_integrated(reader, start, integrand, sign, path, limits), start.start)
+
+
+def _has_integrand(reader: LatexReader) -> bool:
+    """Does anything follow dθ?"""
+    ends = ("sign", "row", "end", "begin")
+    return reader.token.kind not in ends or reader.sees_sign("(", "[", "{", "|")
+
+
+def _limits(reader: LatexReader) -> Limits:
+    """(lower limit or the name of a region, upper limit); None for what is absent."""
+    found: dict[str, object] = {}
+    while reader.sees_sign("_", "^") and reader.token.text not in found:
+        sign = reader.take().text
+        found[sign] = (_region(reader) if sign == "_" else None) or _limit_of(reader)
+    return found.get("_"), found.get("^")
+
+
+def _limit_of(reader: LatexReader) -> t.Node:
+    """A limit; θ = 0 stays an equation, until it is seen that θ is what is integrated over."""
+    start = reader.token.start
+    var, value = _end(reader)
+    return value if var is None else reader.spanned(t.relation(t.Sym(var), "=", value), start)
+
+
+def _value_at(reader: LatexReader, limit: object, path: t.Node) -> object:
+    """The limit's value. Raises ReadError if it is that of another variable."""
+    if not isinstance(limit, t.Chain):
+        return limit
+    if not (isinstance(path, t.Sym) and limit.items[0] == path):
+        raise reader.source.error("this limit is that of another variable", *(limit.span or (0, 1)), "Name the one behind d.")
+    return limit.items[1]
+
+
+def _region(reader: LatexReader) -> str | None:
+    """The name of a path 𝒞 or of a region; None (and nothing passed) if it is a limit."""
+    begin = reader.position
+    braces = reader.pass_sign("{")
+    text = _path_label(reader) or _region_label(reader)
+    if text and (not braces or reader.pass_sign("}")):
+        return text
+    reader.position = begin
+    return None
+
+
+def _path_label(reader: LatexReader) -> str | None:
+    """𝒞 or 𝒞_i: the path itself, which a path integral does not name otherwise."""
+    texts = [reader.ahead(count).text for count in range(4)]
+    if texts[0] != r"\mathcal" or "C" not in texts[1:3]:
+        return None
+    reader.position += 4 if texts[1] == "{" else 2
+    if reader.pass_sign("_"):
+        label_after(reader, begun=True)
+    return "path"
+
+
+def _region_label(reader: LatexReader) -> str | None:
+    """Ω, the upright name of a body, or a capital letter, if it is no symbol that could be a limit."""
+    token = reader.token
+    alone = reader.ahead().text != "^" and (reader.ahead().text != "}" or reader.ahead(2).text != "^")
+    free = token.text.isupper() and token.text != "Ω" and Drawn(token.text) not in reader.table.names
+    if token.kind == "letter" and free and alone:
+        return reader.take().text
+    if token.kind == "letter" and token.text == "Ω":
+        reader.take()
+        return "Omega"
+    if token.kind == "text":
+        reader.take()
+        return f"{token.text}_{label_after(reader)}" if reader.sees_sign("_") else token.text
+    return None
+
+
+def _differential(reader: LatexReader) -> t.Node:
+    """What stands after the d: a symbol, a vector, or a parenthesis; `m` for a mass element."""
+    start = reader.take().start
+    if reader.pass_sign("^"):  # d³r
+        order = argument(reader)
+        return reader.spanned(t.Formal("differential", (factor(reader), order)), start)
+    token = reader.token
+    if reader.sees_sign("(", "{"):
+        return between(reader, ")" if reader.sees_sign("(") else "}")
+    if begins_name(token):
+        mass = token.text == "m" and reader.ahead().text not in ("_", "'")
+        return _mass(reader) if mass else read_name(reader)
+    raise reader.error("a symbol is expected after d", "", token)
+
+
+def _mass(reader: LatexReader) -> t.Node:
+    token = reader.take()
+    return t.Sym("m", span=(token.start, token.end))
+
+
+def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
+    """The integral that a sign, a differential and limits make."""
+    reader.over = getattr(path, "name", "")
+    lower, upper = limits = tuple(_value_at(reader, limit, path) for limit in limits)
+    joined = {r"\cdot": t.Dot, r"\times": t.Cross}.get(sign, lambda *factors: t.Mul(factors))
+    whole = joined(integrand, t.Formal("differential", (path,)))
+    parts = (whole, *(t.Word(end) if isinstance(end, str) else end for end in limits if end is not None))
+    product = {r"\cdot": "dot", r"\times": "cross", "": "times"}[sign]
+    if isinstance(lower, str) and lower != "path" and (len(lower) > 1 or path == t.Sym("m")):
+        return _over_body(integrand, product, path, lower)
+    if lower is None or lower == "path":
+        if upper is not None:
+            return t.Formal("integral", parts)
+        return t.PathIntegral(integrand, path, product)
+    if upper is None or isinstance(lower, str) or not isinstance(path, (t.Sym, t.Vec)):
+        return t.Formal("integral", parts)
+    if isinstance(path, t.Vec):
+        if not _is_angle(reader, path):
+            return t.Formal("path", parts)
+        integrand = t.Dot(integrand, t.Unit("z"))
+    return t.Integral(integrand, path.name, lower, upper)
+
+
+def _is_angle(reader: LatexReader, path: t.Vec) -> bool:
+    """Is it a Greek letter, a turn about the normal of the plane; a Latin one is a way in the plane."""
+    begin, end = path.span or (0, 0)
+    letters = (token.text for token in reader.tokens if begin <= token.start < end and token.kind == "letter")
+    return any(not letter.isascii() and letter != "ℓ" for letter in letters)
+
+
+def _over_body(integrand: t.Node, product: str, path: t.Node, body: str) -> t.Node:
+    """∫ f dm, or ∫ a × db = ∫ a × (db/dm) dm."""
+    if path == t.Sym("m"):
+        return t.BodyIntegral(integrand, body)
+    density = t.Deriv(path, "m")
+    if product == "cross":
+        return t.BodyIntegral(t.Cross(integrand, density), body)
+    joined = t.Dot(integrand, density) if product == "dot" else t.mul(integrand, density)
+    return t.BodyIntegral(joined, body)
+
+
+@begins(r"\lim")
+def _limit(reader: LatexReader) -> t.Node:
+    start, begin = reader.take().start, reader.position
+    try:
+        reader.expect("_")
+        opening = reader.token
+        reader.expect("{")
+        var = read_symbol(reader)
+        if not reader.pass_sign(r"\to"):
+            raise reader.error(r"“\to” is expected here")
+        to = expression(reader)
+        reader.expect("}", opening)
+    except RbpsymError:
+        reader.position = begin
+        return over_an_index(reader, "limit", start)
+    return reader.spanned(t.Limit(multiplied(reader), var, to), start)
+
+
+@begins("[")
+def _bracket(reader: LatexReader) -> t.Node:
+    """[f] with limits is taken between them; without, it is a parenthesis, or what `_of_name` says."""
+    tokens, place, start = reader.tokens, reader.position, reader.token.start
+    node = between(reader, "]")
+    if kind := _of_name(reader, node, tokens[max(place - 2, 0) : place]):
+        return reader.spanned(t.Formal(kind, (node,)), start)
+    if isinstance(node, t.Formal) or not reader.sees_sign("_"):
+        return node
+    place = reader.position
+    reader.take()
+    try:
+        lower_var, lower = _end(reader)
+    except RbpsymError:
+        lower_var, lower = None, t.ZERO
+    if not reader.pass_sign("^"):
+        reader.position = place
+        taken = lower_var is not None
+        return taken_at(reader, node, start) if taken else formal(reader, start, "marked", node, t.Word(label_after(reader)))
+    upper_var, upper = _end(reader)
+    var = upper_var or lower_var or _taken_over(reader, t.names(node) - {"pi"}, upper)
+    if var is None or (lower_var or var) != var:
+        raise reader.error("which variable has these limits?", r"Write ]_{\theta = 0}^{...}.")
+    return reader.spanned(t.Bracket(node, var, lower, upper), start)
+
+
+def _taken_over(reader: LatexReader, inside: set[str], upper: t.Node) -> str | None:
+    """Of which name limits are that do not say it: of the integral before, of the upper limit θ, or the only one there is.
+
+    Speeds are functions of where one is: ½ θ̇² may be taken between places.
+    """
+    varies = reader.table.varies
+    above = upper.name if isinstance(upper, t.Sym) and (varies is None or varies(upper.name)) else ""
+    sole = filter(varies, inside) if varies and len(inside) == 1 else ()
+    moves = {above} if above and any(name.endswith("_dot") for name in inside) else set()
+    return next((name for name in (reader.over, above, *sole) if name in inside | moves), None)
+
+
+def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> str:
+    """[T] alone is a unit, X[0] an element, S[q] and E[x²] a value (no factors stand in brackets); "" for what is multiplied."""
+    last = before[-1] if before else None
+    if reader.sees_sign("_"):
+        return ""
+    behind = last is not None and (last.kind in ("letter", "digit", "text") or last.text in ("}", ")"))
+    named = last is not None and last.kind == "letter" and before[0].kind not in ("command", "differential")
+    if behind and isinstance(node, t.Num):
+        return "element"
+    if named and isinstance(node, (t.Pow, t.Mul)) and not (before[0] is not last and before[0].kind == "letter"):
+        return "value"
+    if not isinstance(node, (t.Sym, t.Vec)):
+        return ""
+    if behind and last.kind != "digit":
+        return "value"
+    beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (last or reader.tokens[-1], reader.token)]
+    return "unit" if all(beside) else ""
+
+
+def _end(reader: LatexReader) -> tuple[str | None, t.Node]:
+    """(variable or None, value) of a limit `θ = 0` or `0`."""
+    opening = reader.token
+    if not reader.pass_sign("{"):
+        return None, argument(reader)
+    value, var = expression(reader), None
+    if isinstance(value, t.Sym) and reader.pass_sign("="):
+        var, value = value.name, expression(reader)
+    reader.expect("}", opening)
+    return var, value
+
+
+@begins(r"\left.")
+def _at(reader: LatexReader) -> t.Node:
+    """\\left. f \\right|_{condition}"""
+    start = reader.token.start
+    return taken_at(reader, between(reader, r"\rvert"), start)

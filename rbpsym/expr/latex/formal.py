@@ -1,0 +1,316 @@
+"""LaTeX tokens -> what is read and has no value: differentials, sums between numbers, matrices, operators, loose relations.
+
+A formula that holds any of these is read whole, so that nothing in it passes unseen; whoever needs a value gets the
+sentence of its kind, which says what to write instead (`refuse`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction as Rational
+
+from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.latex.functions import LOOSE, SIGNS, relation
+from rbpsym.expr.latex.grammar import argument, atom, between, factor, is_vector, term_of
+from rbpsym.expr.latex.names import label_after
+from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, NEXT
+from rbpsym.expr.source import Source
+from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
+
+Sentence = tuple[str, str]
+_UNITS = "a number with a unit can't be decided", "Claim the formula in symbols."
+_DOTS = "dots stand for terms that nobody can compute", "Write all terms, or a sum over an index."
+_ONE = "this stands for two formulas", "Write the sign that is meant."
+_NONE = "this says nothing that can be computed", "Write an equation."
+_PATH = "an integral over a closed path or several variables can't be read", "Write it as one integral, or what it comes to."
+_SEVERAL = "what do several things in parentheses mean here?", "Give all of it a symbol, or write its components."
+_GRADIENT = "a gradient can't be computed", "Write its components."
+_OPERATOR = "this operator can't be computed", "Write what it comes to."
+_ROWS = "the environment of a matrix can't be read", "Write the equation of each row."
+_EVALUATED = "what holds where this is taken?", r"Write \left. ... \right|_{x = 0}."
+_STATES = (r"\ket", r"\bra", r"\braket", r"\ketbra", r"\expval", r"\mel", r"\dyad")
+_BARS = ("|", r"\lvert", r"\rvert")
+_DOTTED = (r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb")
+_MEASURED = (r"\SI", r"\qty", r"\si", r"\unit", r"\SIrange", r"\qtyrange")
+_SUMMED = {r"\prod": "product over", r"\bigcup": "union over", r"\bigoplus": "sum over"}
+_AROUND = (r"\oint", r"\iint", r"\iiint", r"\oiint")
+_OPERATORS = (
+    r"\det", r"\min", r"\max", r"\Re", r"\Im", r"\arg", r"\sup", r"\inf", r"\dim", r"\ker", r"\Tr", r"\tr", r"\sgn", r"\deg",
+)  # fmt: skip
+_GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
+SENTENCES: Mapping[str, Sentence] = {
+    "measured": _UNITS, "…": _DOTS, **dict.fromkeys(("±", "∓"), _ONE), **dict.fromkeys(LOOSE.values(), _NONE),
+    **dict.fromkeys(("∀", "∃"), _NONE), "∮": _PATH, **dict.fromkeys(("list", "brackets", "braces"), _SEVERAL),
+    "∞": ("infinity is no value", r"Write a limit, \lim_{x \to ...}, or a number."),
+    "mean": ("a mean value can't be read", "Give it a symbol of its own."), "∇": _GRADIENT,
+    "named": ("what is named by this brace is another formula", "Write it alone."),
+    "differential": ("a differential alone has no value", r"Write rates: \frac{dW}{dt} = ..."),
+    "sum": ("only a sum over all values of one index can be computed", r"Write its terms, or \sum_i for a sum over all."),
+    "integral": ("the limits do not fit the differential", r"Over a body, write \int_{body} f dm."),
+    "path": ("between which places does this path go?", "Write the integral over a coordinate."),
+    **dict.fromkeys(("matrix", "determinant", "row", "cases"), _ROWS), **dict.fromkeys(("at", "between"), _EVALUATED),
+    "value": ("is this a product, or a value of a function?",
+              "Say in the symbols what all of it means, or write a product without the parenthesis."),
+    "condition": ("are these words a condition?", r"Write it as \text{for } x > 0, or as “given” in the claim."),
+    "continued": ("what stands on the left of this?", "Write the left side again."),
+    "unfinished": ("what stands on the right of this?", "Write the right side too."),
+    "marked": ("only a symbol can have a subscript or prime", "Give all of it a symbol."),
+    "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
+    "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
+    "crossed": ("is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side."),
+    "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),
+    "element": ("a number in brackets is an index here", "Write it as a subscript."),
+    "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),
+    "binomial": ("a binomial coefficient can't be computed", "Write the number."),
+    "factorial": ("a factorial can't be computed", "Write the number."),
+}  # fmt: skip
+
+
+_SHAPES = {"vmatrix": "determinant", "cases": "cases"}
+
+
+def refuse(node: t.Node, source: Source) -> t.Node:
+    """The tree, in which all has a value. Raises ReadError with the sentence of what has none."""
+    for part in t.walk(node):
+        if isinstance(part, t.Formal):
+            what, instead = SENTENCES.get(part.kind, _OPERATOR)
+            begin, end = part.span or (0, len(source.text))
+            shown = source.text[begin:end].strip()
+            raise source.error(f"“{shown}”: {what}" if len(shown) <= 12 and what[-1] != "?" else what, begin, end, instead)
+    return node
+
+
+def formal(reader: LatexReader, start: int, kind: str, *parts: t.Node) -> t.Node:
+    """A part without a value, from `start` to here."""
+    return reader.spanned(t.Formal(kind, parts), start)
+
+
+@begins(*_DOTTED, r"\infty", r"\nabla", *_GRADIENTS)
+def _sign(reader: LatexReader) -> t.Node:
+    token = reader.take()
+    kind = "…" if token.text in _DOTTED else "∞" if token.text == r"\infty" else "∇"
+    label = (t.Word(label_after(reader)),) if kind == "∇" and reader.sees_sign("_") else ()
+    label = label or ((t.Word(token.text[1:]),) if token.text in _GRADIENTS else ())
+    return formal(reader, token.start, kind, *label)
+
+
+@begins(r"\forall", r"\exists")
+def _quantified(reader: LatexReader) -> t.Node:
+    token = reader.take()
+    return formal(reader, token.start, "∀" if token.text == r"\forall" else "∃", argument(reader))
+
+
+@begins(*_MEASURED)
+def _measured(reader: LatexReader) -> t.Node:
+    r"""\SI{9.8}{m/s^2}: the numbers, and the unit as it is written; \si{m} is a unit alone."""
+    head = reader.take()
+    groups: list[t.Node] = []
+    alone = head.text in (r"\si", r"\unit")
+    while reader.sees_sign("{") and len(groups) < (1 if alone else 3):
+        begin = reader.position
+        try:
+            groups.append(numeral(reader))
+        except RbpsymError:
+            groups, reader.position = [*groups, _word(reader, begin)], reader.position
+    if len(groups) == 1 and not alone:
+        return groups[0]
+    return formal(reader, head.start, "measured", *groups)
+
+
+_NUMERAL = re.compile(r"\s*([-+]?)(\d{0,20}(?:[.,]\d{0,20})?)(?:e([-+]?\d{1,2}))?\s*")
+
+
+def numeral(reader: LatexReader) -> t.Node:
+    """What stands in the braces of a number of siunitx: 8.3e-5 is 0.000083, and e no symbol."""
+    begin = reader.position
+    if reader.sees_sign("{"):
+        found = _NUMERAL.fullmatch(_word(reader, begin).text)
+        if found and found[2].strip(".,"):
+            value = Rational(found[2].replace(",", ".")) * Rational(10) ** int(found[3] or 0)
+            number = t.Num(int(value) if value.denominator == 1 else value)
+            return t.Neg(number) if found[1] == "-" else number
+    reader.position = begin
+    return argument(reader)
+
+
+def _word(reader: LatexReader, begin: int) -> t.Node:
+    """What stands in the braces at a place, as it is written."""
+    reader.position, depth = begin, 0
+    opening = reader.token
+    while reader.token.kind != "end":
+        depth += (reader.token.text == "{") - (reader.token.text == "}")
+        reader.take()
+        if not depth:
+            return t.Word(reader.source.text[opening.start + 1 : reader.previous_end - 1].strip())
+    raise reader.error("this “{” is never closed", "", opening)
+
+
+@begins(*_SUMMED)
+def _product_over(reader: LatexReader) -> t.Node:
+    token = reader.take()
+    return over_an_index(reader, _SUMMED[token.text], token.start)
+
+
+def over_an_index(reader: LatexReader, kind: str, start: int) -> t.Node:
+    """A sum (or product) of what follows, from what stands below the sign to what stands above."""
+    ends: list[t.Node] = []
+    while reader.sees_sign("_", "^") and len(ends) < 2:
+        reader.take()
+        ends.append(_end(reader))
+    return formal(reader, start, kind, term_of(reader), *ends)
+
+
+def _end(reader: LatexReader) -> t.Node:
+    """i = 1, i < j, or several of them, in braces."""
+    if not reader.sees_sign("{"):
+        return argument(reader)
+    begin, opening, found = reader.position, reader.take(), []
+    try:
+        while not found or reader.pass_sign(","):
+            found.append(relation(reader))
+        reader.expect("}", opening)
+    except RbpsymError:
+        return _word(reader, begin)
+    return found[0] if len(found) == 1 else t.Formal("list", tuple(found), span=(opening.start, reader.previous_end))
+
+
+@begins(*_AROUND)
+def _around(reader: LatexReader) -> t.Node:
+    token, begin = reader.take(), reader.position
+    limits = [_end(reader) for _ in range(2) if reader.pass_sign("_", "^")]
+    if reader.sees_sign(r"\limits"):
+        reader.position = begin
+    return formal(reader, token.start, "∮", term_of(reader), *limits)
+
+
+@begins(*_OPERATORS)
+def _operator(reader: LatexReader) -> t.Node:
+    token = reader.take()
+    below = [_end(reader)] if reader.pass_sign("_") else []
+    of = atom(reader) if reader.sees_sign("(", "[") else factor(reader)  # tr(U)^2 is no tr(U^2)
+    return formal(reader, token.start, token.text[1:], of, *below)
+
+
+@begins(*_STATES)
+def _state(reader: LatexReader) -> t.Node:
+    """\\ket{ψ}, \\braket{φ|ψ}: the words in the braces."""
+    head, words = reader.take(), []
+    while reader.sees_sign("{"):
+        words.append(_word(reader, reader.position))
+    return formal(reader, head.start, "state", *words)
+
+
+@begins(r"\binom", r"\dbinom", r"\tbinom")
+def _binomial(reader: LatexReader) -> t.Node:
+    start = reader.take().start
+    return formal(reader, start, "binomial", argument(reader), argument(reader))
+
+
+@begins("⟨")
+def _mean(reader: LatexReader) -> t.Node:
+    start = reader.token.start
+    if (state := _written_state(reader)) is not None:
+        return state
+    found = between(reader, "⟩")
+    several = isinstance(found, t.Formal) and found.kind == "list"
+    return found if several else formal(reader, start, "mean", found)
+
+
+@begins("|⟩")
+def _written_state(reader: LatexReader) -> t.Node | None:
+    """|ψ⟩, ⟨ψ|, ⟨φ|A|ψ⟩ as it is written, if it stands here; else nothing is passed."""
+    start, rest = reader.token, []
+    for token in reader.tokens[reader.position + 1 :]:
+        if token.kind in ("row", "end") or token.text in SIGNS:
+            break
+        rest.append(token.text)
+    closing = "⟩" if start.text != "⟨" or "⟩" in rest else "|"
+    inner = rest.index(closing) if closing in rest else -1
+    barred = any(text in _BARS for text in rest[:inner])
+    if inner < 0 or barred != (start.text == "⟨" and closing == "⟩") or "⟨" in rest[:inner]:
+        return None
+    reader.position += inner + 2
+    return formal(reader, start.start, "state", t.Word(reader.source.text[start.start : reader.previous_end]))
+
+
+@begins(r"\cancel")
+def _crossed_out(reader: LatexReader) -> t.Node:
+    raise reader.error(r"“\cancel”: what is crossed out can't be read", "Leave it out.")
+
+
+@begins(r"\underbrace", r"\overbrace")
+def _braced(reader: LatexReader) -> t.Node:
+    """What stands over or under the brace; its name is in words, or another formula."""
+    start, mark = reader.token.start, "_" if reader.take().text == r"\underbrace" else "^"
+    found = argument(reader)
+    if not reader.pass_sign(mark):
+        return found
+    name = _end(reader)
+    words = all(isinstance(part, (t.Word, t.Mul)) for part in t.walk(name))
+    return found if words else formal(reader, start, "named", found, name)
+
+
+@begins("(")
+def _parenthesis(reader: LatexReader) -> t.Node:
+    """(expression), or a vector by its components where none can be multiplied with what is before."""
+    before = reader.tokens[reader.position - 1] if reader.position else None
+    start = reader.token.start
+    if before is None or before.kind == "row" or before.text in _BEFORE_VECTOR:
+        found = between(reader, ")")
+        several = isinstance(found, t.Formal) and found.kind == "list"
+        return reader.spanned(_vector(found.parts), start) if several and len(found.parts) < 4 else found
+    return between(reader, ")")
+
+
+_BEFORE_VECTOR = frozenset(("=", r"\approx", "+", "-"))
+
+
+@begins(COLUMN)
+def _column(reader: LatexReader) -> t.Node:
+    """A column or row of two or three components, a vector; a matrix, a determinant, or values by cases."""
+    opening = reader.take()
+    waiting, rows = (reader.integrals, reader.bars), [[]]
+    reader.integrals, reader.bars = 0, False
+    while not reader.sees_sign(END_COLUMN):
+        empty = reader.sees_sign("&", NEXT)
+        rows[-1].append(t.Word("") if empty else relation(reader))
+        reader.pass_sign(",")
+        if reader.sees_sign("&", NEXT):
+            rows += [[]] if reader.take().text == NEXT else []
+        elif not reader.sees_sign(END_COLUMN):
+            raise reader.error(*_ROWS, opening)
+    reader.integrals, reader.bars = waiting
+    reader.take()
+    begun = reader.source.text[: opening.end]
+    kind = next((kind for word, kind in _SHAPES.items() if word in begun[opening.start :]), "matrix")
+    kind = "cases" if begun[: opening.start].rstrip().endswith(r"\{") else kind
+    cells = [cell for row in rows for cell in row]
+    if kind == "matrix" and 1 in (len(rows), len(rows[0])) and 1 < len(cells) <= 3 and not any(map(is_vector, cells)):
+        return reader.spanned(_vector(cells), opening.start)
+    return reader.spanned(t.Formal(kind, tuple(t.Formal("row", tuple(row)) for row in rows)), opening.start)
+
+
+def _vector(cells: list[t.Node]) -> t.Node:
+    along = (t.mul(part, t.Unit(axis)) for part, axis in zip(cells, "xyz", strict=False))
+    return cells[0] if len(cells) == 1 else t.Add(tuple(along))
+
+
+def taken_at(reader: LatexReader, node: t.Node, start: int) -> t.Node:
+    """What is taken where the subscript (and superscript) behind the bar say."""
+    reader.expect("_")
+    if reader.sees_sign("{"):
+        opening = reader.take()
+        where = relation(reader)
+        while reader.pass_sign(","):
+            where = t.System((*t.rows(where), relation(reader)))
+        reader.expect("}", opening)
+    else:
+        where = argument(reader)
+    if reader.pass_sign("^"):
+        return reader.spanned(t.Formal("between", (node, where, argument(reader))), start)
+    return reader.spanned(t.At(node, where) if isinstance(where, t.Chain) else t.Formal("at", (node, where)), start)
+
+
+COMMANDS["at"] = taken_at

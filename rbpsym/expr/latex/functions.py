@@ -1,0 +1,326 @@
+"""LaTeX tokens -> functions, roots, magnitudes; functions with or without parentheses around what they are taken of.
+
+Without parentheses, the argument is a number and the factors side by side behind it: cos ωt, sin 2θ, sin(θ/2).
+It ends at a further function, a sign, a spacing command, a parenthesis or a dotted symbol, as in sin θ φ̇ and
+cos θ (1 + x). Dimensions tell where it ends otherwise: in cos ωt only ωt is a number, in sin θ mg only θ.
+
+Relations, a = b = c; and what depends on what: x(t) and V(θ) are no products, and d/dt in front of a product is of all
+of it. Decided by what the symbols are declared to be (`SymbolTable.varies`) and by dimensions; else refused.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction as Rational
+
+from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.latex.grammar import (
+    SPACING,
+    argument,
+    atom,
+    begins_factor,
+    between,
+    ends_integrand,
+    expression,
+    factor,
+    number,
+    refuse_number,
+)
+from rbpsym.expr.latex.names import begins_name, read_name
+from rbpsym.expr.latex.tokens import FUNCTION_WORDS, Token
+from rbpsym.expr.limits import MAX_EXPONENT, number_of
+from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
+
+SIGNS = {
+    "=": "=", "<": "<", ">": ">", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~",
+    r"\to": "->",
+}  # fmt: skip
+
+
+LOOSE = {
+    r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
+    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦",
+}  # fmt: skip
+
+
+def relation(reader: LatexReader) -> t.Node:
+    """A chain, or an expression alone."""
+    start = reader.token.start
+    first = t.Formal("continued", span=(start, start + 1)) if reader.sees_sign("=", r"\approx") else expression(reader)
+    return reader.spanned(chained(reader, [first], []), start)
+
+
+def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
+    """The chain that goes on with the signs that follow."""
+    while reader.sees_sign(*SIGNS):
+        sign = reader.take()
+        ops.append(SIGNS[sign.text])
+        ends = reader.token.kind == "end"
+        items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else expression(reader))
+    found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
+    if not reader.sees_sign(*LOOSE):
+        return found
+    sign = LOOSE[reader.take().text]
+    return reader.spanned(t.Formal(sign, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
+
+
+MOST_ASKED = 6  # of such questions in a formula; behind them, what varies is a function
+_CALLED = "is this a product, or a value of a function?"
+_WRITE = r"Say in the symbols what all of it means, or write a product without the parenthesis."
+
+
+COMMANDS["relation"] = relation
+
+
+@begins("f()")
+def called(reader: LatexReader) -> t.Node:
+    """A name; in x(t) and V(θ, φ) it is a function of these, and stands for its value there."""
+    first, name = reader.position, read_name(reader)
+    return applied(reader, name, first) if isinstance(name, (t.Sym, t.Vec)) and reader.sees_sign("(") else name
+
+
+def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False) -> t.Node:
+    """A name that stands at `first`, perhaps raised to a power, and in parentheses behind it what it may depend on."""
+    varies, begin = _varies(reader, name), reader.position
+    if raised and varies is None:
+        return name
+    later = not raised and reader.ahead().text == "t" and reader.ahead(2).text in ("+", "-") and varies  # v(t + Δt)
+    if later or _has_commas(reader):
+        return _value(reader, name)
+    found = _arguments(reader)
+    end, reader.position = reader.position, begin
+    if found is None or (varies is False and found != [t.ZERO]):
+        return name
+    constant = any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False)
+    if raised and constant and found != [t.ZERO]:
+        return name
+    if constant or _is_elsewhere(reader, first, begin, end):
+        return _value(reader, name)
+    clear = len(found) > 1 or found[0] is _TIME or (varies is not False and len(reader.met) >= MOST_ASKED)
+    clear = clear or (varies is None and found == [_TIME])
+    if clear or reader.decide(_CALLED, _WRITE, yes=int(varies is True)) == (varies is None):
+        reader.position = end
+    return name
+
+
+def _has_commas(reader: LatexReader) -> bool:
+    """Is there more than names in the parentheses that follow, with commas between, or a relation: f(2x, y), f(x = 0)?"""
+    begin = reader.position
+    named, reader.position = _arguments(reader), begin
+    depth = count = 0
+    for token in reader.tokens[begin:] if named is None else ():
+        depth += (token.text in ("(", "[", "{", r"\{")) - (token.text in (")", "]", "}", r"\}"))
+        count += (token.text == "," or token.text in SIGNS or token.text in LOOSE) and depth == 1
+        if not depth:
+            break
+    return count > 0
+
+
+def _value(reader: LatexReader, name: t.Node) -> t.Node:
+    """f(0), f(x + y, 2): the value of a function that nothing is known of."""
+    opening = reader.take()
+    found = [relation(reader)]
+    while reader.pass_sign(",", ";"):
+        found.append(relation(reader))
+    reader.expect(")", opening)
+    return reader.spanned(t.Formal("value", (name, *found)), (name.span or (opening.start, 0))[0])
+
+
+def _is_elsewhere(reader: LatexReader, first: int, begin: int, end: int) -> bool:
+    """Does the same name stand with something else in its parentheses, so that its values differ: V(x) - V(y)?"""
+    texts = [token.text for token in reader.tokens]
+    name, given = texts[first : begin + 1], texts[begin:end]
+    starts = (k for k in range(len(texts)) if texts[k : k + len(name)] == name and texts[k - 1] not in ("_", *_DOTTED))
+    return any(texts[k + len(name) - 1 :][: len(given)] != given for k in starts)
+
+
+_TIME = t.Sym("t")
+
+
+def _varies(reader: LatexReader, node: t.Node) -> bool | None:
+    """Is it no constant? None where nothing is known."""
+    if node is _TIME or reader.table.varies is None:
+        return True if node is _TIME else None
+    return any(reader.table.varies(name) for name in t.names(node) - {"pi"})
+
+
+def _arguments(reader: LatexReader) -> list[t.Node] | None:
+    """Names with commas between them, the time, or a number, in parentheses, which are passed; None for anything else."""
+    found: list[t.Node] = []
+    while reader.pass_sign(*((",",) if found else ("(",))):
+        argument = _applied_to(reader)
+        if argument is None:
+            return None
+        found.append(argument)
+    return found if found and reader.pass_sign(")") else None
+
+
+def _applied_to(reader: LatexReader) -> t.Node | None:
+    token, digits = reader.token, ""
+    while reader.token.kind == "digit":
+        digits += reader.take().text
+    if digits:
+        return t.Num(int(digits))
+    if not begins_name(token):
+        return None
+    try:
+        name = read_name(reader)
+        return name if isinstance(name, (t.Sym, t.Vec)) else None
+    except RbpsymError:
+        is_time = token.kind == "letter" and token.text == "t" and reader.tokens[reader.position - 1] is token
+        return _TIME if is_time else None
+
+
+def operand(reader: LatexReader) -> t.Node:
+    r"""What \frac{d}{dt} in front stands for: a factor in parentheses, or the whole product side by side.
+
+    Raises ReadError where it matters which of several factors that change is meant.
+    """
+    start, closed = reader.token, reader.sees_sign("(", "[", "{", r"\{")
+    factors = [factor(reader)]
+    while not closed and begins_factor(reader):
+        refuse_number(reader)
+        factors.append(factor(reader))
+    several = len([node for node in factors if _varies(reader, node) is not False and t.names(node) - {"pi"}]) > 1
+    goes_on = not closed and reader.sees_sign("/", r"\cdot", r"\times", "*") and not ends_integrand(reader)
+    whole = factors[0] if len(factors) == 1 else reader.spanned(t.Mul(tuple(factors)), start.start)
+    return reader.spanned(t.Formal("several", (whole,)), start.start) if several or goes_on else whole
+
+
+COMMANDS["operand"] = operand
+COMMANDS["applied"] = applied
+FUNCTIONS = {rf"\{word}": name for word, name in FUNCTION_WORDS.items()}
+_INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})
+_CLOSED = ("(", "[", "{", r"\{")
+_ROOTS = (r"\frac", r"\sqrt", r"\ang", r"\num")
+_DOTTED = (r"\dot", r"\ddot", r"\dddot")
+_ENDING = (r"\vec", r"\hat", r"\boldsymbol")
+
+
+@begins(*FUNCTIONS)
+def _function(reader: LatexReader) -> t.Node:
+    token = reader.take()
+    name = FUNCTIONS[token.text]
+    base = argument(reader) if token.text == r"\log" and reader.pass_sign("_") else None
+    exponent = None
+    if reader.pass_sign("^"):
+        exponent = argument(reader)
+        if exponent == t.Neg(t.ONE) and f"a{name}" in FUNCTION_WORDS.values():
+            asked = f"this power of {name} can be read in two ways", rf"Write \arc{name}, or ({token.text} x)^n."
+            name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
+        elif name == "exp" and not (begins_factor(reader) or isinstance(exponent, t.Num)):
+            return reader.spanned(t.Fn(name, exponent), token.start)  # \exp^{-t/T}, printed for e^{-t/T}
+        elif name in _INVERSE_POWER or number_of(exponent) is None:
+            raise reader.error(f"this power of {name} can be read in two ways",
+                               rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
+    arg = _argument(reader, token)
+    made = t.Group(HYPERBOLIC[name](arg)) if name in HYPERBOLIC else t.Fn(name, arg)
+    made = made if base is None else t.Div(made, t.Fn(name, base))
+    call = reader.spanned(made, token.start)
+    return reader.power(call, exponent, token.start) if exponent else call
+
+
+def _argument(reader: LatexReader, head: Token) -> t.Node:
+    """(expression), {expression}, or factors side by side."""
+    start = reader.token.start
+    if reader.sees_sign(*_CLOSED, r"\lvert", "|"):
+        return COMMANDS[reader.token.text](reader)
+    if reader.token.text in FUNCTIONS:
+        return _function(reader)
+    if reader.sees_differential() or not (_is_simple(reader) or begins_name(reader.token)):
+        raise reader.error(f"{head.text} needs its argument here", "", head)
+    factors = [_part(reader, head)]
+    while _is_number(factors[-1]) and _is_simple(reader) and not _is_apart(reader, factors[-1]):
+        if reader.token.kind == "digit":
+            break
+        factors.append(_part(reader, head))
+    while _goes_on(reader, factors[-1]):
+        closes = reader.sees_sign(*_CLOSED)
+        factors.append(_part(reader, head))
+        if closes:
+            break
+    whole = factors[0] if len(factors) == 1 else reader.spanned(t.Mul(tuple(factors)), start)
+    return _divided(reader, whole, start)
+
+
+def _is_number(node: t.Node) -> bool:
+    """Is it a number or π, of which one hardly takes a sine or cosine if more follows?"""
+    return isinstance(node, t.Num) or node == t.Sym("pi")
+
+
+def _is_simple(reader: LatexReader) -> bool:
+    """Does a number, a symbol, a fraction or a root follow, which may be a factor of a bare argument?"""
+    token = reader.token
+    if token.kind == "digit" or token.text in _ROOTS:
+        return True
+    return begins_name(token) and not reader.sees_differential() and token.text not in _ENDING
+
+
+def _part(reader: LatexReader, head: Token) -> t.Node:
+    node = atom(reader)
+    if reader.sees_sign("^"):
+        raise reader.error("is the argument or the function raised to this power?",
+                           f"Write {head.text}^2 x or {head.text}(x^2).")  # fmt: skip
+    return node
+
+
+def _goes_on(reader: LatexReader, before: t.Node) -> bool:
+    """Does the next factor belong to the argument?"""
+    if not (_is_simple(reader) or reader.sees_sign("(", "[", r"\{")) or not begins_factor(reader):
+        return False
+    if reader.token.kind == "digit":
+        raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
+    question = r"Put the argument in parentheses: \sin(x) y, or \sin(x y)."
+    return reader.decide("does this belong to the function's argument?", question, yes=int(_is_apart(reader, before)))
+
+
+def _is_apart(reader: LatexReader, before: t.Node) -> bool:
+    """Would one hardly take what follows for a part of the argument?"""
+    gap = reader.source.text[reader.previous_end : reader.token.start]
+    apart = isinstance(before, (t.Div, t.Sqrt)) or reader.token.text in _DOTTED
+    return apart or reader.sees_sign(*_CLOSED) or bool(SPACING.search(gap))
+
+
+def _divided(reader: LatexReader, whole: t.Node, start: int) -> t.Node:
+    """The argument, or its quotient where a slash follows."""
+    if not reader.sees_sign("/"):
+        return whole
+    hint = r"Write \frac{\sin x}{2} or \sin\frac{x}{2}."
+    unusual = reader.ahead().text in _CLOSED
+    if not reader.decide("is the function's argument divided here, or its value?", hint, yes=int(unusual)):
+        return whole
+    reader.take()
+    return reader.spanned(t.Div(whole, factor(reader)), start)
+
+
+@begins(r"\lvert", "|", r"\Vert")
+def _absolute(reader: LatexReader) -> t.Node:
+    start = reader.token
+    if start.text in (r"\lvert", "|") and (state := COMMANDS["|⟩"](reader)) is not None:
+        return state
+    double = start.text == reader.ahead().text == "|"
+    reader.position += double
+    node = between(reader, r"\rvert" if start.text == r"\lvert" else start.text)
+    if double:
+        reader.expect("|", start)
+    return reader.spanned(t.Abs(node), start.start)
+
+
+@begins(r"\sqrt")
+def _root(reader: LatexReader) -> t.Node:
+    start = reader.take().start
+    order = whole_number(reader, "the order of a root", 2, MAX_EXPONENT) if reader.sees_sign("[") else 2
+    arg = argument(reader)
+    whole = t.Sqrt(arg) if order == 2 else t.Pow(arg, t.Num(Rational(1, order)))
+    return reader.spanned(whole, start)
+
+
+def whole_number(reader: LatexReader, what: str, least: int, most: int) -> int:
+    """n of \\sqrt[n]{x}: a whole number in brackets, between these."""
+    opening = reader.take()
+    node = number(reader) if reader.token.kind == "digit" else None
+    if not isinstance(node, t.Num) or not isinstance(node.value, int) or not least <= node.value <= most:
+        raise reader.error(f"{what} is a number from {least} to {most}", "", opening)
+    reader.expect("]", opening)
+    return node.value

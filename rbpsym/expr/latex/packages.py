@@ -1,0 +1,62 @@
+"""LaTeX tokens -> what packages write: derivatives of `physics`, numbers of `siunitx`; what has no value is refused by name."""
+
+from __future__ import annotations
+
+from rbpsym.expr import tree as t
+from rbpsym.expr.latex.formal import numeral
+from rbpsym.expr.latex.functions import operand, whole_number
+from rbpsym.expr.latex.grammar import DEGREE, argument
+from rbpsym.expr.latex.names import read_symbol
+from rbpsym.expr.symbol_table import LatexReader, begins
+
+
+@begins(r"\dv", r"\pdv")
+def _derivative(reader: LatexReader) -> t.Node:
+    r"""\dv{f}{x}, \dv[2]{f}{x}, and \dv{t} in front of what it stands for; \pdv{f}{x}{y} too."""
+    head = reader.take()
+    reader.pass_sign("*")
+    order = _option(reader)
+    begin = reader.position
+    of = argument(reader)
+    parts: list[str] = []
+    while reader.sees_sign("{") and len(parts) < (1 if order > 1 or head.text == r"\dv" else 3):
+        parts.append(_variable(reader))
+    if not parts:
+        reader.position = begin
+        parts.append(_variable(reader))
+        of = operand(reader)
+    for wrt in reversed(parts):
+        of = reader.spanned(t.Deriv(of, wrt, order, head.text == r"\pdv"), head.start)
+    return of
+
+
+def _option(reader: LatexReader) -> int:
+    """The order in brackets, 1 without."""
+    if not reader.sees_sign("["):
+        return 1
+    return whole_number(reader, "the order of a derivative", 1, 9)
+
+
+def _variable(reader: LatexReader) -> str:
+    time = [reader.ahead(count).text for count in range(3)] == ["{", "t", "}"]
+    reader.position += 3 * time
+    return "t" if time else read_symbol(reader)
+
+
+@begins(r"\abs", r"\norm", r"\vqty")
+def _magnitude(reader: LatexReader) -> t.Node:
+    start = reader.take().start
+    reader.pass_sign("*")
+    return reader.spanned(t.Abs(argument(reader)), start)
+
+
+@begins(r"\num", r"\ang")
+def _number(reader: LatexReader) -> t.Node:
+    head = reader.take()
+    found = numeral(reader)
+    return reader.spanned(t.mul(found, DEGREE), head.start) if head.text == r"\ang" else found
+
+
+@begins(r"\overset", r"\underset", r"\stackrel")
+def _over_a_sign(reader: LatexReader) -> t.Node:
+    raise reader.error("a mark over a sign or symbol can't be read", "Write the sign or symbol alone.")

@@ -1,0 +1,266 @@
+"""LaTeX -> display tree, driven by the symbols of a problem.
+
+It reads what our own printer and physics papers write, and stops with an error, with a caret, at
+the first thing that it doesn't know: no character is ever passed over.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from types import MappingProxyType
+
+from rbpsym.errors import Place, RbpsymError
+from rbpsym.expr import tree as t
+from rbpsym.expr.glyphs import DEFAULT, Notation
+from rbpsym.expr.infix import Ways
+from rbpsym.expr.latex import (
+    calculus as latex_calculus,
+)
+from rbpsym.expr.latex import (
+    formal as latex_formal,
+)
+from rbpsym.expr.latex import (
+    functions as latex_functions,
+)
+from rbpsym.expr.latex import (
+    packages as latex_packages,
+)
+from rbpsym.expr.latex import (
+    sums as latex_sums,
+)
+from rbpsym.expr.latex.functions import relation
+from rbpsym.expr.latex.grammar import BELOW, UNKNOWN_COMMAND
+from rbpsym.expr.latex.rows import GAP, laid_out
+from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, MAX_LENGTH, Token, tokenize
+from rbpsym.expr.source import Source
+from rbpsym.expr.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
+from rbpsym.frozen import Frozen, replace
+
+MOST_READINGS, MOST_TOKENS = 128, 12_000  # readings, and tokens read in all of them
+Read = Callable[[LatexReader], t.Node]
+
+
+class Reading(Frozen):
+    """A formula as it was read with some choices: the tree or the error, the questions met, how unusual it is."""
+
+    script: tuple[bool, ...]
+    met: tuple[Question, ...]
+    cost: int
+    node: t.Node | None
+    error: RbpsymError | None
+
+
+def best_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> t.Node:
+    """The tree that is meant. Raises ReadError if none or more than one can be meant."""
+    first = _reading(source, tokens, table, read, ())
+    if not first.met:
+        return _tree(first)
+    readings = _all(source, tokens, table, read, first)
+    sound = [reading for reading in readings if reading.node is not None]
+    if not sound:
+        raise first.error
+    faults = {reading.script: table.faults(reading.node) for reading in sound}
+    ranked = sorted(sound, key=lambda reading: (faults[reading.script], reading.cost))
+    best = ranked[0]
+    rank = (faults[best.script], best.cost)
+    rivals = [r for r in ranked if (faults[r.script], r.cost) == rank and r.node != best.node]
+    if rivals:
+        raise _asked(source, _parting(best, rivals[0]))
+    return best.node
+
+
+def every_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> tuple[Reading, ...]:
+    """All readings that make a formula, the first without any unusual choice. Raises ReadError if there is none."""
+    free = replace(table, faults=equally)
+    first = _reading(source, tokens, free, read, ())
+    readings = _all(source, tokens, free, read, first)
+    sound = tuple(reading for reading in readings if reading.node is not None)
+    if not sound:
+        raise first.error
+    return sound
+
+
+def _tree(reading: Reading) -> t.Node:
+    if reading.node is None:
+        raise reading.error
+    return reading.node
+
+
+def _reading(
+    source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
+) -> Reading:
+    reader = LatexReader(source, tokens, table=table, script=script)
+    try:
+        node, error = read(reader), None
+    except RbpsymError as found:
+        node, error = None, found
+    chosen = (*script, *(False,) * (len(reader.met) - len(script)))
+    return Reading(chosen, tuple(reader.met), reader.cost, node, error)
+
+
+def _all(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, first: Reading) -> list[Reading]:
+    """Every reading: of each, those that choose otherwise at one of the questions behind its script."""
+    found, waiting = [first], [(first, 0)]
+    most = min(MOST_READINGS, max(MOST_TOKENS // len(tokens), 2))
+    while waiting:
+        reading, fixed = waiting.pop()
+        for place in range(fixed, len(reading.met)):
+            if len(found) >= most:
+                raise _asked(source, reading.met[place])
+            other = _reading(source, tokens, table, read, (*reading.script[:place], True))
+            found.append(other)
+            waiting.append((other, place + 1))
+    return found
+
+
+def _asked(source: Source, question: Question) -> RbpsymError:
+    what, instead, token = question
+    return source.error(what, token.start, token.end, instead)
+
+
+def _parting(one: Reading, other: Reading) -> Question:
+    """The question that the two readings answer differently."""
+    pairs = zip(one.script, other.script, strict=False)
+    place = next((k for k, (a, b) in enumerate(pairs) if a != b), 0)
+    return one.met[place]
+
+
+# loaded: they enter their commands into the table
+GRAMMAR = (latex_calculus, latex_formal, latex_functions, latex_packages, latex_sums)
+
+
+def read_latex(
+    text: str,
+    symbols: SymbolTable | Iterable[str] | Mapping[str, str],
+    *,
+    notation: Notation = DEFAULT,
+    spellings: Mapping[str, str] = MappingProxyType({}),
+    place: Place | None = None,
+    whole: bool = False,
+) -> t.Node:
+    """The tree of a LaTeX formula: an expression, a Chain, or a System of several relations.
+
+    `symbols` are the names of the problem, drawn as `notation` says, or {LaTeX: name}, or a
+    `SymbolTable`; `spellings` adds other LaTeX for a name. A full stop or comma at the end of
+    the formula is punctuation. `whole`: parts without a value (`tree.Formal`) are read too. Raises ReadError with line,
+    column and caret, LimitError.
+    """
+    if not isinstance(symbols, SymbolTable):
+        symbols = symbol_table(symbols, notation, spellings)
+    source = Source(text, place)
+    tokens = _formula_tokens(text, source)
+    found = source.bounded(best_reading(source, tokens, symbols, _rows))
+    return found if whole else latex_formal.refuse(found, source)
+
+
+def latex_ways(text: str, symbols: SymbolTable, *, whole: bool = False) -> Ways:
+    """All readings of a formula that can be read in several ways. Raises as `read_latex`."""
+    source = Source(text)
+    tokens = _formula_tokens(text, source)
+    readings = every_reading(source, tokens, symbols, _rows)
+    met = [question for reading in readings for question in reading.met]
+    what, instead, token = met[0] if met else ("", "", tokens[0])
+    error = source.error(what, token.start, token.end, instead) if met else None
+    trees = tuple(source.bounded(reading.node) for reading in readings)
+    for tree in () if whole else trees:
+        latex_formal.refuse(tree, source)
+    return Ways(trees, error, tuple(_parted(reading) for reading in readings))
+
+
+def _parted(reading: Reading) -> tuple[bool, ...]:
+    """What was chosen where this changes what is multiplied and what divided."""
+    pairs = zip(reading.met, reading.script, strict=False)
+    return tuple(chosen for question, chosen in pairs if question[0] == BELOW)
+
+
+_FRAME = re.compile(r"\\(?:A?boxed|fbox|shrunk)\s*\{")
+_RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
+
+
+_UNIT = r"(?:k?g|[ckm]?m|[mk]?N|k?[JW]|s|Hz|rad|K|Pa)(?:\^\{?-?\d\}?)?"
+_UNITS = rf"{_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}}"
+_BEHIND = r"(?:~|\\[ ;]|\\q?quad)"
+_RATIO = rf"\\[dt]?frac\s*\{{\s*{_UNITS}\s*\}}\s*\{{[^{{}}]*s[^{{}}]*(?:\{{\d\}})?\}}"
+_MEASURED = re.compile(  # a decimal number and letters behind a gap that spell a unit, or such a fraction, up to the end of a row
+    rf"\d\.\d+\s*(?:{_BEHIND}\s*({_UNITS})|(?:{_BEHIND}|\\,)?\s*({_RATIO}))\s*[.,]?\s*(?:\\\\|$)"
+)
+
+
+def _closed_at(text: str, start: int) -> int:
+    """Where the brace is closed behind which the text begins; -1 if nowhere."""
+    depth = 1
+    for found in re.compile(r"\\.|[{}]", re.S).finditer(text, start):
+        depth += (found[0] == "{") - (found[0] == "}")
+        if not depth:
+            return found.start()
+    return -1
+
+
+def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
+    """The tokens of the relations; a frame round a relation, or round all, is made blank, so that places are kept."""
+    for frame in _FRAME.finditer(text[:MAX_LENGTH]):
+        end = _closed_at(text, frame.end())
+        if end > 0 and (_RELATES.search(text, frame.end(), end) or not (text[: frame.start()] + text[end + 1 :]).strip()):
+            text = f"{text[: frame.start()]}{' ' * len(frame[0])}{text[frame.end() : end]} {text[end + 1 :]}"
+    if measured := _MEASURED.search(text[:MAX_LENGTH]):
+        hint = "Write the number alone in the unit that the claim says, or * where a product is meant."
+        group = 1 if measured[1] else 2
+        raise source.error(f"is “{measured[group]}” a unit, or a product of symbols?", *measured.span(group), hint)
+    return laid_out(source, tokenize(Source(text, source.place), gaps=True))
+
+
+def _rows(reader: LatexReader) -> t.Node:
+    """One formula, or several relations, perhaps with the conditions under which they hold."""
+    rows, conditions = [_row(reader)], []
+    while reader.token.kind == "row":
+        parting = reader.take().text
+        row = _row(reader)
+        (conditions if _is_condition(row, parting, rows, conditions) else rows).append(row)
+    if reader.token.kind != "end":
+        hint = UNKNOWN_COMMAND if reader.token.kind == "command" else ""
+        raise reader.error(f"“{reader.token.text}” is not expected here", hint)
+    rows = [_as_condition(row, reader) for row in rows if not _is_text(row)] or rows
+    if len(rows) == 1 and not conditions:
+        return rows[0]
+    conditions = [_as_condition(row, reader) for row in conditions]
+    alone = next((row for row in (*rows, *conditions) if not isinstance(row, (t.Chain, t.Formal))), None)
+    if alone is not None:
+        hint = "Begin it with the sign by which it goes on, or write a whole relation."
+        raise reader.source.error("this is no relation, and nothing says how it goes on", *alone.span, hint)
+    return t.System(tuple(rows), tuple(conditions), span=(0, reader.previous_end))
+
+
+def _row(reader: LatexReader) -> t.Node:
+    """A relation; a word that stands alone is a remark, and no name."""
+    token, behind = reader.token, reader.ahead().kind
+    row = relation(reader)
+    return t.Word(token.text, span=row.span) if token.kind == "text" and behind in ("row", "end") else row
+
+
+def _words(row: t.Node) -> list[t.Word]:
+    return [part for part in t.walk(row) if isinstance(part, t.Word)]
+
+
+def _is_text(row: t.Node) -> bool:
+    """Is it a remark in words, that can be no condition?"""
+    words = all(isinstance(part, (t.Mul, t.Group, t.Word)) for part in t.walk(row))
+    return words and not any(CONDITIONS.search(word.text) for word in _words(row))
+
+
+_SAYING = re.compile(rf"{CONDITIONS.pattern}|[^\W\d_]{{2,}}\s+[^\W\d_]{{2,}}", re.I)  # or several words, whatever they say
+
+
+def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
+    """The row; words with what they are about are a condition that nothing can be computed of."""
+    said = not isinstance(row, (t.Chain, t.Formal)) and any(_SAYING.search(word.text) for word in _words(row))
+    return t.Formal("condition", (row,), span=row.span) if said else row
+
+
+def _is_condition(row: t.Node, parting: str, rows: list[t.Node], conditions: list[t.Node]) -> bool:
+    """Does it say when the others hold: behind “if”, or an inequality of a symbol behind a gap or another condition?"""
+    if parting == CONDITION or not isinstance(row, t.Chain):
+        return parting == CONDITION
+    stated = any(isinstance(found, t.Chain) and {"=", "~"}.intersection(found.ops) for found in rows)
+    bare = any(isinstance(item, t.Sym) for item in row.items) and not {"=", "~", "->"}.intersection(row.ops)
+    return bare and stated and (parting == GAP or bool(conditions))

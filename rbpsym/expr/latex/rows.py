@@ -1,0 +1,288 @@
+"""The rows of a display: what goes on is joined, what stands side by side is parted, what is neither is refused.
+
+This is the one place where tokens are taken out before a formula is read: alignment, ends of rows, gaps, punctuation
+between relations, delimiters that are cut at the end of a row. What parts two relations becomes one token "row".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rbpsym.errors import RbpsymError
+from rbpsym.expr.latex.asides import without_asides
+from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, END_COLUMN, NEXT, PUNCTUATION, Token
+from rbpsym.expr.source import Source
+
+OPEN = "?"  # the text of a row token where a sum or product may go on
+GAP = "gap"  # the text of a row token made by a wide gap, behind which a condition may stand
+RELATIONS = frozenset(("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\to", r"\propto", r"\sim", r"\ll", r"\gg", r"\in"))
+_JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which nothing begins
+_SIGNS = frozenset((*RELATIONS, *_JOINING, "-", r"\pm", r"\mp"))
+ARROW = r"\to"
+_CUT = (r"\left.", r"\right.")
+_HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
+_DEEPER, _HIGHER = frozenset("([{⟨") | {r"\{", COLUMN}, frozenset(")]}⟩") | {r"\}", END_COLUMN}
+_CELLED = frozenset(("array", "cases"))  # whose rows may be no sum, but the values of a vector or by cases
+
+
+def laid_out(source: Source, tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """The tokens of the relations, with a token "row" between two of them. Raises ReadError for what can't be joined."""
+    return _Layout(source, without_asides(tokens, RELATIONS)).tokens()
+
+
+class _Layout:
+    """One pass over the tokens of a display."""
+
+    def __init__(self, source: Source, tokens: tuple[Token, ...]) -> None:
+        self.source, self.all = source, tokens
+        self.depth = self.cut = 0
+        self.columns: list[int] = []  # how deep the columns stand that are open
+        self.related = False  # was there a relation sign since the last parting?
+        self.stated = False  # and one that is no arrow?
+        self.parted = 0  # relations side by side in this row
+        self.beside = 0  # up to where a remark stands beside a row that the next one goes on with
+        texts = [token.text for token in tokens]
+        self.braced = texts.count(r"\{") == texts.count(r"\}")  # else one opens several rows
+        self.steps = [self._step(token) for token in tokens]
+
+    def tokens(self) -> tuple[Token, ...]:
+        """What is read: things and signs, and what parts relations."""
+        found: list[Token] = []
+        for k, token in enumerate(self.all):
+            self.depth += self.steps[k]
+            if token.text in (COLUMN, END_COLUMN):
+                self.columns = [*self.columns, self.depth] if token.text == COLUMN else self.columns[:-1]
+            self.related |= self.depth == 0 and _is_relation(token)
+            self.stated |= self.depth == 0 and _is_relation(token) and token.text != ARROW
+            kept = self._kept(k, token)
+            if kept is None or (kept.kind == "row" and kept.text != CONDITION and not found):
+                continue
+            if kept.kind == "row":
+                self.related = self.stated = False
+                while found and found[-1].kind == "row":
+                    kept = _both(found.pop(), kept)
+            found.append(kept)
+        last = found.pop()
+        while found and found[-1].kind == "row" and found[-1].text != CONDITION:
+            found.pop()
+        return (*found, last)
+
+    def _kept(self, k: int, token: Token) -> Token | None:
+        """The token, a token that parts two relations, or None where it only forms the page."""
+        if k < self.beside:
+            return None
+        if token.text in PUNCTUATION and token.kind == "sign":
+            return self._punctuation(k, token)
+        rule = _RULES.get(token.text if token.kind == "sign" or token.text == ARROW else token.kind)
+        return rule(self, k, token) if rule else token
+
+    def _step(self, token: Token) -> int:
+        """How much deeper what follows stands."""
+        counts = token.kind == "sign" or (self.braced and token.kind == "command")
+        return (token.text in _DEEPER) - (token.text in _HIGHER) if counts else 0
+
+    # --- what stands around
+
+    def _near(self, k: int, step: int, *, over_rows: bool = True) -> Token | None:
+        """The next thing or sign before or behind (or the end of the row); None at the edge of the formula."""
+        k += step
+        while 0 <= k < len(self.all) - 1 and _is_blank(self.all[k]) and (over_rows or self.all[k].kind != "row"):
+            k += step
+        return self.all[k] if 0 <= k < len(self.all) - 1 else None
+
+    def _at_edge(self, k: int, step: int) -> bool:
+        """Does a row (or the formula) begin or end here, but for what only forms the page?"""
+        found = self._near(k, step, over_rows=False)
+        return found is None or found.kind == "row"
+
+    def _row_behind(self, k: int) -> list[int]:
+        """Where the tokens up to the next end of a row or parting stand, on this level."""
+        places, depth = [], 0
+        for place in range(k + 1, len(self.all) - 1):
+            token = self.all[place]
+            depth += self.steps[place]
+            if depth == 0 and places and (token.kind == "row" or token.text in PUNCTUATION):
+                break
+            places += [place] if depth == 0 and token.kind != "row" else []
+        return places
+
+    def _relates(self, k: int) -> bool:
+        """Does a relation sign follow in this row?"""
+        return any(_is_relation(self.all[place]) for place in self._row_behind(k))
+
+    # --- rules
+
+    def _row(self, k: int, token: Token) -> Token | None:
+        """The end of a row, or a word that joins relations."""
+        before, behind = self._near(k, -1), self._near(k, 1)
+        if self.columns and self.depth == self.columns[-1]:
+            if not token.text.startswith("\\") or (behind and behind.text == END_COLUMN):
+                return None
+            return replace(token, kind="sign", text=NEXT)
+        if not token.text.startswith("\\"):
+            self.parted -= self._at_edge(k, -1)  # a row may begin with a word
+            return self._part(token, token.text if token.text == CONDITION else "")
+        several, self.parted = self.parted, 0
+        if before is None or behind is None:
+            return None
+        if {before.text, behind.text} <= {"+", "-"}:
+            raise self._error(token, "a sign ends this row, and a sign begins the next", "Write it once.")
+        if before.text in _SIGNS or behind.text in _JOINING:
+            return None
+        if self.depth:
+            if behind.text in (*_SIGNS, *_HELD) or before.text in PUNCTUATION:
+                return None
+            raise self._error(token, "does this go on with a product?", "Begin the row with the sign.")
+        if _is_relation(behind):
+            return replace(token, text="") if several else None  # which relation of the row above goes on here?
+        return self._minus(k, token) if behind.text == "-" else replace(token, text="")
+
+    def _minus(self, k: int, token: Token) -> Token | None:
+        """A row that begins with a minus goes on where its first cell is empty or it is no relation."""
+        row = self._row_behind(k)
+        first = next((place for place in row if not _is_blank(self.all[place])), k)
+        if any(self.all[place].text == "&" for place in row if place < first):
+            return None
+        sign = next((place for place in row if _is_relation(self.all[place])), None)
+        if sign is None or not self.related:
+            return None
+        aligned = "&" in (self.all[sign - 1].text, self.all[sign + 1].text)
+        return replace(token, text="" if aligned else OPEN)
+
+    def _gap(self, k: int, token: Token) -> Token | None:
+        """A gap in a row parts two relations, and never stands in a product within one."""
+        if self.depth or (k and self.all[k - 1].kind == "gap") or self._at_edge(k, -1) or self._at_edge(k, 1):
+            return None
+        before, behind, last = self._near(k, -1), self._near(k, 1), k
+        while self.all[last + 1].kind == "gap":
+            last += 1
+        if self.all[last + 1].text == "&":
+            return None
+        if before.text in PUNCTUATION:
+            return replace(token, kind="row", text=GAP)
+        if before.text in _SIGNS or behind.text in (*_JOINING, *RELATIONS, *_HELD, *PUNCTUATION):
+            return None
+        related = self.related + self._relates(k)
+        wide = last > k or token.text.startswith((r"\q", r"\enspace"))
+        if behind.text == "-" or not wide:
+            return self._part(token, OPEN) if related == 2 else None
+        return self._part(token, GAP) if related else None
+
+    def _part(self, token: Token, text: str) -> Token:
+        self.parted += 1
+        return replace(token, kind="row", text=text)
+
+    def _cell(self, k: int, token: Token) -> Token | None:
+        """A & that aligns rows, or that parts two relations of a row; any other is left to be refused."""
+        if self._at_edge(k, -1) or self._at_edge(k, 1):
+            return None
+        before, behind = self._near(k, -1), self._near(k, 1)
+        near = [found.text for found in (before, behind) if found]
+        if self.depth or RELATIONS.intersection(near):
+            return token if self.depth else None
+        if near[0] in PUNCTUATION and self._relates(k):
+            return None
+        if self._cell_before(k):
+            return None  # an empty cell
+        remark = behind is not None and behind.kind == "text" and self.related and not self._relates(k)
+        if remark and (end := self._remark_behind(k)):
+            self.beside = end
+            return None
+        if remark or (before is not None and before.kind == "text" and not self.related and self._relates(k)):
+            return self._part(token, "")
+        used = any(self.all[place].text == "&" for place in self._row_before(k))
+        if self.related and self._relates(k) and (used or not _SIGNS.intersection(near)):
+            return self._part(token, "")
+        return None if {"+", "-"}.intersection(near) and (self.related or self._relates(k)) else token
+
+    def _remark_behind(self, k: int) -> int:
+        """Where the row ends, if nothing but words that are no condition follows in it, and the next row goes on; else 0."""
+        end = next(place for place in range(k, len(self.all)) if self.all[place].kind in ("row", "end"))
+        words = [token for token in self.all[k + 1 : end] if not _is_blank(token)]
+        goes_on = self._near(end, 1) if all(token.kind == "text" for token in words) else None
+        said = any(CONDITIONS.search(token.text) for token in words)
+        return end if goes_on is not None and _is_relation(goes_on) and not said else 0
+
+    def _cell_before(self, k: int) -> bool:
+        """Is the cell empty that ends here?"""
+        while k and self.all[k - 1].kind == "gap":
+            k -= 1
+        return k > 0 and self.all[k - 1].text == "&"
+
+    def _row_before(self, k: int) -> Iterator[int]:
+        """Where the tokens of this row before stand."""
+        while k > 0 and self.all[k - 1].kind != "row":
+            k -= 1
+            yield k
+
+    def _environment(self, k: int, token: Token) -> Token | None:
+        """An environment that stands alone, or at the right side of a relation."""
+        begins, name = token.text.startswith(r"\begin"), token.text.partition("{")[2].partition("}")[0]
+        step = -1 if begins else 1
+        near, beside = self._near(k, step), self.all[k + step]
+        alone = self._at_edge(k, step) or beside.kind == "gap" or near.text in PUNCTUATION
+        if self.depth or not (alone or (_is_relation(near) and name not in _CELLED)):
+            raise self._error(token, f"an environment “{name}” within a formula can't be read", "Write it alone.")
+        return None
+
+    def _arrow(self, k: int, token: Token) -> Token | None:
+        """An arrow between two relations says that the second follows; a value tends to another in none of them."""
+        behind = (self.all[place] for place in self._row_behind(k))
+        first, last = self._at_edge(k, -1), self._at_edge(k, 1)
+        related = any(_is_relation(one) and one.text != ARROW for one in behind)
+        follows = self.depth == 0 and (self.stated or first) and (related or last)
+        return self._part(token, "") if follows else token
+
+    def _equal(self, k: int, token: Token) -> Token | None:
+        """A sign at the end of a row that the next row begins with again."""
+        behind = self._near(k, 1) if self.depth == 0 and self._at_edge(k, 1) else None
+        return None if behind is not None and behind.text == token.text else token
+
+    def _cut_delimiter(self, k: int, token: Token) -> Token | None:
+        """\\right. at the end of a row, and the \\left. that opens the same parenthesis again."""
+        if token.text == r"\left.":
+            again, self.cut = self.cut > 0, max(self.cut - 1, 0)
+            return None if again else token
+        cut = self._at_edge(k, 1) and self._near(k, 1) is not None
+        self.cut += cut
+        return None if cut else token
+
+    def _punctuation(self, k: int, token: Token) -> Token | None:
+        """A comma between relations, or at the end of a row that goes on."""
+        before, behind = self.all[k - 1] if k else None, self.all[k + 1]
+        if self.depth or before is None:
+            return token
+        if before.kind == behind.kind == "digit" and before.end == token.start and token.end == behind.start:
+            if token.text == ".":
+                return token
+            raise self._error(token, "is this a decimal comma, or the end of a formula?", "Write 1.5, or a blank.")
+        goes_on = self._near(k, 1)
+        rows = any(found.kind == "row" for found in self.all[k + 1 : k + 4])
+        if goes_on is not None and rows and goes_on.text in _SIGNS:
+            return None
+        return self._part(token, "")
+
+    def _error(self, token: Token, what: str, instead: str) -> RbpsymError:
+        return self.source.error(what, token.start, token.end, instead)
+
+
+_RULES = {
+    "row": _Layout._row, "gap": _Layout._gap, "&": _Layout._cell, "begin": _Layout._environment,
+    ARROW: _Layout._arrow, "=": _Layout._equal, r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter,
+}  # fmt: skip
+
+
+def _is_relation(token: Token) -> bool:
+    return token.text in RELATIONS and token.kind in ("sign", "command")
+
+
+def _is_blank(token: Token) -> bool:
+    return token.kind in ("gap", "begin", "row") or token.text == "&" or token.text in _CUT
+
+
+def _both(one: Token, other: Token) -> Token:
+    """Two partings in a row are one: the clearest of them."""
+    texts = (one.text, other.text)
+    text = next((text for text in (CONDITION, GAP, "") if text in texts), OPEN)
+    return replace(one, text=text)

@@ -1,0 +1,293 @@
+"""LaTeX -> tokens. Thin spaces, `\\left`, `\\right` and `\\nonumber` mean nothing and make no token;
+
+every other character makes one, or an error that names it. Gaps make one where rows are laid out.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+from rbpsym.errors import LimitError
+from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
+from rbpsym.expr.source import Source, refused
+from rbpsym.frozen import Frozen
+
+MAX_LENGTH = 8000
+
+# Names of functions in the languages whose papers are read; behind a backslash, or upright: \\operatorname{sen}.
+FUNCTION_WORDS = {
+    **{name: name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "log": "ln",
+    "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot", "cosec": "csc",
+    "arcsen": "asin", "arctg": "atan", **{name: name for name in HYPERBOLIC},
+}  # fmt: skip
+_SYSTEMS = "array|aligned|alignedat|gathered|split|cases"  # what one brace may open for all rows
+_MARK = r"(?:\\textcircled\s*\{[\w*]+\}|[①-⑳]|\\circledast(?![A-Za-z]))"  # the number of an equation in a circle
+_SILENT = (
+    r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}"
+    r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
+    r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
+    r"|tiny|small|normalsize|large|Large|LARGE|huge|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
+    r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
+    rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))"
+    r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)"
+    r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
+)
+_SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
+_INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
+_DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
+_APART = r"(?:(?<=[,;:(~])|(?<=[,;:(~] )|(?<=quad)|(?<=quad ))"  # in a = 2 b, i = 1, 2, ... the b is a factor
+_RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
+    rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:\s*[-+]\s*\w)?|\d+))?"
+    r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))\s*=\s*\d+(?:\s*,\s*\d+)+"
+)
+_EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
+    r"(?<=[\s,~(:;])"
+    rf"(?:\\(?:text(?:rm)?|mbox)\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}(?:\s|\\[,:; ])*)?"
+    rf"\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
+    rf"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end|{_SO}))"
+)
+_ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
+_DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
+_GAP = (
+    r"(?<=[-+=&])\{\}|\{\}(?=\s*(?:[-+=<>&]|\\[pm]{2}(?![A-Za-z])))"
+    r"|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
+    r"|\\hspace\*?\s*\{[^{}]*\}"
+)
+_UPRIGHT = r"\\rm(?![A-Za-z])(?:\s*\\bf(?![A-Za-z]))?"  # all that follows in its group: {\rm kg}, 3\rm\ m
+PUNCTUATION = (",", ".", ";")
+CONDITION = "if"  # the text of a row token behind which a condition stands
+_PATTERNS = (
+    rf"(?P<blank>\\left\s*\\\{{(?=\s*\\begin\s*\{{(?:{_SYSTEMS})\}})"
+    rf"|(?:{'|'.join(rf'(?<={name}}})' for name in _SYSTEMS.split('|'))})\s*\\right\s*\.|\s+)"
+    r"|(?P<empty>\\(?:left|right)\s*\.)"
+    r"|(?P<bar>\\(?:left|right|[bB]igg?[lrm]?)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
+    rf"|(?P<silent>{_SILENT})"
+    rf"|(?P<gap>{_GAP})"
+    rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
+    r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
+    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))"
+    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq)\s*\{[^{}$]*\$(?:[^{}]|\{[^{}]*\})*\}"
+    r"|\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
+    rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
+    rf"|{_UPRIGHT}(?:\s|~|\\ )*+[A-Za-z]++(?:(?:\s|~|\\ |/)+[A-Za-z]++)*+(?!\())"
+    r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"
+    r"(?:(?<!split\})(?<!ed\})\s*\{(?:[lcr|\s\d]|[@!p]\{[^{}]*\})*\})?|\\(?:begin|end)\s*\{[^{}]*\})"
+    rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
+    rf"|(?P<degree>{_DEGREE})"
+    rf"|(?P<plain>(?<![A-Za-z\\])(?:{'|'.join(FUNCTION_WORDS)})(?=\s*(?:\(|\\left|\\[a-z])))"
+    r"|(?P<arrow>\\x(?:right|Right|mapsto)arrow\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})"
+    r"|(?P<command>\\(?:v[abu]\*|[A-Za-z]+|[|{}]))"
+    r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
+    r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!])"
+)
+_ALIASES = {
+    r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
+    r"\vert": "|", r"\|": r"\Vert", r"\lVert": r"\lvert", r"\rVert": r"\rvert",
+    r"\dfrac": r"\frac", r"\tfrac": r"\frac", r"\cfrac": r"\frac", r"\rightarrow": r"\to",
+    r"\hslash": r"\hbar", r"\leqslant": r"\le", r"\geqslant": r"\ge",
+    r"\mathbf": r"\boldsymbol", r"\bm": r"\boldsymbol", r"\overline": r"\bar",
+    r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat", r"\widetilde": r"\tilde", ">>": r"\gg", "<<": r"\ll",
+    r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
+    "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
+    r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
+    r"\va": r"\vec", r"\vu": r"\hat",
+    r"\vb*": r"\boldsymbol", r"\va*": r"\vec", r"\vu*": r"\hat", r"\land": r"\wedge",
+    r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
+    r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
+    r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
+    r"\leadsto": r"\to", r"\rightsquigarrow": r"\to", r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'",
+}  # fmt: skip
+JOINING = frozenset({
+    "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
+    "y", "de modo que", "luego", "por tanto", "por lo tanto", "con", "donde", "es decir", "entonces", "o sea",
+    "e", "quindi", "da cui", "dove", "cioè", "ovvero", "oppure", "et", "ou", "donc", "avec", "où", "soit", "d'où",
+    "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com",
+})  # fmt: skip
+CONDITIONAL = frozenset({
+    "for", "if", "when", "as long as", "provided", "provided that", "para", "si", "cuando", "mientras", "siempre que",
+    "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
+})  # fmt: skip
+CONDITIONS = re.compile(
+    r"\b(for|if|when|where|while|until|only|unless|except|provided|small|large|near|assum\w*|approx\w*|at|on|in|since|initial\w*"
+    r"|para|si|cuando|donde|solo|pequeñ\w*|en|per|se|quando|dove|piccol\w*|pour|lorsque|quand|où|petit\w*|für|wenn|falls|bei|klein\w*|nur)\b",
+    re.I,
+)  # words of a remark by which a formula may hold only sometimes
+COLUMN, END_COLUMN, NEXT = r"\column", r"\endcolumn", r"\next"  # signs round the rows of a vector, and between them
+_COLUMNS = frozenset({"pmatrix", "bmatrix", "matrix", "smallmatrix", "psmallmatrix", "Bmatrix", "vmatrix", "Vmatrix"})
+_ENVIRONMENTS = frozenset({
+    "aligned", "align", "align*", "eqnarray", "eqnarray*", "equation", "equation*", "split",
+    "gathered", "gather", "gather*", "array", "cases", "alignedat", "multlined", "dcases", "rcases", "multline", "flalign",
+})  # fmt: skip
+
+
+class Token(Frozen):
+    """A token: `kind` is letter (with its character), digit, text, command, sign, row, ..."""
+
+    kind: str
+    text: str
+    start: int
+    end: int
+
+
+def tokenize(source: Source, *, gaps: bool = False) -> tuple[Token, ...]:
+    """The tokens of a LaTeX formula, with an end token; `gaps`: with wide spaces too. Raises ReadError, LimitError."""
+    if len(source.text) > MAX_LENGTH:
+        raise LimitError(
+            f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read",
+            instead="Split it into smaller parts.",
+        )
+    found = _unbraced([token for token in _tokens(source) if gaps or token.kind != "gap"])
+    return (*found, Token("end", "", len(source.text), len(source.text)))
+
+
+_TAKING = ("command", "text", "begin", "differential")
+
+
+def _unbraced(tokens: list[Token]) -> list[Token]:
+    """The tokens without braces round a letter that has a subscript or prime behind them, {v}_1."""
+    dropped: set[int] = set()
+    for k, token in enumerate(tokens):
+        texts = [found.text for found in tokens[k : k + 5]]
+        for size in (2, 3):
+            inner = tokens[k + 1 : k + size]
+            alone = bool(inner) and inner[-1].kind == "letter" and (size == 2 or inner[0].kind == "command")
+            free = k == 0 or (tokens[k - 1].kind not in _TAKING and tokens[k - 1].text not in ("^", "_", "}", "]"))
+            if token.text == "{" and alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"]):
+                dropped |= {k, k + size}
+    return [token for k, token in enumerate(tokens) if k not in dropped]
+
+
+@cache
+def _patterns() -> re.Pattern[str]:
+    """Of the tokens; compiled where LaTeX is read, not where the house is entered."""
+    return re.compile(_PATTERNS)
+
+
+def _tokens(source: Source) -> Iterator[Token]:
+    position = 0
+    while position < len(source.text):
+        found = _patterns().match(source.text, position)
+        if found is None:
+            yield _single(source, position)
+            position += 1
+            continue
+        if found.lastgroup not in ("blank", "silent", "each"):
+            apart = found[0].startswith(r"\qq{")
+            yield from [Token("gap", r"\quad", found.start(), found.start())] * apart
+            yield _token(source, found)
+            yield from [Token("gap", r"\quad", found.end(), found.end())] * apart
+        position = found.end()
+
+
+def _single(source: Source, position: int) -> Token:
+    """A character beyond ASCII: a letter. Raises ReadError for others."""
+    char = source.text[position]
+    letter = SAME_LETTER.get(char, char)
+    if char in _ALIASES:
+        return Token("sign", _ALIASES[char], position, position + 1)
+    if letter in NAME_OF_LETTER:
+        return Token("letter", letter, position, position + 1)
+    raise refused(source, char, position)
+
+
+def _token(source: Source, found: re.Match[str]) -> Token:
+    return _MAKERS.get(found.lastgroup, _plain)(source, found.lastgroup, found[0], *found.span())
+
+
+def _plain(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token("sign" if kind == "mark" else kind, _ALIASES.get(text, text), start, end)
+
+
+def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """Upright text; a word such as `and` between relations begins a new one."""
+    word = re.sub(r"\s+", " ", re.sub(r"^(?:\\[a-z]+\*?)?\s*\{?|\}$|\\(?:rm|bf)(?![A-Za-z])|~|\\[ ,]", " ", text)).strip()
+    if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
+        return Token("command", rf"\{word}", start, end)
+    if word == "d" and text[0] == "{":
+        return Token("differential", word, start, end)
+    plain = "" if text.startswith((r"\mathrm", r"\operatorname")) else word.strip(" ,;:.")
+    if plain in CONDITIONAL:
+        return Token("row", CONDITION, start, end)
+    if word in PUNCTUATION:
+        return Token("sign", word, start, end)
+    return Token("row" if plain in JOINING else "text", word, start, end)
+
+
+def _function(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """The name of a function in italics: sin(x) is no product of three letters."""
+    return Token("command", rf"\{text}", start, end)
+
+
+def _differential(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token(kind, "∂" if "partial" in text else "d", start, end)
+
+
+def _bar(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    right = text.startswith((r"\right", r"\bigr"))
+    return Token("sign", r"\rvert" if right else r"\lvert", start, end)
+
+
+def _row(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """The end of a row, or an arrow or words between two relations."""
+    return Token(kind, text if text.startswith("\\\\") else "so", start, end)
+
+
+def _zero(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """The vector zero is printed as a bold number."""
+    return Token("digit", "0", start, end)
+
+
+def _gradient(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token("command", r"\nabla", start, end)
+
+
+def _degree(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token("sign", "°", start, end)
+
+
+def _arrow(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """An arrow with a word on it, which says how one gets there."""
+    return Token("command", r"\to", start, end)
+
+
+def _empty(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token("sign", re.sub(r"\s", "", text), start, end)
+
+
+def _command(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    text = _ALIASES.get(text, text)
+    letter = LETTERS.get(text[1:]) or (LETTERS.get(text[4:]) if text.startswith(r"\var") else None)
+    if letter:
+        return Token("letter", letter, start, end)
+    return Token("command" if text.startswith("\\") else "sign", text, start, end)
+
+
+def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
+    """Is it (or its end) an array in brackets, or what a relation gives by cases, and no rows of relations?"""
+    if text.startswith(r"\end"):
+        start = whole.rfind(rf"\begin{{{name}}}", 0, start)
+    before = whole[: max(start, 0)].rstrip().removesuffix(r"\displaystyle").rstrip(" &")
+    cut = before.removesuffix(r"\{").rstrip().removesuffix(r"\left").rstrip(" &")
+    return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
+
+
+def _environment(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    name = re.search(r"\{([^{}]*)\}", text)[1]
+    in_rows = name in ("array", "cases", "dcases") and not _is_column(source.text, name, text, start, end)
+    if name.removesuffix("*") in _COLUMNS or (name in ("array", "cases", "dcases") and not in_rows):
+        return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
+    if name not in _ENVIRONMENTS:
+        what = f"the environment “{name[:40]}” can't be read"
+        raise source.error(what, start, end, "Use aligned, or write one formula.")
+    return Token("begin", rf"\{text[1:].partition('{')[0].strip()}{{{name}}}", start, end)
+
+
+_MAKERS = {
+    "text": _text, "plain": _function, "differential": _differential, "begin": _environment, "command": _command,
+    "bar": _bar, "zero": _zero, "empty": _empty, "row": _row, "degree": _degree, "gradient": _gradient,
+    "arrow": _arrow,
+}  # fmt: skip

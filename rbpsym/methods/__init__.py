@@ -1,1 +1,0 @@
-"""Methods: roads from the same statement to the equations of motion, which must agree."""

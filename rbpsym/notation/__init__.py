@@ -1,1 +1,0 @@
-"""The display tree: its nodes, readers and printers."""

@@ -1,0 +1,1 @@
+"""Lagrange's equations, and the simulation in maximal coordinates."""

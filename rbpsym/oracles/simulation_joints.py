@@ -1,0 +1,157 @@
+"""Constraints in maximal coordinates: joints of points, and what is driven; each a list of scalar conditions.
+
+A multiplier is the unknown force (or couple) of the statement itself: the row of a condition is
+the force's direction on the body that the statement means.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rbpsym.expr.tree import Node
+from rbpsym.field import derivative
+from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import Frozen
+from rbpsym.oracles.simulation_bodies import Mechanism, Spot, State, placed
+from rbpsym.statement.model import Element
+
+Entries = list[tuple[int, float]]
+
+
+class Row(Frozen):
+    """A condition at a state: value (to vanish), its derivatives by X and by t, and d²/dt² at A = 0."""
+
+    value: float
+    entries: Entries
+    bias: float
+    drift: float = 0.0
+
+
+class Drag(Frozen):
+    """A force `name` in proportion to a multiplier that is no ideal force (kinetic friction μN); `strikes`: in a blow too."""
+
+    name: str
+    at: Callable[[State, State], Entries]
+    strikes: bool = True
+
+
+class Kept(Frozen):
+    """A scalar condition that the `multiplier` of the force (or couple) `name` keeps.
+
+    `is_place`: whether it is one for the position (else for the speeds alone, its value 0).
+    """
+
+    name: str
+    multiplier: str
+    at: Callable[[State, State], Row]
+    is_place: bool = True
+    drags: tuple[Drag, ...] = ()
+
+    @property
+    def force(self) -> str:
+        """The name of the force in the ledger: the constraint's, or (friction, tension) its own."""
+        return self.name if self.is_place else self.multiplier
+
+
+Condition = Callable[[State, State], Row]
+
+
+def component(spot: Spot, dx: float, dy: float) -> Condition:
+    """The place of a spot along a direction."""
+
+    def row(where: State, speed: State) -> Row:
+        at = placed(spot, where, speed)
+        return Row(dx * at.place[0] + dy * at.place[1], at.along(dx, dy), dx * at.bias[0] + dy * at.bias[1])
+
+    return row
+
+
+def turn(first: int, second: int) -> Condition:
+    """φ_second - φ_first of two bodies by their numbers, -1 for the ground."""
+    ends = [(3 * k + 2, sign) for k, sign in ((second, 1.0), (first, -1.0)) if k >= 0]
+    return lambda where, speed: Row(sum(sign * where[column] for column, sign in ends), ends, 0.0)
+
+
+def _difference(first: Condition, second: Condition) -> Condition:
+    def row(where: State, speed: State) -> Row:
+        a, b = first(where, speed), second(where, speed)
+        return Row(b.value - a.value, b.entries + [(k, -entry) for k, entry in a.entries], b.bias - a.bias)
+
+    return row
+
+
+def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
+    """second - first = 0; the force is on the body of the second."""
+    ways = (("x", 1.0, 0.0), ("y", 0.0, 1.0))
+    rows = ((axis, _difference(component(first, *way), component(second, *way))) for axis, *way in ways)
+    return [Kept(name, f"{name}_{axis}", row) for axis, row in rows]
+
+
+def turning(first: int, second: int, offset: float, element: Element) -> Kept:
+    """φ_second - φ_first = offset; the couple is on the second."""
+    angle = turn(first, second)
+
+    def row(where: State, speed: State) -> Row:
+        found = angle(where, speed)
+        return Row(found.value - offset, found.entries, found.bias)
+
+    return Kept(element["couple"], element["couple"], row)
+
+
+def pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A point that stays where it is, or where its support moves; `start` says where if the statement does not."""
+    held, at = mechanism.spot(element["point"]), element["at"]
+    if at is not None and not mechanism.is_constant(*at):
+        ways = (("x", 1.0, 0.0, at[0]), ("y", 0.0, 1.0, at[1]))
+        return [driven(element.name, f"{element.name}_{a}", component(held, *d), n, mechanism) for a, *d, n in ways]
+    here = placed(held, start, [0.0] * len(start)).place if at is None else mechanism.pair(at)
+    return _meeting(Spot(-1, *here), held, element.name)
+
+
+def _ends(element: Element, mechanism: Mechanism) -> tuple[Spot, Spot]:
+    """The two ends, the one on a body second."""
+    first, second = (mechanism.spot(ref) for ref in element["points"])
+    return (first, second) if second.body >= 0 else (second, first)
+
+
+def pin(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """Two points that stay together."""
+    return _meeting(*_ends(element, mechanism), element.name)
+
+
+def weld(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """The same, and the angle between the bodies."""
+    first, second = _ends(element, mechanism)
+    offset = _weld_angle(element, mechanism, first, second, start)
+    return [*_meeting(first, second, element.name), turning(first.body, second.body, offset, element)]
+
+
+def _weld_angle(element: Element, mechanism: Mechanism, first: Spot, second: Spot, start: State) -> float:
+    """As stated; else as in the poses if they have all angles; else 0."""
+    if element["angle"] is not None:
+        stated = mechanism.number(element["angle"])
+        return stated if element["points"][1].body is not None else -stated
+    joined = [spot.body for spot in (first, second) if spot.body >= 0]
+    if any(mechanism.problem.bodies[k].angle is None for k in joined):
+        return 0.0
+    return turn(first.body, second.body)(start, start).value
+
+
+def driven(name: str, multiplier: str, quantity: Condition, node: Node, mechanism: Mechanism) -> Kept:
+    """A quantity of the bodies that equals a function of time."""
+    wanted = scalar(node)
+    speed_wanted = derivative(wanted, "t")
+    gain_wanted = derivative(speed_wanted, "t")
+
+    def row(where: State, speed: State) -> Row:
+        own = quantity(where, speed)
+        at, rate, gain = (mechanism.at_time(value) for value in (wanted, speed_wanted, gain_wanted))
+        return Row(own.value - at, own.entries, own.bias - gain, -rate)
+
+    return Kept(name, multiplier, row)
+
+
+def driven_angle(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A body that is turned; the couple is the multiplier."""
+    angle = turn(mechanism.body_number(element["of"]), mechanism.body_number(element["body"]))
+    return [driven(element.name, element.name, angle, element["angle"], mechanism)]

@@ -1,0 +1,306 @@
+"""The phases followed in numbers: events located on the simulated motion, impulses in maximal coordinates.
+
+Each phase is simulated from its start until its end is seen (slip gone, normal force or grip used up, a
+coordinate at its value); time, places and speeds there must be those that were derived. Then the
+impulses are solved for all bodies at once, M (V' - V) = Gᵀ Ĵ + given ones with G V' = 0 and
+n·(v₂' - v₁') = -e n·(v₂ - v₁), and speeds, impulses and the loss of energy are compared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from copy import copy
+
+import numpy as np
+
+from rbpsym.errors import NotApplicable
+from rbpsym.field import Scalar
+from rbpsym.frozen import Frozen, replace
+from rbpsym.mechanics.numbers import number, samples
+from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.study import Study
+from rbpsym.numeric import integration
+from rbpsym.oracles.simulation import Bench, Derived, Errors, SimulationReport, simulate_study, told
+from rbpsym.oracles.simulation_bodies import Mechanism, placed
+from rbpsym.oracles.simulation_contacts import KINDS, slipping
+from rbpsym.oracles.simulation_joints import Kept
+from rbpsym.oracles.simulation_placement import dotted
+from rbpsym.statement.model import Element, Phase, Problem
+
+LONGEST = 200.0  # lengths of the usual motion in which an event must have come
+Watch = Callable[[np.ndarray, np.ndarray], float]
+
+
+class _End(Frozen):
+    """The simulated state at an event: time since the start of the phase, X, V."""
+
+    time: float
+    where: np.ndarray
+    speed: np.ndarray
+
+
+def simulate_problem(study: Study) -> SimulationReport:
+    """The report on a problem and all its phases. Raises NotApplicable as `simulate`."""
+    first = simulate_study(study)
+    if not study.problem.phases:
+        return first
+    parts, _ = known_stages(study.problem)
+    numbers = _parameters(study.problem, parts)
+    reports = [simulate_study(stage.study, numbers) for stage in parts[1:]]
+    errors = dict(first.errors)
+    for stage, report in zip(parts[1:], reports, strict=True):
+        errors |= {f"{stage.name}: {name}": error for name, error in report.errors.items()}
+    errors |= followed(study.problem, parts)
+    worst = max([first.max_relative_error, *errors.values(), *(r.max_relative_error for r in reports)])
+    return replace(first, max_relative_error=float(worst), errors=errors)
+
+
+def _parameters(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
+    """Numbers at which the motion comes to all phases."""
+    asked = [demand.value for stage in parts[1:] for demand in stage.began.before.valid]
+    fitting = (found for found in samples(problem) if all(number(value, found) > 0 for value in asked))
+    numbers = next(fitting, None)
+    if numbers is None:
+        raise NotApplicable("at none of the sample numbers does the motion come to all phases")
+    return {q.name: numbers[q.name] for q in problem.parameters}
+
+
+def followed(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
+    """Relative differences between derived and simulated events and impulses, by phase and quantity."""
+    numbers, found = _parameters(problem, parts), {}
+    for phase, before, after in zip(problem.phases, parts, parts[1:], strict=False):
+        errors = Errors()
+        _compare(phase, before.study, after, numbers, errors)
+        found |= {f"{phase.name}: {name}": error for name, error in errors.relative().items()}
+    return found
+
+
+def _bench(study: Study, numbers: Mapping[str, float]) -> Bench:
+    return Bench(Derived(study.system, told(study), squares=study.squares), numbers)
+
+
+def _compare(
+    phase: Phase,
+    study: Study,
+    after: Stage,
+    numbers: Mapping[str, float],
+    errors: Errors,
+    ended: Callable[[float], object] = lambda time: None,
+) -> None:
+    """`ended` is told how long the phase before has lasted."""
+    bench, next_bench, began = _bench(study, numbers), _bench(after.study, numbers), after.began
+    derived = {name: number(value, numbers) for name, value in began.before.places.items()}
+    end = _end(bench, phase, study, derived, numbers)
+    ended(end.time)
+    if began.before.time is not None:
+        errors.note("time", "until the phase", number(began.before.time, numbers), end.time)
+    guess = [derived[name] for name in bench.placement.names]
+    q, rates = bench.placement.state(end.where.tolist(), end.speed.tolist(), guess)
+    speed, impulses = _struck(bench, next_bench, end, phase.impulses)
+    after_rates = next_bench.placement.speeds(q, end.where.tolist(), speed.tolist())
+    _note(errors, "place", bench, began.before.places, numbers, q)
+    _note(errors, "speed before", bench, began.before.speeds, numbers, rates)
+    _note(errors, "speed after", bench, began.speeds, numbers, after_rates)
+    for name, value in began.impulses.items():
+        errors.note("impulse", name, number(value, numbers), impulses[name])
+    lost = bench.equations.kinetic_energy(end.speed) - bench.equations.kinetic_energy(speed)
+    errors.note("energy", "lost", number(began.energy_lost, numbers), lost)
+
+
+def _note(errors: Errors, kind: str, bench: Bench, derived: Mapping[str, Scalar], numbers, seen: np.ndarray) -> None:
+    for name, value in zip(bench.placement.names, seen, strict=True):
+        errors.note(kind, name, number(derived[name], numbers), float(value))
+
+
+# --- the event
+
+
+def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], numbers) -> _End:
+    """The simulated state at the event. Raises NotApplicable if it does not come."""
+    bench.placement.mechanism.clock = 0.0
+    start = bench.declared_start()
+    if start is None:
+        raise NotApplicable("the phases need a start and a start speed of every coordinate")
+    if phase.event == "at once":
+        return _End(0.0, start.where, start.speed)
+    if _is_idle(bench, start):
+        start = _on_the_way(bench, study, derived)
+    if phase.event == "time":
+        end = bench.placement.mechanism.number(phase.value)
+        return _seen(bench, start, lambda time, where, speed: time - end)
+    watch = WATCHES[phase.event](bench, phase, start)
+    return _seen(bench, start, lambda time, where, speed: watch(where, speed))
+
+
+def _is_idle(bench: Bench, start) -> bool:
+    """At rest where nothing moves it: on top of a sphere, say, which it leaves in no finite time."""
+    gained = bench.equations.at(start.where, start.speed).gained
+    return max(np.abs(gained).max(), np.abs(start.speed).max()) < 1e-9
+
+
+def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]):
+    """Half-way to the event, with the speed from the first integral."""
+    [name] = study.squares
+    known = {**bench.sample, **derived}
+    begin = number(study.system.scope.start[name], known)
+    here = (begin + derived[name]) / 2
+    rate = number(study.squares[name], {**known, name: here}) ** 0.5
+    return bench.start({name: here}, {name: rate if derived[name] > begin else -rate}, (name,))
+
+
+def _seen(bench: Bench, start, watch: Callable[[float, np.ndarray, np.ndarray], float]) -> _End:
+    """The first change of sign along the motion."""
+    size, step = bench.equations.size, bench.usual_time(start)
+    event = integration.Event(lambda time, state: watch(time, state[:size], state[size : 2 * size]))
+    first = np.concatenate([start.where, start.speed, [0.0]])
+    path = integration.followed(bench.rate(), first, LONGEST * step, events=(event,), longest=step / 10)
+    if not path.seen[0]:
+        raise NotApplicable("the event that begins a phase is not seen in the simulated motion")
+    [time] = path.seen[0]
+    state = path.at(time)
+    return _End(time, state[:size], state[size : 2 * size])
+
+
+def _watch_slip(bench: Bench, phase: Phase, start) -> Watch:
+    element = _element(bench, phase.subject)
+    row = slipping(element, bench.placement.mechanism, start.where.tolist())
+    return lambda where, speed: dotted(row.at(where.tolist(), speed.tolist()).entries, speed.tolist())
+
+
+def _watch_push(bench: Bench, phase: Phase, start) -> Watch:
+    return lambda where, speed: bench.multipliers(where, speed)[phase.subject]
+
+
+def _watch_grip(bench: Bench, phase: Phase, start) -> Watch:
+    element = _element(bench, phase.subject)
+    limit = bench.placement.mechanism.number(element["limit"])
+
+    def left(where: np.ndarray, speed: np.ndarray) -> float:
+        forces = bench.multipliers(where, speed)
+        return limit * sum(forces[name] for name in element.normals) - abs(forces[element["friction"]])
+
+    return left
+
+
+def _watch_value(bench: Bench, phase: Phase, start) -> Watch:
+    target = bench.placement.mechanism.number(phase.value)
+    place, near = bench.placement.names.index(phase.subject), [start.q]
+
+    def ahead(where: np.ndarray, speed: np.ndarray) -> float:
+        near[0] = bench.placement.coordinates(where.tolist(), near[0])
+        return float(near[0][place]) - target
+
+    return ahead
+
+
+def _watch_speed(bench: Bench, phase: Phase, start) -> Watch:
+    place, near = bench.placement.names.index(phase.subject), [start.q]
+
+    def left(where: np.ndarray, speed: np.ndarray) -> float:
+        near[0] = bench.placement.coordinates(where.tolist(), near[0])
+        return float(bench.placement.speeds(near[0], where.tolist(), speed.tolist())[place])
+
+    return left
+
+
+def _watch_gap(bench: Bench, phase: Phase, start) -> Watch:
+    mechanism = copy(bench.placement.mechanism)
+    mechanism.slips = {phase.gap.name: 1}  # whatever it is: the gap does not ask
+    [kept, *_] = _meets(phase.gap, mechanism, start.where.tolist())
+    return lambda where, speed: kept.at(where.tolist(), speed.tolist()).value
+
+
+WATCHES: Mapping[str, Callable[[Bench, Phase, object], Watch]] = {
+    "no slip": _watch_slip,
+    "slips": _watch_grip,
+    "lost": _watch_push,
+    "reaches": _watch_value,
+    "rests": _watch_speed,
+    "begins": _watch_gap,
+}
+
+
+def _element(bench: Bench, name: str) -> Element:
+    return next(e for e in bench.placement.mechanism.problem.constraints if e.name == name)
+
+
+# --- impulses
+
+
+def _struck(
+    before: Bench, after: Bench, end: _End, impulses: tuple[Element, ...]
+) -> tuple[np.ndarray, dict[str, float]]:
+    """V after, and the impulses by the name of their force."""
+    where, size = end.where.tolist(), before.equations.size
+    rows = [item.at(where, end.speed.tolist()) for item in after.equations.kept]
+    names = [item.multiplier for item in after.equations.kept]
+    matrix = [_dense(row.entries, size) for row in rows]
+    drags = [_dragged(item, where, size) for item in after.equations.kept]
+    wanted = [-row.drift for row in rows]
+    momentum = before.equations.masses * end.speed
+    for element in impulses:
+        if element.kind == "bounce":
+            for kept, factor in _bounces(before, element, end):
+                row = kept.at(where, end.speed.tolist())
+                matrix.append(_dense(row.entries, size))
+                drags.append(_dragged(kept, where, size))
+                wanted.append(-factor * float(matrix[-1] @ end.speed))
+                names.append(kept.multiplier)
+            continue
+        line = _direction(before, element, where)
+        if element.kind == "blow":
+            momentum = momentum + line
+            continue
+        restitution = before.placement.mechanism.number(element["restitution"])
+        matrix.append(line)
+        drags.append(np.zeros(size))
+        wanted.append(-restitution * float(line @ end.speed))
+        names.append(element.name)
+    g = np.array(matrix).reshape(len(matrix), size)
+    pushes = g + np.array(drags).reshape(len(drags), size)
+    full = np.block([[np.diag(before.equations.masses), -pushes.T], [g, np.zeros((len(g), len(g)))]])
+    found = np.linalg.lstsq(full, np.concatenate([momentum, wanted]), rcond=None)[0]
+    return found[:size], dict(zip(names, found[size:].tolist(), strict=True))
+
+
+def _dragged(kept: Kept, where: list[float], size: int) -> np.ndarray:
+    """What comes in proportion to its multiplier in a blow."""
+    return _dense([entry for drag in kept.drags if drag.strikes for entry in drag.at(where, [])], size)
+
+
+def _meets(element: Element, mechanism: Mechanism, start: list[float]) -> list[Kept]:
+    """The conditions of a bounce, or of a constraint that begins, as those of a constraint that lasts."""
+    values = element.values
+    way = "string" if "path" in values else "rolling" if values.get("slip") == "none" else "contact"
+    return KINDS[way if element.kind == "bounce" else element.kind](element, mechanism, start)
+
+
+def _bounces(bench: Bench, element: Element, end: _End) -> list[tuple[Kept, float]]:
+    """Its unit impulses with their restitutions; friction acts against the slip that there is just before."""
+    where, mechanism, start = end.where.tolist(), copy(bench.placement.mechanism), bench.declared_start().where.tolist()
+    if "path" not in element.values:
+        slip = slipping(element, mechanism, start).at(where, end.speed.tolist())
+        mechanism.slips = {element.name: 1 if _dense(slip.entries, end.speed.size) @ end.speed > 0 else -1}
+    factors = [mechanism.number(element[key]) for key in ("restitution", "tangential")]
+    return list(zip(_meets(element, mechanism, start), factors, strict=False))
+
+
+def _dense(entries, size: int) -> np.ndarray:
+    row = np.zeros(size)
+    for column, entry in entries:
+        row[column] += entry
+    return row
+
+
+def _direction(bench: Bench, element: Element, where: list[float]) -> np.ndarray:
+    """Of a blow: its generalized impulse; of a collision: that of a unit impulse on the second body."""
+    mechanism, size = bench.placement.mechanism, bench.equations.size
+    still = [0.0] * size
+    if element.kind == "blow":
+        ends = [(element["on"], mechanism.pair(element["impulse"]))]
+    else:
+        (x, y), (first, second) = mechanism.pair(element["along"]), element["points"]
+        ends = [(first, (-x, -y)), (second, (x, y))]
+    return sum(
+        (_dense(placed(mechanism.spot(ref), where, still).along(*way), size) for ref, way in ends), np.zeros(size)
+    )

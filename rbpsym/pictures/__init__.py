@@ -1,0 +1,1 @@
+"""Figures and plots: from plain numbers to scenes."""

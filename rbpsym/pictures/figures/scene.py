@@ -1,0 +1,223 @@
+"""A drawing as data: lines, circles, arcs and labels, in centimetres, y upwards.
+
+Printers (SVG, TikZ, Typst) know only these few items; springs and hatching are lines already.
+The look of a line is the name of one of STYLES.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+
+from rbpsym.expr.tree import Node
+from rbpsym.frozen import Frozen
+
+Point = tuple[float, float]
+EM = 0.40  # the size of a label's letters, in cm
+
+
+class DrawingStyle(Frozen):
+    """Colour names are those of COLORS; `width` is in points; `dash` in cm or None."""
+
+    stroke: str = "ink"
+    width: float = 0.8
+    fill: str = ""
+    dash: float | None = None
+
+
+FORCE_COLORS = ("accent", "force", "green", "purple", "orange", "teal")  # of both works of a force
+STYLES: Mapping[str, DrawingStyle] = {
+    "body": DrawingStyle("ink", 0.9, fill="body"),
+    "rod edge": DrawingStyle("ink", 4.4),
+    "rod": DrawingStyle("body", 2.8),
+    "rim": DrawingStyle("ink", 0.7),
+    "cord": DrawingStyle("ink", 0.7),
+    "ground": DrawingStyle("ink", 0.9, fill="ground"),
+    "rail": DrawingStyle("soft", 0.8),
+    "hole": DrawingStyle("ink", 0.9, fill="paper"),
+    "line": DrawingStyle("ink", 0.9),
+    "hatch": DrawingStyle("soft", 0.5),
+    "spring": DrawingStyle("ink", 0.8),
+    "support": DrawingStyle("ink", 0.8, fill="ground"),
+    "guide": DrawingStyle("soft", 0.6, dash=0.09),
+    "dimension": DrawingStyle("soft", 0.5),
+    "angle": DrawingStyle("accent", 0.8),
+    "axis": DrawingStyle("soft", 0.7),
+    "force": DrawingStyle("force", 1.3),
+    "couple": DrawingStyle("force", 1.1),
+    "velocity": DrawingStyle("motion", 1.2),
+    "dot": DrawingStyle("ink", 0.6, fill="ink"),
+    "particle": DrawingStyle("ink", 1.2, fill="ink"),
+    "joint": DrawingStyle("ink", 0.9, fill="paper"),
+    "curve 1": DrawingStyle("accent", 1.4),
+    "curve 2": DrawingStyle("force", 1.4, dash=0.16),
+    "curve 3": DrawingStyle("green", 1.4),
+    "curve 4": DrawingStyle("purple", 1.4, dash=0.09),
+    "curve 5": DrawingStyle("orange", 1.4),
+    "curve 6": DrawingStyle("teal", 1.4, dash=0.22),
+    "curve sum": DrawingStyle("ink", 2.0),
+    **{f"along {k}": DrawingStyle(color, 1.4) for k, color in enumerate(FORCE_COLORS, 1)},
+    **{f"about {k}": DrawingStyle(color, 1.4, dash=0.16) for k, color in enumerate(FORCE_COLORS, 1)},
+    "code": DrawingStyle("ink", 0.01, fill="ink"),
+    "quiet": DrawingStyle("paper", 0.01, fill="paper"),
+    "curve thin": DrawingStyle("soft", 1.1, dash=0.09),
+}
+
+# name -> (light, dark)
+COLORS: Mapping[str, tuple[str, str]] = {
+    "ink": ("#1f2430", "#e6e6e6"),
+    "soft": ("#6b7280", "#a0a7b4"),
+    "body": ("#d9e4f1", "#2c3e55"),
+    "ground": ("#e8e6e1", "#3a3a40"),
+    "paper": ("#ffffff", "#16181d"),
+    "accent": ("#1d5fa8", "#7fb5f0"),
+    "force": ("#b3261e", "#ff8a80"),
+    "motion": ("#2a7548", "#7fcf9f"),
+    "green": ("#2a7548", "#7fcf9f"),
+    "purple": ("#7a3e9d", "#cfa3ea"),
+    "orange": ("#a85600", "#f0b070"),
+    "teal": ("#007a7a", "#6fd0d0"),
+}
+
+
+class Line(Frozen):
+    """A broken line through points; `heads` is "", "end" or "both"."""
+
+    points: tuple[Point, ...]
+    style: str = "line"
+    closed: bool = False
+    heads: str = ""
+
+
+class Strokes(Frozen):
+    """Many short lines of one style: hatching."""
+
+    pieces: tuple[tuple[Point, Point], ...]
+    style: str = "hatch"
+
+
+class Circle(Frozen):
+    """A circle."""
+
+    center: Point
+    radius: float
+    style: str = "body"
+
+
+class Arc(Frozen):
+    """An arc of a circle from the angle `start` to `end` (radians, either way round)."""
+
+    center: Point
+    radius: float
+    start: float
+    end: float
+    style: str = "angle"
+    heads: str = ""
+
+    def at(self, share: float) -> Point:
+        """The point at a share (0 to 1) of the arc."""
+        angle = self.start + share * (self.end - self.start)
+        return polar(self.center, self.radius, angle)
+
+
+class Label(Frozen):
+    """A formula or word beside `target`; `toward` is the wanted direction (radians) or None.
+
+    `place` (its centre) is found by `placing.placed` if it is not given; `gap` is the least distance in cm.
+    """
+
+    content: Node | str
+    target: Point
+    toward: float | None = None
+    gap: float = 0.1
+    color: str = "ink"
+    place: Point | None = None
+    size: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right, top."""
+        (x, y), (w, h) = self.place or self.target, self.size
+        return x - w / 2, y - h / 2, x + w / 2, y + h / 2
+
+
+Item = Line | Strokes | Circle | Arc
+
+
+class Scene(Frozen):
+    """Items in drawing order, with labels on top."""
+
+    items: tuple[Item, ...] = ()
+    labels: tuple[Label, ...] = ()
+
+    def __add__(self, other: Scene) -> Scene:
+        return Scene(self.items + other.items, self.labels + other.labels)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right, top of all items and placed labels, with a small margin."""
+        boxes = [box_of(points_of(item)) for item in self.items]
+        boxes += [label.box for label in self.labels if label.place]
+        left, bottom, right, top = zip(*boxes, strict=True)
+        return min(left) - 0.08, min(bottom) - 0.08, max(right) + 0.08, max(top) + 0.08
+
+
+def polar(center: Point, radius: float, angle: float) -> Point:
+    """The point at a distance and direction from another."""
+    return center[0] + radius * math.cos(angle), center[1] + radius * math.sin(angle)
+
+
+def direction(start: Point, end: Point) -> float:
+    """The angle of the way from one point to another."""
+    return math.atan2(end[1] - start[1], end[0] - start[0])
+
+
+def points_of(item: Item) -> tuple[Point, ...]:
+    """Points along an item, close enough to stand for it."""
+    return TRACE[type(item)](item)
+
+
+DOT = 0.07  # the radius of a point that has no size
+TRACE: Mapping[type, Callable[..., tuple[Point, ...]]] = {
+    Line: lambda item: item.points + item.points[:1] if item.closed else item.points,
+    Strokes: lambda item: tuple(point for piece in item.pieces for point in piece),
+    Circle: lambda item: tuple(polar(item.center, item.radius, n * math.pi / 8) for n in range(17)),
+    Arc: lambda item: tuple(item.at(n / 8) for n in range(9)),
+}
+
+
+def box_of(points: tuple[Point, ...]) -> tuple[float, float, float, float]:
+    """Left, bottom, right, top of points."""
+    xs, ys = zip(*points, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def heads_of(item: Line | Arc) -> Iterator[tuple[Point, float]]:
+    """Tip and direction of each arrow head of an item."""
+    if not item.heads:
+        return
+    points = points_of(item)
+    yield points[-1], head_direction(item, points[-1], points[-2])
+    if item.heads == "both":
+        yield points[0], head_direction(item, points[0], points[1])
+
+
+def head_direction(item: Line | Arc, tip: Point, before: Point) -> float:
+    """Where a head points; on an arc it follows the curve over the length of the head."""
+    if isinstance(item, Line):
+        return direction(before, tip)
+    turn = math.copysign(1, item.end - item.start)
+    back = turn * HEAD / item.radius
+    last = item.end if tip == item.at(1) else item.start
+    return direction(polar(item.center, item.radius, last - back), tip)
+
+
+HEAD = 0.2
+
+
+def head_shape(tip: Point, angle: float, width: float) -> tuple[Point, ...]:
+    """The triangle of an arrow head, a little notched, for a line of that width in points."""
+    size = HEAD * (0.55 + 0.35 * width)
+    left = polar(tip, size, angle + math.pi - 0.33)
+    right = polar(tip, size, angle + math.pi + 0.33)
+    return tip, left, polar(tip, 0.75 * size, angle + math.pi), right

@@ -1,0 +1,214 @@
+"""The motion of a system in numbers, from the accelerations that were derived; or why there is none to be followed.
+
+Conditions that stay as equations hold at the start and are kept by the rates.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from rbpsym.errors import NotApplicable
+from rbpsym.field import Scalar
+from rbpsym.frozen import Frozen, replace
+from rbpsym.mechanics.compiled import compiled_accelerations
+from rbpsym.mechanics.endings import State as Ending
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.friction import spare
+from rbpsym.mechanics.numbers import bound
+from rbpsym.mechanics.study import Study
+from rbpsym.numeric.formulas import compiled
+from rbpsym.numeric.integration import Event, followed
+from rbpsym.pictures.moving import REASONS, Moving, at, reactions, require_motion
+from rbpsym.proof.step import Derivation
+
+PACES = 60  # of the start, at most
+PARTS = 16  # moments in a step of the integration
+MOST = 600  # steps
+PUSH = 0.02  # of its size is what rests at an unstable place displaced by
+TURNINGS = 4  # of the first coordinate, after which an oscillation has been seen: two periods
+SHAKEN = 20  # the same where a given motion drives it
+SEVERAL = 8  # the same where several coordinates oscillate
+FAR = 2 * math.pi  # how many sizes of its own a coordinate may move; twice as many where it is driven
+EDGE = 1e-8  # what starts so near to the end of its range may go so far beyond it
+TOLERANCES = 1e-9, 1e-11
+
+Numbers = Mapping[str, float | np.ndarray]
+State = np.ndarray  # coordinates that are no closed form of others, independent speeds, the time
+
+
+class Flow(Moving):
+    """The same with arrays: many states as columns."""
+
+    @cached_property
+    def _defined(self) -> tuple[tuple[str, ...], Callable[[Numbers], np.ndarray]]:
+        found = self.study.system.defined
+        return tuple(found), compiled(found.values(), found)
+
+    @cached_property
+    def _accelerations(self) -> Callable[..., np.ndarray]:
+        return compiled_accelerations(self.study, self.given)
+
+    def numbers(self, state: State) -> dict[str, float | np.ndarray]:
+        """All numbers of a state, or of many as columns."""
+        found = {**self.given, **dict(zip(self.names, state, strict=True))}
+        names, values = self._defined
+        return found | dict(zip(names, values(found), strict=True))
+
+    def rate(self, _: float, state: State) -> State:
+        """Speeds and accelerations."""
+        numbers, names = self.numbers(state), self.study.system.coordinates
+        speeds = [numbers[f"{name}_dot"] for name in names]
+        gains = self._accelerations(state[-1], state[: len(names)], state[len(names) : -1])
+        return np.array([*speeds, *gains, 1.0])
+
+    def after(self, state: State, time: float) -> State:
+        """The state a short time later."""
+        return state + time * self.rate(0.0, state)
+
+    def start(self) -> State:
+        """Where the motion starts; what the author left open is where the conditions that stay want it."""
+        return np.array(super().start())
+
+    def room(self, state: State) -> float:
+        """How far the coordinates are from the ends of their declared ranges, the least of all; negative outside."""
+        numbers = self.numbers(state)
+        ends = [(end, sign, c.name) for c in self.study.problem.coordinates for end, sign in ((c.lower, -1), (c.upper, 1))]
+        gaps = (sign * (limit - numbers[name]) for end, sign, name in ends if (limit := bound(end, numbers)) is not None)
+        return min(gaps, default=math.inf)
+
+    def pushed(self, state: State) -> State:
+        """The start; what rests where the forces balance is displaced a little. Raises NotApplicable if it stays."""
+        if math.isfinite(self.pace(state)):
+            return state
+        free = [name in self.study.system.independent for name in self.names]
+        sizes = np.array([self.sizes.get(name, 0.0) for name in self.names])
+        for after in (state + PUSH * sizes * free, state - PUSH * sizes * free):
+            if self.room(after) >= 0 and math.isfinite(self.pace(after)):
+                return after
+        raise NotApplicable(REASONS["rest"])
+
+
+class Leg(Frozen):
+    """A phase of the motion: what was derived of it, all numbers at its moments, when it begins, what it is called.
+
+    `turns` are the moments at which the first coordinate turned back, `lost` those at which a force that can only
+    push (or pull) comes to nothing, or static friction to its limit, with its name. The first leg has no name.
+    """
+
+    derivation: Derivation
+    flow: Flow
+    moments: np.ndarray
+    numbers: Numbers
+    turns: tuple[int, ...] = ()
+    lost: tuple[tuple[int, str], ...] = ()
+    began: float = 0.0
+    name: str = ""
+
+    @property
+    def study(self) -> Study:
+        """The mechanics of the phase."""
+        return self.derivation.study
+
+    @property
+    def times(self) -> np.ndarray:
+        """The time since the very start."""
+        return self.began + self.moments
+
+    def at(self, moment: int) -> dict[str, float]:
+        """All numbers of a moment."""
+        return {name: float(value[moment] if np.ndim(value) else value) for name, value in self.numbers.items()}
+
+    def values(self, value: Scalar) -> np.ndarray:
+        """A quantity at all moments; not a number where it has none."""
+        return np.broadcast_to(compiled([value])(self.numbers)[0], self.moments.shape)
+
+    def part(self, count: int) -> Leg:
+        """The first moments."""
+        numbers = {name: value[:count] if np.ndim(value) else value for name, value in self.numbers.items()}
+        return replace(self, moments=self.moments[:count], numbers=numbers)
+
+
+def leg(
+    derivation: Derivation, given: Mapping[str, float], end: float = math.inf, ending: Ending | None = None, **told
+) -> Leg:
+    """The motion from the start up to the time `end`, or to the `ending` of its phase; else as long as it is worth.
+
+    What rests where it could move is displaced a little, if neither is given. `told`: of the leg.
+    Raises NotApplicable where the start or the accelerations are not known, nothing moves, or the ending does not come.
+    """
+    study = derivation.study
+    require_motion(study)
+    flow, is_open = Flow(study, given), ending is None and not math.isfinite(end)
+    start = flow.pushed(flow.start()) if is_open else flow.start()
+    events = dict(watched(flow, start, is_open))
+    if ending is not None and ending.time is not None:
+        end = at(ending.time, given)
+    elif ending is not None:
+        events["arrival"] = arrival(flow, start, ending)
+    if end == 0:
+        return Leg(derivation, flow, np.zeros(1), with_forces(flow, start[:, None]), **told)
+    pace = flow.pace(start)
+    end = end if math.isfinite(end) else PACES * pace
+    limits = {"longest": min(pace / 2, end if is_open else end / 5), "most": MOST, "tolerances": TOLERANCES}
+    path = followed(flow.rate, start, end, events=tuple(events.values()), **limits)
+    seen = dict(zip(events, path.seen, strict=True))
+    if not seen.get("arrival", True):
+        raise NotApplicable("with these numbers a phase does not come to its end")
+    breaks = sorted({*path.times, *(time for times in path.seen for time in times)})
+    moments = np.unique(np.concatenate([np.linspace(*ends, PARTS + 1) for ends in pairwise(breaks)]))
+    numbers = with_forces(flow, path.at(moments))
+    places = {name: tuple(np.searchsorted(moments, times)) for name, times in seen.items()}
+    left = {name: compiled(values)(numbers).min(axis=0) for name, values in giving_way(study).items()}
+    lost = [(k, name) for name, value in left.items() for k in places[name] if value[k - 1] > 0]
+    return Leg(derivation, flow, moments, numbers, places.get("turn", ()), tuple(lost), **told)
+
+
+def arrival(flow: Flow, start: State, ending: Ending) -> Event:
+    """The coordinate that moves most comes to its place at the end of a phase, or to rest where it only touches it."""
+    begin, goals = flow.numbers(start), {name: at(ending.places[name], flow.given) for name in flow.shown}
+    name = max(goals, key=lambda name: abs(goals[name] - begin[name]) / flow.sizes[name])
+    if at(ending.speeds[name], flow.given) ** 2 < EDGE * begin[f"{name}_dot"] ** 2:
+        return Event(lambda _, state: flow.numbers(state)[f"{name}_dot"])
+    return Event(lambda _, state: flow.numbers(state)[name] - goals[name])
+
+
+def with_forces(flow: Flow, states: State) -> Numbers:
+    """All numbers of some states, those of the unknown forces too."""
+    numbers, forces = flow.numbers(states), reactions(flow.study)
+    return numbers | dict(zip(forces, compiled(forces.values())(numbers), strict=True))
+
+
+def giving_way(study: Study) -> dict[str, list[Scalar]]:
+    """By unknown force that can only push (or pull), itself; by static friction with a limit, what is left up to it."""
+    known, constraints = reactions(study), study.problem.constraints
+    found = {name: [known[name]] for element in constraints for name in pushes(element) if name in known}
+    held = (element for element in constraints if element.values.get("friction") in known)
+    grips = {element["friction"]: list(spare(element, known.__getitem__)) for element in held}
+    return found | {name: values for name, values in grips.items() if values}
+
+
+def watched(flow: Flow, start: State, is_open: bool) -> Iterator[tuple[str, Event]]:
+    """What ends a motion or happens on its way: a range ends, it is far, it turns back, a contact is lost or slips."""
+    study = flow.study
+    edge = 0.0 if flow.room(start) > EDGE else EDGE
+    yield "end", Event(lambda _, state: flow.room(state) + edge)
+    if is_open:
+        begin, far = flow.numbers(start), FAR if study.system.independent else 2 * FAR
+
+        def left(_: float, state: State) -> float:
+            now = flow.numbers(state)
+            return far - max(abs(now[name] - begin[name]) / flow.sizes[name] for name in flow.shown)
+
+        yield "far", Event(left)
+    if study.system.independent:
+        place, is_shaken = len(study.system.coordinates), study.system.has_clock and not study.squares
+        enough = SHAKEN if is_shaken else TURNINGS if len(flow.shown) == 1 else SEVERAL
+        yield "turn", Event(lambda _, state: state[place], enough if is_open else math.inf)
+    for name, left in giving_way(study).items():
+        values = compiled(left)
+        yield name, Event(lambda _, state, values=values: float(values(flow.numbers(state)).min()), math.inf)

@@ -1,0 +1,120 @@
+"""What the axes of plots count in: SI units where the author gives an example, else groups such as M g ℓ."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from rbpsym.errors import NotApplicable
+from rbpsym.expr import tree as t
+from rbpsym.frozen import Frozen
+from rbpsym.mechanics.numbers import sample
+from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
+from rbpsym.statement.model import Problem
+from rbpsym.statement.printed_units import unit_of, unit_text
+
+CLOCKS = tuple(
+    DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force")
+)
+DEGREE = math.pi / 180
+
+
+class Scale(Frozen):
+    """The unit of an axis: its size in SI units, and how it is printed (None for a pure number)."""
+
+    size: float
+    node: t.Node | None = None
+    sign: str = ""
+
+
+class Scales(Frozen):
+    """Numbers for all names of a problem, and the unit of each dimension.
+
+    `powers` are the parameters whose products make the units; none where the units are those of SI.
+    """
+
+    numbers: Mapping[str, float]
+    base: tuple[Quantity, ...] = ()
+
+    def of(self, dimension: Dimension, name: str = "") -> Scale:
+        """The unit of a dimension (of torques and energies, the one named); angles are counted in degrees."""
+        if dimension == NUMBER:
+            return Scale(DEGREE, sign="°")
+        if not self.base:
+            return Scale(1.0, t.Word(unit_text(unit_of(dimension, name))))
+        exponents = self.exponents(dimension)
+        size = math.prod(abs(self.numbers[name]) ** float(power) for name, power in exponents.items())
+        return Scale(size, product(exponents))
+
+    def exponents(self, dimension: Dimension) -> dict[str, Fraction]:
+        """The powers of the three parameters whose product has a dimension."""
+        mass, length, clock = self.base
+        share = Fraction(dimension.time) / Fraction(clock.dimension.time)
+        rest = dimension / clock.dimension**share
+        found = {mass.name: Fraction(rest.mass), clock.name: share, length.name: Fraction(rest.length)}
+        return {name: power for name, power in found.items() if power}
+
+
+def scales(problem: Problem) -> Scales:
+    """The author's example where it has all numbers, else generic numbers. Raises NotApplicable without a scale."""
+    declared = [q for q in problem.parameters if q.name not in problem.implicit]
+    if declared and all(q.name in problem.example for q in declared):
+        return Scales(sample(problem, problem.example))
+    return Scales(sample(problem), base(declared))
+
+
+def base(parameters: list[Quantity]) -> tuple[Quantity, ...]:
+    """A mass, a length and what sets the pace. Raises NotApplicable if one is missing."""
+    wanted = ((MASS,), (LENGTH,), CLOCKS)
+    positive = [q for q in parameters if q.sign == "positive"]
+    found = [next((q for kind in kinds for q in positive if q.dimension == kind), None) for kinds in wanted]
+    if None in found:
+        raise NotApplicable("no mass, length and pace from which units could be made")
+    return tuple(found)
+
+
+def product(exponents: Mapping[str, Fraction]) -> t.Node:
+    """The product of powers as one prints it; square roots are drawn together."""
+    if any(power.denominator == 2 for power in exponents.values()):
+        return t.Sqrt(product({name: power * 2 for name, power in exponents.items()}))
+    above = [powered(name, power) for name, power in exponents.items() if power > 0]
+    below = [powered(name, -power) for name, power in exponents.items() if power < 0]
+    top = t.mul(*above) if above else t.ONE
+    return t.div(top, t.mul(*below)) if below else top
+
+
+def powered(name: str, power: Fraction) -> t.Node:
+    """A power of a symbol."""
+    return t.power(t.Sym(name), int(power) if power.denominator == 1 else power)
+
+
+def told_numbers(problem: Problem, found: Scales, decimal: str = ".") -> Iterator[t.Node]:
+    """The numbers that were taken: as the author gave them, or as multiples of the base."""
+    if not found.base:
+        yield from (example(name, text, decimal) for name, text in problem.example.items())
+        return
+    names = {quantity.dimension: quantity.name for quantity in found.base}
+    for quantity in problem.parameters:
+        if quantity in found.base or quantity.name not in found.numbers:
+            continue
+        value = found.numbers[quantity.name]
+        if quantity.dimension == NUMBER:
+            yield t.equation(t.Sym(quantity.name), rounded(value))
+        elif quantity.dimension in names:
+            name = names[quantity.dimension]
+            yield t.equation(t.Sym(quantity.name), t.mul(rounded(value / found.numbers[name]), t.Sym(name)))
+
+
+def rounded(value: float) -> t.Num:
+    """The value with three digits."""
+    digits = 2 - (math.floor(math.log10(abs(value))) if value else 0)
+    return t.Num(Fraction(round(value, max(digits, 0))).limit_denominator(10 ** max(digits, 0)))
+
+
+def example(name: str, text: str, decimal: str = ".") -> t.Node:
+    """A number of the author's with its unit: M = 10 kg."""
+    value, _, unit = str(text).strip().partition(" ")
+    written = unit.replace("^2", "²").replace("^3", "³").replace("*", " ")
+    value = value.replace("-", "−").replace(".", decimal)
+    return t.equation(t.Sym(name), t.Word(f"{value}°" if unit == "deg" else f"{value} {written}".strip()))

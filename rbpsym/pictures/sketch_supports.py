@@ -1,0 +1,240 @@
+"""What holds a system, in numbers: points, lines, circles, strings, springs and dampers of a sketch."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from rbpsym.expr import tree as t
+from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.contacts import meeting, parameter
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.strings import segments
+from rbpsym.pictures.figures import sketch as sk
+from rbpsym.pictures.pose import DrawnPose
+from rbpsym.quantities import NUMBER
+from rbpsym.statement.model import Element, PointRef, Problem, Turn
+from rbpsym.statement.paths import runs
+
+NEAR = 1e-9
+
+
+def touching(pose: DrawnPose) -> list[Element]:
+    """Constraints on a line or a circle, and what is met later."""
+    return [e for e in (*pose.study.problem.constraints, *met_later(pose.study.problem)) if "line" in e.values]
+
+
+def met_later(problem: Problem) -> list[Element]:
+    """What bodies bounce from, and the constraints that begin in a later phase."""
+    bounces = [e for phase in problem.phases for e in phase.impulses if e.kind == "bounce"]
+    return [*bounces, *(phase.gap for phase in problem.phases if phase.gap is not None and phase.gap not in bounces)]
+
+
+def points(pose: DrawnPose) -> Iterator[sk.SketchPoint]:
+    """Pivots, pins, welds, led points, edges, and the fixed ends of springs and strings."""
+    for element in pose.study.problem.of_kind("pivot"):
+        ref = element["point"]
+        yield sk.SketchPoint("pivot", pose.ref(ref), origin_label(pose.ref(ref)), (ref.body,))
+    for element in pose.study.problem.of_kind("pin", "weld"):
+        yield _joined(pose, element)
+    for element in touching(pose):
+        yield from _led_or_edge(pose, element)
+    for element in pose.study.problem.of_kind("spring", "damper", "pull"):
+        yield from _anchors(pose, *element["between"])
+    for element in pose.study.problem.of_kind("string"):
+        yield from _string_ends(pose, element["path"])
+    for element in met_later(pose.study.problem):
+        if "path" in element.values:
+            yield from _string_ends(pose, element["path"])
+
+
+def _joined(pose: DrawnPose, element: Element) -> sk.SketchPoint:
+    refs = element["points"]
+    bodies = tuple(ref.body for ref in refs if ref.body)
+    ground = any(ref.body is None for ref in refs)
+    kind = {("pin", True): "pivot", ("weld", False): "point"}.get((element.kind, ground), element.kind)
+    at = pose.ref(next(ref for ref in reversed(refs) if ref.body))
+    return sk.SketchPoint(kind, at, origin_label(at) if ground else None, bodies)
+
+
+def _led_or_edge(pose: DrawnPose, element: Element) -> Iterator[sk.SketchPoint]:
+    """A point that a slot leads; a fixed edge on which a body lies."""
+    ref = element.values.get("point")
+    if ref is None:
+        return
+    if element.kind == "guide":
+        yield sk.SketchPoint("guide", pose.ref(ref), None, (ref.body,) if ref.body else ())
+    elif ref.body is None and element.values.get("of"):
+        angle = pose.value(pose.study.system.bodies[element["of"]].pose.angle)
+        below = min((angle + math.pi / 2, angle - math.pi / 2), key=math.sin)
+        name = t.Sym(ref.label) if ref.label.isidentifier() else None
+        yield sk.SketchPoint("edge", pose.ref(ref), name, (), below)
+
+
+def _anchors(pose: DrawnPose, *ends: PointRef) -> Iterator[sk.SketchPoint]:
+    """The fixed ends of what runs between two points, their ground away from the other end."""
+    for ref, other in (ends, ends[::-1]):
+        if ref.body is None:
+            here, there = pose.ref(ref), pose.ref(other)
+            yield sk.SketchPoint(
+                "anchor", here, origin_label(here), (), math.atan2(here[1] - there[1], here[0] - there[0])
+            )
+
+
+def _string_ends(pose: DrawnPose, path: tuple[Turn, ...]) -> Iterator[sk.SketchPoint]:
+    for turn, other in ((path[0], path[1]), (path[-1], path[-2])):
+        if turn.body is None and not turn.sense:
+            yield next(_anchors(pose, turn.center, other.center))
+    for turn in path[1:-1]:
+        if turn.body is None and not turn.sense:
+            yield sk.SketchPoint("guide", pose.ref(turn.center))
+
+
+def origin_label(at: sk.Point) -> t.Node | None:
+    """O, where the origin is."""
+    return t.Sym("O") if math.hypot(*at) < NEAR else None
+
+
+def lines(pose: DrawnPose) -> Iterator[sk.SketchLine]:
+    """The fixed lines that anything touches, and the rails that lead points."""
+    seen, geometry = set(), geometry_of(pose.study.system)
+    for element in touching(pose):
+        line = element.values.get("line")
+        if line is None or element.values.get("of") or line.label in seen:
+            continue
+        seen.add(line.label)
+        a, b, c = (pose.node(part) for part in (line.a, line.b, line.c))
+        if element.kind == "guide":
+            yield sk.SketchLine(a, b, c, kind="rail")
+            continue
+        met = meeting(element, geometry)
+        x, y = pose.point(met.normal)
+        at = pose.point(met.place)
+        yield sk.SketchLine(
+            a, b, c, None, -1 if a * x + b * y > 0 else 1, at=at, end=_edge_of_table(pose, (a, b, c), at)
+        )
+
+
+def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: sk.Point) -> sk.Point | None:
+    """Where a line ends before a pulley that stands at its end."""
+    a, b, c = line
+    for element in pose.study.problem.of_kind("string"):
+        for turn in element["path"]:
+            x, y = pose.ref(turn.center)
+            radius = pose.node(turn.radius) if turn.sense else 0.0
+            away = (a * x + b * y - c) / (a * a + b * b)
+            foot = (x - away * a, y - away * b)
+            far = math.dist(foot, at)
+            if radius and abs(away) * math.hypot(a, b) < 1.5 * radius and far > radius:
+                share = (far - 1.1 * radius) / far
+                return at[0] + share * (foot[0] - at[0]), at[1] + share * (foot[1] - at[1])
+    return None
+
+
+def circles(pose: DrawnPose) -> Iterator[sk.SketchCircle]:
+    """Fixed circles that are touched, or round which a string slides."""
+    seen = set()
+    for element in touching(pose):
+        centre = element.values.get("circle")
+        if centre is None or centre.body is not None or centre.label in seen:
+            continue
+        seen.add(centre.label)
+        yield _touched(pose, element)
+    for element in pose.study.problem.of_kind("string"):
+        for turn in element["path"]:
+            if turn.body is None and turn.sense:
+                yield sk.SketchCircle(pose.ref(turn.center), pose.node(turn.radius), "convex", turn.radius)
+
+
+def _touched(pose: DrawnPose, element: Element) -> sk.SketchCircle:
+    """Solid where nothing touches: inside for what is on it, outside for what is in it."""
+    at, radius = pose.ref(element["circle"]), pose.node(element["radius"])
+    body = element.values.get("body") or element["point"].body
+    inside = body is not None and math.dist(pose.center(body), at) < radius
+    kind = "rail" if element.kind == "guide" else _hollow(pose, element, at) if inside else "convex"
+    return sk.SketchCircle(at, radius, kind, element["radius"] if radius else None)  # a corner has no size to tell
+
+
+def _hollow(pose: DrawnPose, element: Element, at: sk.Point) -> str:
+    """A bowl, if all that touches the circle is below its centre and no angle goes all round."""
+    turning = [c for c in pose.study.problem.coordinates if c.quantity.dimension == NUMBER and c.start is not None]
+    if any(None in (c.lower, c.upper) for c in turning):
+        return "concave"
+    same = [e for e in touching(pose) if e.values.get("circle") and e["circle"].label == element["circle"].label]
+    places = [pose.point(meeting(e, geometry_of(pose.study.system)).place) for e in same]
+    return "bowl" if all(y < at[1] for _, y in places) else "concave"
+
+
+def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
+    """Curves, and each string as a line of points, with arcs round its pulleys."""
+    geometry = geometry_of(pose.study.system)
+    yield from (_bent(pose, element) for element in touching(pose) if element.values.get("curve") is not None)
+    for element in pose.study.problem.of_kind("pull"):
+        yield sk.SketchCord(tuple(pose.ref(ref) for ref in element["between"]), element["size"], "string")
+    for element in pose.study.problem.of_kind("string"):
+        pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
+        found: list[sk.Point] = []
+        for place, piece in enumerate(pieces):
+            found += [pose.point(piece.start), pose.point(piece.end)]
+            if piece.second.sense and place + 1 < len(pieces):
+                middle, turn = pose.ref(piece.second.center), piece.second.sense
+                found += _round(found[-1], pose.point(pieces[place + 1].start), middle, turn)
+        kind = "link" if element.values.get("rigid") else "string"
+        yield sk.SketchCord(tuple(found), element.values.get("length"), kind)
+    for element in met_later(pose.study.problem):
+        if "path" in element.values:
+            yield from _slack(pose, element)
+
+
+def _slack(pose: DrawnPose, element: Element) -> Iterator[sk.SketchCord]:
+    """A string that hangs loose between two points: a flat parabola of its length; none where the ends are in one place."""
+    (x, y), (right, top) = (pose.ref(turn.center) for turn in element["path"])
+    span, spare = math.dist((x, y), (right, top)), pose.node(element["length"])
+    sag = math.sqrt(max(0.0, 3 / 8 * span * (spare - span)))
+    shares = [k / 16 for k in range(17)] if span > NEAR else []
+    places = [(x + k * (right - x), y + k * (top - y) - 4 * sag * k * (1 - k)) for k in shares]
+    if places:
+        yield sk.SketchCord(tuple(places), element["length"], "link" if element.values.get("rigid") else "string")
+
+
+def _bent(pose: DrawnPose, element: Element) -> sk.SketchCord:
+    """A curve on both sides of what it leads."""
+    curve = element["curve"]
+    here = pose.value(parameter(element, geometry_of(pose.study.system)))
+    reach = 1.3 * max(abs(here), pose.size / 2 if curve.axis else 1.0)
+    numbers = ({**pose.numbers, curve.name: reach * k / 24} for k in range(-24, 25))
+    places = [tuple(number(scalar(node), known) for node in (curve.x, curve.y)) for known in numbers]
+    return sk.SketchCord(tuple(places), None, "rail")
+
+
+def _round(start: sk.Point, end: sk.Point, middle: sk.Point, sense: int) -> list[sk.Point]:
+    """Points of the arc from one point of a circle to another."""
+    first, last = (math.atan2(p[1] - middle[1], p[0] - middle[0]) for p in (start, end))
+    turn = ((last - first) * sense) % math.tau
+    turn = 0.0 if turn > math.tau - 1e-6 else turn
+    radius, count = math.dist(start, middle), max(1, round(turn / 0.15))
+    angles = [first + sense * turn * k / count for k in range(1, count)]
+    return [(middle[0] + radius * math.cos(a), middle[1] + radius * math.sin(a)) for a in angles]
+
+
+def links(pose: DrawnPose) -> Iterator[sk.SketchLink]:
+    """Springs and dampers."""
+    for element in pose.study.problem.of_kind("spring", "damper"):
+        key = "stiffness" if element.kind == "spring" else "coefficient"
+        start, end = (pose.ref(ref) for ref in element["between"])
+        yield sk.SketchLink(element.kind, start, end, element[key])
+
+
+def coils(pose: DrawnPose) -> Iterator[sk.SketchCoil]:
+    """Torsion springs and rotary dampers, at a hinge."""
+    for element in pose.study.problem.of_kind("torsion-spring", "rotary-damper"):
+        key = "stiffness" if element.kind == "torsion-spring" else "coefficient"
+        name = next(n for n in reversed(element["between"]) if n in pose.study.system.bodies)
+        yield sk.SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))
+
+
+def _hinge(pose: DrawnPose, body: str) -> sk.Point:
+    """Where a body is hinged, else its centre."""
+    held = (point.at for point in points(pose) if body in point.bodies)
+    return next(held, pose.center(body))

@@ -1,0 +1,1 @@
+"""Values as display trees in textbook form."""

@@ -1,0 +1,1 @@
+"""Steps: what they need, what they owe, and the rules with their checkers."""

@@ -1,0 +1,1 @@
+"""What looks at each kind of step, apart from what made it."""

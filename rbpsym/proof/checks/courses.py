@@ -1,0 +1,103 @@
+"""A motion as a function of the time, integrated anew from the start: what the checks of moments put them into.
+
+A coordinate that an equation with the time ties is checked by this equation itself.
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from rbpsym.decide.equal import compare, scalars_equal
+from rbpsym.decide.signs import sign
+from rbpsym.decide.verdict import Verdict
+from rbpsym.errors import Undecided
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
+from rbpsym.field.evaluate import scalar
+from rbpsym.proof.checks.places import UNSEEN, own_place
+from rbpsym.proof.context import Context
+from rbpsym.proof.mass import primitive
+from rbpsym.statement.model import Phase
+
+
+def course_of(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
+    """A value whose acceleration is a function of the time t, and its rate, as such functions. Raises Undecided for others."""
+    scope = context.study.system.scope
+    if not names_in(value) & scope.rates.keys() - {"t"}:  # it is driven
+        return value, time_derivative(value, scope)
+    rate = time_derivative(value, scope)
+    gain = substitute(context.on_motion(time_derivative(rate, scope)), _still(context))
+    if names_in(gain) & {*scope.rates, *context.study.system.speeds} - {"t"}:
+        raise Undecided("its acceleration is no function of the time")
+    speed = _gained(gain) + context.start(rate)
+    return _gained(speed) + context.start(value), speed
+
+
+def _still(context: Context) -> dict[str, Scalar]:
+    """Coordinates with their starts, and their speeds, that begin at rest and have no acceleration there, wherever the others
+    are: they stay."""
+    system, wanted = context.study.system, {}
+    for name in context.study.resting:
+        if name in system.coordinates and is_zero(context.start(symbol(f"{name}_dot"))):
+            wanted |= {name: context.start(symbol(name)), f"{name}_dot": NOTHING}
+    gains = (substitute(context.on_motion(symbol(f"{name}_ddot")), wanted) for name in wanted if name in system.coordinates)
+    return wanted if all(map(is_zero, gains)) else {}
+
+
+def moved_to(context: Context, value: Scalar, time: Scalar) -> tuple[Scalar, Scalar]:
+    """The value and its rate at a time: as its course says, or as they follow from the coordinates that have one."""
+    with suppress(Undecided):
+        place, speed = course_of(context, value)
+        return at_time(time, place), at_time(time, speed)
+    rates = context.study.system.scope.rates
+    rate = time_derivative(value, context.study.system.scope)
+    known = {name: moved_to(context, symbol(name), time) for name in names_in(value) & rates.keys() if value != symbol(name)}
+    if not known:
+        raise Undecided("its acceleration is no function of the time")
+    places, speeds = ({f"{name}{mark}": pair[k] for name, pair in known.items()} for k, mark in ((0, ""), (1, "_dot")))
+    return substitute(value, places), substitute(substitute(rate, speeds), places)
+
+
+def _gained(rate: Scalar) -> Scalar:
+    """What a rate adds up to since t = 0."""
+    found = primitive(rate, "t")
+    return found - at_time(NOTHING, found)
+
+
+def at_time(time: Scalar, value: Scalar) -> Scalar:
+    """The value of a function of the time then."""
+    return substitute(value, {"t": time})
+
+
+def is_driven(context: Context, phase: Phase | None) -> bool:
+    """Whether a phase ends where such a coordinate has a value."""
+    is_alone = phase is not None and phase.event == "reaches" and not context.study.system.independent
+    return is_alone and any(depends_on(tie.value, phase.subject) for tie in context.study.ties)
+
+
+def left_then(context: Context, phase: Phase) -> Scalar:
+    """What vanishes at the moment, as a function of the time."""
+    return substitute(_tie(context, phase.subject), {phase.subject: scalar(phase.value)})
+
+
+def _tie(context: Context, name: str) -> Scalar:
+    [found] = [tie.value for tie in context.study.ties if depends_on(tie.value, name)]
+    return found
+
+
+def comes_there(context: Context, phase: Phase) -> Verdict:
+    """The value lies ahead of the start, in the sense of a speed that keeps its sign all the way."""
+    begin, end = context.start(symbol(phase.subject)), scalar(phase.value)
+    speed = context.study.system.scope.rates[phase.subject]
+    between = (context.assumptions.with_range(phase.subject, *ends) for ends in ((begin, end), (end, begin)))
+    ways = {sign(speed, given).sense for given in between}
+    return compare(NOTHING, (end - begin) * ways.pop(), context.assumptions) if len(ways) == 1 and 0 not in ways else UNSEEN
+
+
+def state_said(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+    """The stated place, or speed, meets the equation, or its rate, at that time; what depends on it, by its formula."""
+    subject, state = ending.phase.subject, ending.state
+    value = _tie(context, subject) if name == subject else own_place(context, name)
+    speed = stated if name == subject else state.speeds[subject]
+    there = {"t": state.time, subject: stated if (name, what) == (subject, "place") else state.places[subject]}
+    moved = value if what == "place" else derivative(value, subject) * speed + derivative(value, "t")
+    return scalars_equal(substitute(moved, there), NOTHING if name == subject else stated, context.assumptions)

@@ -1,0 +1,254 @@
+"""A derivation being written: steps are added, bound to the least premises, checked and given their certificates."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import replace
+from typing import Any
+
+from rbpsym.decide.equal import proofs_alone, scalars_equal
+from rbpsym.decide.rooted import Senses, neat
+from rbpsym.expr import tree as t
+from rbpsym.field import NOTHING, Scalar, Space, Vector, apart, ask_for_more, at_most, has_roots, tidy
+from rbpsym.mechanics.demands import Demand, assuming
+from rbpsym.mechanics.study import Study
+from rbpsym.present.forms import present
+from rbpsym.proof.assertions import Said, settled, told
+from rbpsym.proof.context import Context
+from rbpsym.proof.facts import MOTION, facts_of
+from rbpsym.proof.forms import Forms
+from rbpsym.proof.letters import fixed, introduce, introducers
+from rbpsym.proof.rules import examined
+from rbpsym.proof.step import STANDARD, Skipped, Step
+
+TELLS_MOTION = ("solution", "first_integral", "substitution")  # rules of steps that say what the motion is
+SIGNED = ("vanishing", "equilibrium")  # rules that decide signs on ranges: costly where they fail
+MOST_LAWS = 6  # of so many single laws it is tried whether they do
+
+
+def bound(context: Context, step: Step, named: Iterable[str]) -> Step:
+    """The step with its premises, what else its author cites, and its certificate."""
+    named = tuple(dict.fromkeys(named))
+    with proofs_alone():
+        found, used, kept = None, set(), _needed(context, step, named, hasty=True)
+    if kept is not None:
+        found, used = examined(context, step, kept)
+    if kept is None or not found.verdict.is_proved or set(kept) - used:  # numbers mislead: the long way
+        with proofs_alone():
+            kept = _needed(context, step, named, hasty=False)
+        found = None if kept is None else examined(context, step, kept)[0]
+    if kept is None:
+        kept, (found, _) = named, examined(context, step, _widest(context, step, named))
+    context.rests[step.id] = frozenset(introducers(context, [step.statement])) | fixed(context)
+    return replace(step, premises=kept, cites=tuple(id for id in named if id not in kept), certificate=found)
+
+
+def _needed(context: Context, step: Step, named: tuple[str, ...], *, hasty: bool) -> tuple[str, ...] | None:
+    """The least of the first set of premises with which it is proved; None if it is with none."""
+    for level in _levels(context, step, named):
+        found, used = examined(context, step, level, hasty=hasty)
+        if found.verdict.is_proved:
+            return _irredundant(context, step, tuple(id for id in level if id in used), hasty=hasty)
+    return None
+
+
+def _widest(context: Context, step: Step, named: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(id for level in _levels(context, step, named) for id in level))
+
+
+def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """Sets of premises to try, from what is nearest to the whole of the laws; ranges where more or less is asserted."""
+    ranges = tuple(id for id, fact in context.facts.items() if fact.kind == "range")
+    laws = [id for id, fact in context.facts.items() if fact.kind == "law" and fact.subject]
+    letters = introducers(context, [step.statement])
+    said = introducers(context, [context.steps[id].statement for id in named if id in context.steps])
+    works = {id for name, (id, _) in context.introduced.items() if name in context.works}
+    told = [id for id, other in context.steps.items() if other.rule in TELLS_MOTION]
+    near = (*named, *letters, *sorted(fixed(context)))
+    quiet = [id for id in said if id not in works]
+    few = [*quiet, *laws] if len(laws) <= MOST_LAWS else []
+    steps_up = ((), quiet, said, few, (*said, *told), (MOTION,), (*said, *told, MOTION))
+    if step.rule in SIGNED or any(op != "=" for _, op, _ in t.relations(step.statement)):
+        steps_up = tuple((*more, *ranges) for more in ((), (*said, *told), (*said, *told, MOTION)))
+    tried = set()
+    for more in (*steps_up, (*said, *told, MOTION, *ranges)):
+        level = tuple(dict.fromkeys((*near, *more)))
+        if frozenset(level) not in tried:
+            tried.add(frozenset(level))
+            yield level
+
+
+def _irredundant(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool) -> tuple[str, ...]:
+    """Without those that the step is proved without."""
+    for id in reversed(premises):
+        if id in premises:
+            found, used = examined(context, step, tuple(other for other in premises if other != id), hasty=hasty)
+            if found.verdict.is_proved:
+                premises = tuple(other for other in premises if other in used)
+    return premises
+
+
+class Draft:
+    """Steps so far, with the meanings of the quantities that they define.
+
+    `chapter` is where the next steps belong; steps of phases `before` say in which form quantities are printed.
+    """
+
+    def __init__(self, study: Study, before: Iterable[Step] = ()) -> None:
+        self.study, self.context = study, Context(study, facts=dict(facts_of(study)))
+        self.steps: list[Step] = []
+        self.skipped: list[Skipped] = []
+        self.forms = Forms(before)
+        self.chapter = "statement"
+
+    def add(
+        self,
+        id: str,
+        rule: str,
+        statement: t.Node,
+        phrase: str,
+        *,
+        premises: Iterable[str] = (),
+        level: int = STANDARD,
+        is_result: bool = False,
+        obligations: tuple[t.Node, ...] = (),
+        data: dict[str, Any] | None = None,
+        **slots: Any,
+    ) -> Step:
+        """Adds a step, checked; its id is made unique.
+
+        `premises` names what a reader should look at, as far as steps of these ids were made; from these, and from the
+        facts, those are found that the step needs.
+        """
+        statement = _without_repeats(statement)
+        step = Step(
+            self._unique(id, {step.id for step in self.steps}),
+            rule,
+            statement if self.chapter == "ask" else self.forms.kept(statement, len(self.steps)),
+            self.chapter,
+            phrase,
+            slots,
+            level=level,
+            is_result=is_result,
+            obligations=obligations,
+            data=data or {},
+        )
+        introduce(self.context, step)
+        step = self.certified(step, self.those(*premises))
+        step = told(step, Said(self.study, steps=self.steps, context=self.context))
+        self.steps.append(step)
+        self.context.steps[step.id] = step
+        return step
+
+    def forget(self, kept: int) -> None:
+        """Takes back all steps but the first ones, and the letters that they introduced."""
+        gone = {step.id for step in self.steps[kept:]}
+        del self.steps[kept:]
+        for id in gone:
+            del self.context.steps[id]
+        for letter in [name for name, (id, _) in self.context.introduced.items() if id in gone]:
+            del self.context.introduced[letter]
+        self.context.rows.clear()
+        self.forms.forget(kept)
+
+    def those(self, *ids: str) -> tuple[str, ...]:
+        """Those of the ids of which a step was made."""
+        return tuple(id for id in ids if id in self.context.steps or id in self.context.facts)
+
+    def certified(self, step: Step, named: tuple[str, ...]) -> Step:
+        """The step with the premises that it needs, and its certificate. Raises LimitError where the whole work is too long."""
+        with apart(), at_most(MOST_PRODUCTS):  # what is proved of a step is no work of the method that makes it
+            step = bound(self.context, step, named)
+        ask_for_more()
+        return step
+
+    def _unique(self, id: str, known: set[str]) -> str:
+        found, k = id, 2
+        while found in known:
+            found, k = f"{id}_{k}", k + 1
+        return found
+
+    def skip(self, name: str, phrase: str, **slots: Any) -> None:
+        """Notes that the method called `name` does not apply, and why."""
+        if settled(phrase, Said(self.study)):
+            self.skipped.append(Skipped(name, phrase, slots))
+
+    def has(self, id: str) -> bool:
+        """Whether a step of that id was made."""
+        return any(step.id == id for step in self.steps)
+
+    def show(self, value: Scalar, *, factor: bool = False, met: Iterable[Demand] | None = None) -> t.Node:
+        """A value as a display tree in the problem's style; with demands, sums that they make positive are printed so."""
+        style, given = self.study.style, self.study.assumptions
+        if met is not None:
+            style = replace(style, sense=Senses(assuming(given, met, tighter=True)))
+        if not has_roots(value):
+            return present(value, style, factor=factor)
+        plain, shown = (present(form, style, factor=factor) for form in (value, neat(value, given)))
+        return shown if shown == plain or self._is_proved(shown, value) else plain
+
+    def _is_proved(self, form: t.Node, value: Scalar) -> bool:
+        return scalars_equal(self.context.value(form), value, self.study.assumptions).is_proved
+
+    def show_brief(self, value: Scalar) -> t.Node:
+        """As it is, or with its sums factored where that is much shorter."""
+        plain, factored = self.show(value), self.show(value, factor=True)
+        return factored if length(factored) <= MUCH_SHORTER * length(plain) else plain
+
+    def show_vector(self, vector: Vector, *, factor: bool = False) -> t.Node:
+        """x i + y j, components that vanish left out."""
+        parts = [(tidy(vector.x), "x"), (tidy(vector.y), "y")]
+        return t.add(*(t.mul(self.show(value, factor=factor), t.Unit(axis)) for value, axis in parts if value))
+
+    def define(self, name: str, value: Scalar) -> t.Sym:
+        """Gives a scalar quantity its meaning and returns its symbol."""
+        self.context.scalars[name] = value
+        return t.Sym(name)
+
+    def define_vector(self, name: str, value: Vector, z: Scalar | None = None) -> t.Vec:
+        """Gives a vector quantity its meaning and returns its symbol."""
+        self.context.vectors[name] = Space(value, NOTHING if z is None else z)
+        return t.Vec(name)
+
+    @property
+    def is_single(self) -> bool:
+        """Whether the system is one body."""
+        return len(self.study.system.bodies) == 1
+
+    def asked(self, demands: Iterable[Demand]) -> tuple[t.Node, ...]:
+        """Conditions on parameters as obligations of a step."""
+        return tuple(t.relation(self.show(item.value, factor=True), item.op, t.ZERO) for item in demands)
+
+    def of_body(self, letter: str, body: str) -> str:
+        """Name of a body's quantity: R_rod; for the only body R_cm."""
+        return self.free(f"{letter}_cm" if self.is_single and letter in OF_CENTER else f"{letter}_{body}")
+
+    def free(self, name: str, mark: str = "b", *, taken: Collection[str] | None = None) -> str:
+        """A name that nothing of the problem has (see `Letters.free`)."""
+        return self.study.letters.free(name, mark=mark, taken=taken)
+
+
+MOST_PRODUCTS = 1_000_000  # for the premises of a step and its certificate: five times what the longest of the library takes
+MUCH_SHORTER = 0.75
+OF_CENTER = ("R", "V", "A", "I", "P", "x", "y")  # quantities of the only body that are those of its centre of mass
+
+
+def length(node: t.Node) -> int:
+    """How long a formula is, in nodes."""
+    return sum(1 for _ in t.walk(node))
+
+
+def acceleration_symbol(name: str) -> t.Sym:
+    """The acceleration of a coordinate as a tree."""
+    return t.Sym(f"{name}_ddot")
+
+
+def _without_repeats(statement: t.Node) -> t.Node:
+    """a = b = b as a = b, in each row."""
+    if isinstance(statement, t.System):
+        return t.System(tuple(_without_repeats(row) for row in statement.rows))
+    if not isinstance(statement, t.Chain) or len(statement.items) < 3:
+        return statement
+    pairs = zip(statement.items, statement.items[1:], statement.ops, strict=False)
+    kept = [(item, op) for before, item, op in pairs if op != "=" or item != before]
+    return t.Chain((statement.items[0], *(item for item, _ in kept)), tuple(op for _, op in kept))
