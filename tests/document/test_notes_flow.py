@@ -166,7 +166,7 @@ def test_where_the_motion_is_given_the_forces_are_the_results() -> None:
 
 def test_a_ledger_is_never_set_in_tiny_letters() -> None:
     for name in ("slider-crank", "ladder-with-friction"):
-        document = page(name)
+        document = page(name, "full")
         ledgers = [part for part in parts(document.sections) if isinstance(part, Table) and "forces" in part.label]
         assert all(table_width(ledger, document.notation) <= TOO_WIDE for ledger in ledgers)
         assert ledgers
@@ -220,6 +220,6 @@ def test_a_condition_does_not_begin_with_a_minus(op: str, turned: str) -> None:
 @pytest.mark.parametrize("name", ["falling-rod-hooked", "bullet-in-a-rod"])
 def test_what_ties_coordinates_has_plain_angles(name: str) -> None:
     """cos θ and not cos(−θ), sin θ and not cos(θ − π/2)."""
-    tied = next(found.node for found in displays(page(name)) if found.label == "phase2.condition.P")
+    tied = next(found.node for found in displays(page(name, "full")) if found.label == "phase2.condition.P")
     turned = [node for node in t.walk(tied) if isinstance(node, t.Fn)]
     assert turned and all(node.arg == t.Sym("theta") for node in turned)

@@ -17,15 +17,15 @@ from rbpsym.document.phrases import languages
 from rbpsym.document.translated import translated
 
 HOUSE = Path(rbpsym.__file__).parent
-ROOMS = ("algebra", "ask", "derivation", "equality", "quantity")
-FILES = [file for room in ROOMS for file in sorted((HOUSE / room).glob("*.py"))]
+ROOMS = ("ask", "chapters", "decide", "field", "proof", "quantity")
+FILES = [file for room in ROOMS for file in sorted((HOUSE / room).rglob("*.py"))]
 OPEN = {"undecided", "Undecided"}
 FOREIGN = sorted(set(languages()) - {"en"})
 
 
 def told(file: Path) -> set[str]:
     """The sentences of a module that give a reason or stand beside an answer, x in each place."""
-    constants = vars(import_module(f"rbpsym.{file.parent.name}.{file.stem}"))
+    constants = vars(import_module(".".join(file.relative_to(HOUSE.parent).with_suffix("").parts)))
     found: list[str] = []
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         match node:
