@@ -243,7 +243,7 @@ def spread(integrand: Node) -> tuple[Node, str, Node] | None:
 
 
 @cache
-def parts(kind: type[Node]) -> tuple[str, ...]:
+def parts(kind: type) -> tuple[str, ...]:
     """The names of what a kind of node consists of."""
     return tuple(item.name for item in fields(kind) if item.name != "span")
 

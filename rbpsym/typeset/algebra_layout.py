@@ -75,8 +75,8 @@ def _unit(node: t.Unit, style: Style) -> b.Box:
 def _div(node: t.Div, style: Style) -> b.Box:
     if style.mode == "display":
         return b.Fraction(draw(node.num, style), draw(node.den, style))
-    if _is_vulgar(node, style):
-        return b.Letter(VULGAR[_ratio(node)], "number")
+    if vulgar := _vulgar(node, style):
+        return b.Letter(vulgar, "number")
     num = wrapped(node.num, PRODUCT, style)
     if plain_fraction(node.num) or is_open(node.num):
         num = fenced(draw(node.num, style))
@@ -85,12 +85,13 @@ def _div(node: t.Div, style: Style) -> b.Box:
 
 def is_slashed(node: t.Node, style: Style) -> bool:
     """Is the node written with a slash in one line (and not as ½)?"""
-    return plain_fraction(node) and not _is_vulgar(node, style)
+    return plain_fraction(node) and not _vulgar(node, style)
 
 
-def _is_vulgar(node: t.Node, style: Style) -> bool:
-    """Is the node one character in text, such as ½?"""
-    return style.mode == "text" and _ratio(node) in VULGAR
+def _vulgar(node: t.Node, style: Style) -> str:
+    """The one character that the node is in text, such as ½; none is empty."""
+    ratio = _ratio(node) if style.mode == "text" else None
+    return VULGAR.get(ratio, "") if ratio else ""
 
 
 def _ratio(node: t.Node) -> Rational | None:
@@ -135,8 +136,7 @@ def _pow(node: t.Pow, style: Style) -> b.Box:
 
 def _magnitude(node: t.Pow) -> t.Node:
     """The base, without its arrow where the square of a vector is the square of its magnitude: V²."""
-    squared = isinstance(node.base, t.Vec) and node.exponent == t.TWO
-    return t.Sym(node.base.name) if squared else node.base
+    return t.Sym(node.base.name) if isinstance(node.base, t.Vec) and node.exponent == t.TWO else node.base
 
 
 def is_function_power(node: t.Node) -> bool:
@@ -159,7 +159,8 @@ def _fn(node: t.Fn, style: Style) -> b.Box:
 
 def applied(node: t.Node, style: Style, *, closed: bool = False) -> b.Box:
     """A function (or its power) before its argument, in parentheses unless it is simple."""
-    call = node if isinstance(node, t.Fn) else node.base
+    call = node.base if isinstance(node, t.Pow) else node
+    assert isinstance(call, t.Fn)  # a power of a function, written sin² x
     head: b.Box = b.Function(style.notation.functions.get(call.name) or WRITTEN.get(call.name, call.name))
     if isinstance(node, t.Pow):
         head = b.Script(head, None, draw(node.exponent, style))

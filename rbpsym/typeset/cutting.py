@@ -74,12 +74,11 @@ def pieces(term: b.Row, room: float) -> tuple[b.Row, ...]:
 def cut(term: b.Row) -> tuple[b.Row, ...]:
     """A term cut at the signs within its longest parentheses, the term itself if there are none."""
     items = tuple(part for item in term.items for part in spelled(item))
-    inner = {k: inside(item) for k, item in enumerate(items) if isinstance(item, b.Fence)}
-    places = [k for k, parts in inner.items() if len(parts) > 1]
-    if not places:
+    inner = [(k, item, inside(item)) for k, item in enumerate(items) if isinstance(item, b.Fence)]
+    longer = [found for found in inner if len(found[2]) > 1]
+    if not longer:
         return (term,)
-    place = max(places, key=lambda k: width(items[k]))
-    fence, (first, *middle, last) = items[place], inner[place]
+    place, fence, (first, *middle, last) = max(longer, key=lambda found: width(found[1]))
     before = b.Row((*items[:place], *half(fence.opening, first, "", fence.tall)))
     after = b.Row((*half("", last, fence.closing, fence.tall), *items[place + 1 :]))
     return before, *middle, after
@@ -113,6 +112,7 @@ def with_slash(term: b.Row, room: float) -> b.Row:
     for k, item in enumerate(items):
         if isinstance(item, b.Fraction) and room and width(item.den) > 0.8 * room:
             sign = k if all(isinstance(other, b.Operator) for other in items[:k]) else 0
+            above: tuple[b.Box, ...]
             above = (b.Fence("(", item.num, ")", b.is_tall(item.num)),) if len(terms(item.num)) > 1 else (item.num,)
             below = b.Fence("(", item.den, ")", b.is_tall(item.den))
             behind = items[k + 1 :]

@@ -201,7 +201,7 @@ class Printer:
         """The print of a box."""
         kind = type(box).__name__.lower()
         form = self.forms.get(kind)
-        return getattr(self, kind)(box) if form is None else form % self.parts(box)
+        return str(getattr(self, kind)(box)) if form is None else form % self.parts(box)
 
     def parts(self, box: b.Box) -> dict[str, object]:
         """The parts of a box by name, boxes printed."""
@@ -213,7 +213,7 @@ class Printer:
 
     def letter(self, box: b.Letter) -> str:
         """A letter in its style."""
-        return getattr(self, f"in_{box.style}")(box.text)
+        return str(getattr(self, f"in_{box.style}")(box.text))
 
     def operator(self, box: b.Operator) -> str:
         """A sign between what it acts on, or before it."""

@@ -25,8 +25,9 @@ def to_machine(node: t.Node, notation: Notation = DEFAULT) -> str:
 
 def _written(node: t.Node) -> tuple[str, int]:
     """(text, how tightly it binds); what has no sign of its own is a call with all its parts."""
-    write = TABLE.get(type(node))
-    return write(node) if write else _call(type(node).__name__, *(getattr(node, name) for name in t.parts(type(node))))
+    kind: type = type(node)
+    write = TABLE.get(kind)
+    return write(node) if write else _call(kind.__name__, *(getattr(node, name) for name in t.parts(kind)))
 
 
 def _wrap(node: t.Node, least: int) -> str:

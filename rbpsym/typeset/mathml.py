@@ -94,7 +94,7 @@ class _MathML(Printer):
         return f'<mo lspace="0" rspace="0">{"′" * box.count}</mo>'
 
     def script(self, box: b.Script) -> str:
-        if box.base == b.Big("∑"):
+        if box.base == b.Big("∑") and box.sub:
             return f"<munder>{self(box.base)}{self(box.sub)}</munder>"
         primes, sup = b.split_primes(box.sup)
         base = self(box.base)

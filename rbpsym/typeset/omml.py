@@ -59,7 +59,8 @@ _SCRIPTS = {(False, False): "", (True, False): "sSub", (False, True): "sSup", (T
 def nary(box: b.Box, body: str) -> str:
     """The sign of an integral or sum with its limits before what it applies to."""
     script = box if isinstance(box, b.Script) else b.Script(box)
-    place = "undOvr" if script.base == b.Big("∑") else "subSup"
+    assert isinstance(script.base, b.Big)
+    place = "undOvr" if script.base.sign == "∑" else "subSup"
     hidden = "".join(f'<m:{n}Hide m:val="1"/>' for n, part in (("sub", script.sub), ("sup", script.sup)) if not part)
     settings = f'<m:naryPr><m:chr m:val="{script.base.sign}"/><m:limLoc m:val="{place}"/>{hidden}</m:naryPr>'
     ends = "".join(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction as Rational
+from typing import TypeGuard, TypeVar
 
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import DEFAULT, Glyph, Notation
@@ -24,13 +25,14 @@ class Style(Frozen):
 
 
 Draw = Callable[..., b.Box]
+Entered = TypeVar("Entered", bound=Draw)
 TABLE: dict[type, Draw] = {}
 
 
-def draws(*kinds: type) -> Callable[[Draw], Draw]:
+def draws(*kinds: type) -> Callable[[Entered], Entered]:
     """Enter a function `(node, style) -> Box` into the table for these node types."""
 
-    def enter(function: Draw) -> Draw:
+    def enter(function: Entered) -> Entered:
         TABLE.update(dict.fromkeys(kinds, function))
         return function
 
@@ -112,13 +114,13 @@ def signed(node: t.Node) -> tuple[bool, t.Node]:
         negative, body = signed(node.arg)
         return not negative and body != t.ZERO, body
     if isinstance(node, t.Num):
-        return node.value < 0, t.Num(abs(node.value))
+        return node.value < 0, t.Num(-node.value if node.value < 0 else node.value)
     if isinstance(node, t.Mul):
         return _signed_product(node)
     return signed(node.terms[0]) if _is_single(node) else (False, node)
 
 
-def _is_single(node: t.Node) -> bool:
+def _is_single(node: t.Node) -> TypeGuard[t.Add]:
     """Is it a sum of one term, which is printed as that term?"""
     return isinstance(node, t.Add) and len(node.terms) == 1
 

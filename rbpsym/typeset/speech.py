@@ -137,7 +137,8 @@ def _pow(node: t.Pow, voice: Voice) -> str:
     base = _closed(node.base, voice)
     if plain_fraction(node.base) or isinstance(node.base, t.Mul):
         base = f"{voice.say('open')} {spoken(node.base, voice)} {voice.say('close')}"
-    key = {t.Num(2): "squared", t.Num(3): "cubed"}.get(node.exponent, "power")
+    powers: dict[t.Node, str] = {t.Num(2): "squared", t.Num(3): "cubed"}
+    key = powers.get(node.exponent, "power")
     return voice.say(key, base, spoken(node.exponent, voice))
 
 
@@ -181,22 +182,30 @@ def _system(node: t.System, voice: Voice) -> str:
 
 
 # what a node is in words: the key of a phrase and how each of its places is filled
-PLAIN, CLOSED, NAMED = spoken, _closed, lambda name, voice: glyph_words(voice.notation.glyph(name), voice)
 Fill = Callable[[Any, Voice], str]
+PLAIN: Fill = spoken
+CLOSED: Fill = _closed
+
+
+def named(name: str, voice: Voice) -> str:
+    """The words of a name."""
+    return glyph_words(voice.notation.glyph(name), voice)
+
+
 PHRASES: Mapping[type, tuple[str, Mapping[str, Fill]]] = {
-    t.Integral: ("integral", {"lower": PLAIN, "upper": PLAIN, "integrand": CLOSED, "var": NAMED}),
-    t.Sum: ("sum", {"index": NAMED, "term": CLOSED}),
-    t.Bracket: ("bracket", {"arg": CLOSED, "var": NAMED, "lower": PLAIN, "upper": PLAIN}),
-    t.Limit: ("limit", {"var": NAMED, "to": PLAIN, "arg": CLOSED}),
+    t.Integral: ("integral", {"lower": PLAIN, "upper": PLAIN, "integrand": CLOSED, "var": named}),
+    t.Sum: ("sum", {"index": named, "term": CLOSED}),
+    t.Bracket: ("bracket", {"arg": CLOSED, "var": named, "lower": PLAIN, "upper": PLAIN}),
+    t.Limit: ("limit", {"var": named, "to": PLAIN, "arg": CLOSED}),
     t.At: ("at", {"arg": CLOSED, "condition": PLAIN}),
     t.Fn: ("of", {"name": lambda name, voice: voice.say(name), "arg": CLOSED}),
-    t.Vec: ("vector", {"name": NAMED}),
+    t.Vec: ("vector", {"name": named}),
     t.Unit: ("unit", {"axis": lambda axis, voice: {"x": "i", "y": "j", "z": "k"}[axis]}),
     **{kind: (key, {"arg": CLOSED}) for kind, key in ((t.Sqrt, "sqrt"), (t.Abs, "abs"), (t.Delta, "delta"))},
 }
 
 TABLE: dict[type, Callable[..., str]] = {
-    t.Num: _num, t.Sym: lambda node, voice: NAMED(node.name, voice), t.Add: _add, t.Neg: _neg,
+    t.Num: _num, t.Sym: lambda node, voice: named(node.name, voice), t.Add: _add, t.Neg: _neg,
     t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Group: _group, t.Deriv: _deriv,
     t.Cross: lambda node, voice: _product(node, "cross", voice), t.Dot: lambda node, voice: _product(node, "dot", voice),
     t.BodyIntegral: _body_integral, t.PathIntegral: _path_integral, t.Chain: _chain, t.System: _system,
