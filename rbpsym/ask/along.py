@@ -65,17 +65,18 @@ def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) ->
     return replace(found, values=tuple(short(substitute(value, {way: places[0]})) for value in found.values))
 
 
-CONVERSE = re.compile(r"(?:the )?(\w+) as a function of (?:the )?((?:speed|velocity) of )?(\w+)")
+CONVERSE = re.compile(r"(?:the )?(.+) as a function of (?:the )?((?:speed|velocity) of )?(\w+)")
 
 
-def converse(asked: Asked, text: str) -> tuple[Asked, str, str] | None:
-    """For “t as a function of x”, “x as a function of speed of x”: the problem with a letter for what it is a function of, the
-    question when, or where, that has this value, and what the letter is; None for another question."""
+def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str, str] | None:
+    """For “t as a function of x”, “x as a function of speed of x” (as the `last` resort for any quantity): the problem with a
+    letter for what it is a function of, the question when, or where, that has this value, and what the letter is; None for
+    another question."""
     said = CONVERSE.fullmatch(text)
     world = asked.world(asked.lasting) if said else None
     if said is None or said[3] not in world.study.system.independent:
         return None
-    if said[1] not in ("t", "time") and not (said[2] and said[1] in world.coordinates):
+    if said[1] not in ("t", "time") and not (said[2] and said[1] in world.coordinates) and not last:
         return None
     name, speed, known = said[3], bool(said[2]), {quantity.name for quantity in asked.problem.parameters}
     begun, first = (world.study.system.scope.start.get(f"{name}{dot}", NOTHING) for dot in ("", "_dot"))

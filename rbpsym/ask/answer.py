@@ -287,10 +287,13 @@ def _time(asked: Asked, question: Question) -> Found:
     swung = time_of_swing(asked, moment)
     if swung is not None:
         return Found(asked.first, (swung[0],), (swung[0],), told=swung[1])
-    if None in (moment.state.time, clock):
+    if moment.state.time is None:
         what = f"no closed form was found for the time {question.when.text}"
         raise NoClosedForm(what, instead=BY_NUMBERS)
     moment = replace(moment, how="time") if moment.how == "start" else moment
+    if clock is None:  # each phase by its own motion
+        begun = _time(asked, replace(question, when=When("until", (name := asked.names[moment.place],), f"until {name}")))
+        return _since(Found(asked.study(moment.place), (symbol("t"),), (moment.state.time,), moment=moment), done=[begun])
     value = short(clock + moment.state.time)
     return Found(asked.study(moment.place), (symbol("t") + clock,), (value,), moment=moment, works={})
 
@@ -303,7 +306,7 @@ def _along(asked: Asked, question: Question) -> Found:
     place, bound = _bound(asked, question, None)
     world, study, named = asked.world(place), asked.study(place), parts(bound)
     if bound.told:
-        return Found(study, named, tuple(map(short, named)), told=bound.told)
+        return Found(study, named, tuple(shortest(short(value), study) for value in named), told=bound.told)
     if study.at_start and any(names_in(value) & world.motion.unsettled for value in named):
         what = f"of the motion, only the start is known, also of “{question.quantity}”"
         raise StatementError(what, instead=f"ask for “{question.quantity} at the start”, or when a phase begins.")

@@ -129,9 +129,7 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
         found = _whole(Asked(special_problem(scene(asked), said[2])), said[1], letter)
         return replace(found, question=replace(found.question, text=plain))
     if inverse := converse(asked, plain):
-        other, asking, says = inverse
-        found = _whole(other, asking, letter)
-        return replace(found, question=replace(found.question, text=plain), says=found.says or says)
+        return _by_letter(inverse, plain, letter)
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
         return answer(asked, in_time, letter)
@@ -140,8 +138,20 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
             return answer(asked, in_time, letter)
     if (spelt := met(asked, plain)) != plain:
         return replace(found := _whole(asked, spelt, letter), question=replace(found.question, text=plain))
-    found = _answered(asked, plain, letter)
+    try:
+        found = _answered(asked, plain, letter)
+    except StatementError:
+        with suppress(RbpsymError):  # by the time at which the coordinate has that value
+            if inverse := converse(asked, plain, last=True):
+                return _by_letter(inverse, plain, letter)
+        raise
     return whichever(asked, found, lambda other: _answered(other, plain, letter))
+
+
+def _by_letter(inverse: tuple[Asked, str, str], plain: str, letter: str) -> Answer:
+    other, asking, says = inverse
+    found = _whole(other, asking, letter)
+    return replace(found, question=replace(found.question, text=plain), says=found.says or says)
 
 
 def _answered(asked: Asked, plain: str, letter: str) -> Answer:

@@ -15,7 +15,7 @@ from rbpsym.ask.moments import Asked, Moment
 from rbpsym.ask.question import Question, is_jump
 from rbpsym.chapters import contact, course, endings, instant, moments, momentum, oscillations
 from rbpsym.chapters.impulses import hand_over
-from rbpsym.decide.rooted import neat
+from rbpsym.decide.rooted import neat, rationalised
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import all_of, undecided
 from rbpsym.errors import RbpsymError, StatementError
@@ -281,13 +281,13 @@ def _said_of(draft: Draft, asked: Scalar) -> tuple[str, str]:
     """The step that says a value, and how that is made of it."""
     known = draft.study.assumptions
     for turned, turn in TURNED.items():
-        value = neat(turn(asked) if asked or turned != "the square of its frequency" else asked, known)
+        value = rationalised(neat(turn(asked) if asked or turned != "the square of its frequency" else asked, known))
         saying = []
         for step in draft.steps:
             for left, op, right in t.relations(step.statement):
                 is_name = op == "=" and len(list(t.walk(left))) <= LONGEST_NAME and not draft.context.grows(right)
                 said = draft.context.value(right) if is_name else None
-                if isinstance(said, Scalar) and is_zero(neat(told_as(said, turned), known) - value):
+                if isinstance(said, Scalar) and is_zero(rationalised(neat(told_as(said, turned), known)) - value):
                     saying.append((len(_letters(right, value)), step.id))
         if saying:
             return min(saying, key=lambda pair: pair[0])[1], turned

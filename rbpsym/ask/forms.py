@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rbpsym.decide.rooted import neat
+from rbpsym.decide.rooted import neat, rationalised
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber
 from rbpsym.field import Scalar, has_roots, is_rooted, root, with_exponentials_joined
@@ -23,7 +23,7 @@ def shortest(value: Scalar, study: Study) -> Scalar:
     if not has_roots(value):
         return value
     given, square = study.assumptions, short(even(value * value))
-    forms, way = [value, neat(value, given)], sign(value, given).sense
+    forms, way = [value, neat(value, given), rationalised(neat(value, given))], sign(value, given).sense
     if way and not is_rooted(square.num) and not is_rooted(square.den):
         forms.append(neat(root(square), given) * way)
     return min(forms, key=lambda form: length(present(form, study.style, factor=True)))

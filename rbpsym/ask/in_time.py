@@ -6,11 +6,16 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
+from rbpsym.ask.lasting import clear
 from rbpsym.ask.moments import Asked, Moment
+from rbpsym.ask.question import When
 from rbpsym.chapters import course, oscillations
+from rbpsym.decide.dimensions import require_dimension
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, derivative, names_in, substitute, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import solutions
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.coupled import courses_of
@@ -23,6 +28,28 @@ from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.solved import time_to, without_logarithms
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.draft import Draft
+from rbpsym.quantities import TIME
+from rbpsym.quantity.problem import ProblemWorld
+
+
+def by_time(asked: Asked, when: When, place: int | None, manner: str = "") -> Moment | None:
+    """The moment by the motion as a function of the time, where that is known."""
+    world = asked.world(asked.meant(place))
+    name = when.words[0] if when.words else next(iter(world.study.system.independent), "")
+    with suppress(NotApplicable):
+        if name == "t":
+            return at_time(asked, asked.meant(place), instant(world, when.words[1]), manner)
+        value = NOTHING if when.kind in ("rests", "vanishes") else scalar(read_infix(when.words[1], world.names))
+        found = reached(asked, asked.meant(place), f"{name}_dot" if when.kind == "rests" else name, value, manner)
+        return replace(found, state=clear(world.study, found.state))
+    return None
+
+
+def instant(world: ProblemWorld, text: str) -> Scalar:
+    """A time that is written. Raises DimensionError."""
+    node = read_infix(text, world.names)
+    require_dimension(node, world.dimensions, TIME, "the time")
+    return scalar(node)
 
 
 def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solved: bool = False) -> Moment:

@@ -25,6 +25,7 @@ from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.ways import taken
 from rbpsym.present.forms import present
 from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
@@ -103,7 +104,7 @@ def held(study: Study) -> list[Demand]:
             kept += [Demand(short(most + friction * side), ">=") for side in (-1, 1)]
         else:
             kept += grips((need,))
-    return kept
+    return [Demand(short(substitute(one.value, study.resting)), one.op) for one in kept] if study.resting else kept
 
 
 def running(study: Study) -> Iterator[Demand]:
@@ -137,14 +138,26 @@ def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...
         return asked.stage(int(place)).began.before.valid, ()
     if kind in ("course", "swing"):
         return _decided(lambda: (*begins(study), *_on_way(study, None)))
+    if kind == "oscillations":
+        return (*_sides(study),), ()
     if kind or found.about or is_constant(found):
         return (), ()
     if found.moment is not None:
         lasts, doubts = lasts_to(study, found.moment)
-        return (*(() if found.moment.how == "rest" else begins(study)), *lasts), doubts
+        return (*(_sides(study) if found.moment.how == "rest" else begins(study)), *lasts), doubts
     lost = contacts_last(study, {n: symbol(n) for n in study.system.coordinates}) if found.of == "position" else ()
     along = (*held(study), *running(study)) if found.of == "position" else regime(study)
     return (*begins(study), *(demand for _, demand in lost), *along), ()
+
+
+def _sides(study: Study) -> Iterator[Demand]:
+    """That the motion begins on the side of springs, strings and surfaces on which a place of rest is told, where that lies
+    there under a condition: on the other side there may be another one."""
+    for _, value in taken(study.system):
+        there = [neat(substitute(value, item.at), study.assumptions) for item in study.equilibria]
+        begun = substitute(value, study.system.scope.start)
+        if not names_in(begun) & study.system.scope.rates.keys():
+            yield from [Demand(begun)] if any(sign(one, study.assumptions).kind != "positive" for one in there) else []
 
 
 def is_constant(found: Found) -> bool:

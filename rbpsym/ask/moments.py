@@ -31,7 +31,7 @@ from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
-from rbpsym.quantities import TIME
+from rbpsym.present.forms import present
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.model import Phase, Problem
 from rbpsym.statement.source import did_you_mean
@@ -161,52 +161,41 @@ def _is_struck(phase: Phase, before: Problem) -> bool:
 
 def moment_of(asked: Asked, when: When, question: Question) -> Moment:
     """The moment that the words mean. Raises StatementError where the motion never comes there."""
+    from rbpsym.ask import in_time
+
     place = asked.named(question.phase) if question.phase else None
     if question.manner and when.kind in ("reaches", "rests"):
-        if found := _in_time(asked, when, place, question.manner):
+        if found := in_time.by_time(asked, when, place, question.manner):
             return found
         raise NoClosedForm(f"no closed form was found for the moment “{when.text}” in this case", instead=BY_NUMBERS)
     try:
         found, refused = MOMENTS[when.kind](asked, when, place), None
     except StatementError as error:
         found, refused = None, error
-    if (end := found and found.phase) and end.event in ("reaches", "rests") and when.kind == "until" and found.state.time is None:
-        when = When(end.event, (end.subject, to_machine(end.value or ZERO)), when.text)
+    if (end := found and found.phase) and when.kind == "until" and found.state.time is None:
+        when = _as_place(asked, found, end, when)
     is_part = found is None or (found.state.time is None and ("time" in question.quantity or _is_open(asked, found)))
     if when.kind in ("reaches", "rests", "vanishes") and is_part:
         ahead = range(asked.lasting, len(asked.names))
         places = [place] if place is not None else [found.place] if found else ahead
-        found = next((moment for each in places if (moment := _in_time(asked, when, each))), found)
+        found = next((moment for each in places if (moment := in_time.by_time(asked, when, each))), found)
     if found is None:
         raise refused
     return in_phase(asked, found)
+
+
+def _as_place(asked: Asked, found: Moment, end: Phase, when: When) -> When:
+    """The moment at which a phase ends by the place of the coordinate that comes there, which the time may tell."""
+    if end.event in ("reaches", "rests"):
+        return When(end.event, (end.subject, to_machine(end.value or ZERO)), when.text)
+    name = mover(asked.study(found.place))
+    return When("reaches", (name, to_machine(present(found.state.places[name]))), when.text) if name else when
 
 
 def _is_open(asked: Asked, found: Moment) -> bool:
     """Whether the place or the speed of a coordinate is not known there."""
     moving = {*asked.study(found.place).system.coordinates, *asked.study(found.place).system.speeds}
     return any(names_in(value) & moving for value in (*found.state.places.values(), *found.state.speeds.values()))
-
-
-def _in_time(asked: Asked, when: When, place: int | None, manner: str = "") -> Moment | None:
-    """The moment by the motion as a function of the time, where that is known."""
-    from rbpsym.ask import in_time
-
-    world = asked.world(asked.meant(place))
-    name = when.words[0] if when.words else next(iter(world.study.system.independent), "")
-    with suppress(NotApplicable):
-        if name == "t":
-            return in_time.at_time(asked, asked.meant(place), _instant(world, when.words[1]), manner)
-        value = NOTHING if when.kind in ("rests", "vanishes") else scalar(read_infix(when.words[1], world.names))
-        found = in_time.reached(asked, asked.meant(place), f"{name}_dot" if when.kind == "rests" else name, value, manner)
-        return replace(found, state=clear(world.study, found.state))
-    return None
-
-
-def _instant(world: ProblemWorld, text: str) -> Scalar:
-    node = read_infix(text, world.names)
-    require_dimension(node, world.dimensions, TIME, "the time")
-    return scalar(node)
 
 
 def _begins(asked: Asked, when: When, place: int | None) -> Moment:
@@ -310,7 +299,13 @@ def _rests(asked: Asked, when: When, place: int | None) -> Moment:
 
 
 def _of_contact(event: str) -> Callable[[Asked, When, int | None], Moment]:
-    return lambda asked, when, place: _ahead(asked, event, _subject(asked, when.words[0], "contact"), place)
+    return lambda asked, when, place: _ahead(asked, event, _subject(asked, _meant(asked, when), "contact"), place)
+
+
+def _meant(asked: Asked, when: When) -> str:
+    """The contact that is named, or the only one that static friction with a limit holds (“it”)."""
+    held = [element.name for element in asked.problem.constraints if element.values.get("limit") is not None]
+    return when.words[0] if when.words else held[0] if len(held) == 1 else "it"
 
 
 def _begun_before(asked: Asked, when: When, place: int | None) -> Moment:
@@ -342,7 +337,7 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     world = asked.world(asked.meant(place))
     node = read_infix(text, world.names)
     if name == "t":
-        return in_time.at_time(asked, asked.meant(place), _instant(world, text))
+        return in_time.at_time(asked, asked.meant(place), in_time.instant(world, text))
     if name in asked.study(asked.meant(place)).system.unknowns:
         require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
         return _ahead(asked, "takes", name, place, node)

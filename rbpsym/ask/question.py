@@ -58,7 +58,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
     ("rests", r"at (?:the |its )?turning point", "F_y at the turning point"),
     ("rests", rf"at (?:the |its )?turning point of {_N}", "F_y at the turning point of theta"),
     ("grips", rf"{_AT} {_N} stops slipping", "velocity of ball.cm when N stops slipping"),
-    ("slips", rf"{_AT} {_N} (?:slips|begins to slip)", "theta when N slips"),
+    ("slips", rf"{_AT} (?:it|{_N}) (?:slips|begins to slip)", "theta when N slips"),
     ("rest", r"(?:at|in) (?:the )?(?:stable )?(?:rest|equilibrium)", "F_y in equilibrium"),
     ("unstable", r"(?:at|in) the unstable equilibrium", "F_y in the unstable equilibrium"),
     ("reaches", rf"{_AT} {_N} (?:=|reaches|is) (.+?)", "omega where theta = pi/2"),
@@ -95,6 +95,7 @@ OTHERWISE = (
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),
     (r"\bvertical (?=velocity|acceleration|force|net force|linear momentum)", "y component of "),
     (r"\bangular speed of\b", "magnitude of angular velocity of"),
+    (r"\b(tension|normal force|friction) of (?=\w+\b)", r"\1 "),
 )
 MANNERS = {
     r"(?:for|in) small (?:oscillations|displacements|angles|amplitudes)": "small",

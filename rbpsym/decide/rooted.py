@@ -8,10 +8,22 @@ from math import prod
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.signs import sign
-from rbpsym.field import ONE, Poly, Scalar, atoms, factors, inverse, quotient, shorten, symbol, with_exponentials_joined
+from rbpsym.field import (
+    ONE,
+    Poly,
+    Scalar,
+    atoms,
+    factors,
+    generator,
+    inverse,
+    quotient,
+    shorten,
+    symbol,
+    with_exponentials_joined,
+)
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, root, substitute
 from rbpsym.field.normal import has_roots, normal, short
-from rbpsym.field.roots import side_of, simplified_root, tidied, with_image, without_even_roots
+from rbpsym.field.roots import is_root, side_of, simplified_root, tidied, with_image, without_even_roots
 from rbpsym.frozen import Frozen
 
 
@@ -56,8 +68,20 @@ def neat(value: Scalar, given: Assumptions) -> Scalar:
     for index in sorted(value.atoms()):
         image = _denested(atoms.atom(index).arg, sense) if atoms.atom(index).kind == "root" else None
         if image is not None:
-            value = tidied(with_image(value.num, index, image) / with_image(value.den, index, image), sense)
+            return neat(with_image(value.num, index, image) / with_image(value.den, index, image), given)
     return shorter(value)
+
+
+def rationalised(value: Scalar) -> Scalar:
+    """2/(√5 - 1) as (√5 + 1)/2: without a root below, where a² - b² c of a + b √c is one term."""
+    for index in filter(is_root, value.den.atoms()):
+        parts = {power: Scalar(part) for power, part in value.den.by_power(index).items()}
+        if set(parts) == {0, 1}:
+            other = parts[0] - parts[1] * Scalar(generator(index))
+            norm = short(without_even_roots(Scalar(value.den) * other))
+            if len(norm.num) == 1 and norm.den is ONE:
+                return rationalised(short(without_even_roots(Scalar(value.num) * other) / norm))
+    return value
 
 
 def _denested(radicand: Scalar, sense: Callable[[Scalar], int]) -> Scalar | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rbpsym.decide.assumptions import Assumptions
-from rbpsym.decide.rooted import root_of, sign_along
+from rbpsym.decide.rooted import neat, root_of, sign_along
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
@@ -176,7 +176,7 @@ def _first_met(
         place = min(ahead, key=lambda item: item[0])[1] if ahead else None
         found = None if place is None else _conditions(study, way, place, tuple(gaps), numbers)
         asked = None if found is None else [*first, *found]
-        if asked is not None and all(floating(demand.value, numbers) >= 0 for demand in asked):
+        if asked is not None and all(one.op == "!=" or floating(one.value, numbers) >= 0 for one in asked):
             return place, asked, way.sense
         is_open = is_open or (place is not None and asked is None)
     if is_open:
@@ -196,7 +196,7 @@ def _tried(study: Study, start: Scalar) -> Iterator[Numbers]:
 
 def _conditions(study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers) -> list[Demand] | None:
     """Under which the place is the first; None where what has no root in closed form may vanish before."""
-    there = short(substitute(way.square, {way.name: place}))
+    there = neat(substitute(way.square, {way.name: place}), study.assumptions)
     comes = (way.ahead(place), _drive(study, way.name) * way.sense, there)
     asked = [*existence(place), *_first_turn(study, way), *(Demand(value) for value in comes if not is_zero(value))]
     given = assuming(study.assumptions, settle(asked, study.assumptions) or ())
@@ -205,7 +205,7 @@ def _conditions(study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...],
         for factor in () if sign(value, between).is_nonzero else factors_in(value, way.name):
             if sign(factor, between).is_nonzero or sign_along(factor, way.name, between, known):
                 continue
-            if not factor_zeros(factor, way.name):
+            if not factor_zeros(factor, way.name, given):
                 return None
             others = (other for other in places_ahead(factor, way, given) if not is_zero(other - place))
             asked += [demand for other in others for demand in _not_before(way, place, other, given, numbers)]
@@ -242,7 +242,7 @@ def _drive(study: Study, name: str) -> Scalar:
 
 def positive_root(study: Study, value: Scalar) -> Scalar:
     """The square root, with what is declared positive taken out."""
-    return root_of(short(value), study.assumptions)
+    return root_of(neat(value, study.assumptions), study.assumptions)
 
 
 def tie_to_time(system: System, name: str) -> Scalar | None:

@@ -36,9 +36,9 @@ def _is_lost(study: Study) -> bool:
     """Whether nothing is told for every position (where nothing is free to move, all that there is, is the start)."""
     try:
         with apart(), at_most(FEW_PRODUCTS):
-            scope = study.system.scope
-            for name in study.system.coordinates:
-                substitute(scope.rates[name], scope.start)
+            system = vars(study)["system"] = assemble(study.problem)  # here, since what is kept spends apart from this bound
+            for name in system.coordinates:
+                substitute(system.scope.rates[name], system.scope.start)
         study.dynamics  # noqa: B018
         return not (study.system.independent or study.system.has_clock)
     except (LimitError, ZeroDivisionError):

@@ -99,9 +99,19 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
     if len(found) < len(each) and len(each) > 1:
         law = small(study) if solutions.SMALL in manner else exact(study)
         found = {**courses(study, law, solved), **found}
+    if solutions.SMALL not in manner:
+        found |= _led(study, found, solved)
     if not found and study.system.independent:
         raise NotApplicable("no closed form was found for the motion as a function of the time")
     return found
+
+
+def _led(study: Study, known: Mapping[str, Course], solved: Callable[[Given], Course | None]) -> dict[str, Course]:
+    """The coordinates whose accelerations are functions of the time where those of which the motion is known are put in."""
+    at = {name: one.whole for name, one in known.items()} | {f"{name}_dot": one.speed for name, one in known.items()}
+    left = [name for name in study.system.independent if name not in known] if known else []
+    given = ((name, solutions.given(study, name, others=at)) for name in left)
+    return {name: one for name, of in given if of is not None and (one := solved(of)) is not None}
 
 
 def _summed(value: Scalar, modes: list[Course]) -> Course:

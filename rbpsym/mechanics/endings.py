@@ -129,7 +129,8 @@ def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar, gives_
     start = study.system.scope.start
     begun = [Demand(short(substitute(gap, start)), ">=") for gap in gaps] if gives_way else []
     found = first_met(study, name, *gaps, first=begun)
-    if found is None and all(factor_zeros(factor, name) for gap in gaps for factor in factors_in(gap, name)) and what:
+    factors = [factor for gap in gaps for factor in factors_in(gap, name)]
+    if found is None and all(factor_zeros(factor, name, study.assumptions) for factor in factors) and what:
         raise NotApplicable(f"at none of the numbers that were tried the motion holds until “{phase.subject}” {what}")
     if found is None:
         raise _no_closed_form(f"the place where “{phase.subject}” {what}") if what else _never(study, phase, UNKNOWN)

@@ -182,7 +182,7 @@ def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: A
     found, open_, reasons, given = [], [], [], assuming(given, way.asked)
     for force, value in forces.items():
         for factor in factors_in(value, way.name):
-            if not factor_zeros(factor, way.name) and not _is_clear(factor, way, given):
+            if not factor_zeros(factor, way.name, given) and not _is_clear(factor, way, given):
                 surely = _changes_sign(way, value, factor, held, given)
                 (found if surely else open_).append(Loss(force, factor, {}, way.name))
                 reasons += [] if surely else [f"no closed form was found for where {force} vanishes"]
@@ -231,7 +231,7 @@ def places_ahead(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
     found: list[Scalar] = []
     turn = period(factor, way.name)
     lower, upper = given.range_of(way.name)
-    for root in factor_zeros(factor, way.name):
+    for root in factor_zeros(factor, way.name, given):
         for place in [root] if turn is None else sorted((root + turn * k for k in TURNS), key=_turns):
             asked = [Demand(way.ahead(place))]
             asked += [] if lower is None else [Demand(place - lower, ">=")]

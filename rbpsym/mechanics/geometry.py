@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from rbpsym.errors import NoNumber, StatementError
 from rbpsym.field import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root, tidy
 from rbpsym.field.evaluate import scalar
+from rbpsym.field.roots import side_of
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.numbers import number, sample
@@ -101,6 +102,11 @@ class Geometry(Frozen):
         except NoNumber:
             return 0
         return 0 if abs(found) < TINY else 1 if found > 0 else -1
+
+    def size(self, square: Scalar) -> Scalar:
+        """The root of the square of a length, which is none for the square of one product: ℓ, as it is positive, for ℓ²."""
+        side = side_of(square) if len(square.num) == 1 else None
+        return root(square) if side is None or not self.sign(side) else side * self.sign(side)
 
     def is_unsaid(self, value: Scalar) -> bool:
         """Whether its sign hangs on where something is that nothing says."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.field import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.field import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, names_in, substitute, symbol
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
@@ -119,8 +119,7 @@ def along_motion(value: Scalar, squares: Mapping[str, Scalar]) -> Scalar | None:
         value = _without_speed(value, f"{name}_dot", square)
         if value is None:
             return None
-    remaining = [n for i in value.atoms() if (n := atoms.symbol_name(i)) and n.endswith(("_dot", "_ddot"))]
-    return None if remaining else short(value)
+    return None if any(name.endswith(("_dot", "_ddot")) for name in names_in(value)) else short(value)
 
 
 def _without_speed(value: Scalar, speed: str, square: Scalar) -> Scalar | None:

@@ -17,7 +17,7 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from rbpsym.decide.assumptions import Assumptions
-from rbpsym.decide.rooted import root_of, rooted
+from rbpsym.decide.rooted import rationalised, root_of, rooted
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, derivative, is_zero, root, short, substitute, symbol, total
@@ -285,7 +285,7 @@ def amplitudes(item: Equilibrium, square: Scalar) -> tuple[Scalar, ...] | None:
         return None
     whole = [substitute(found.values.get(name, symbol(name)), {found.free[0]: UNITY}) for name in names]
     first = next(value for value in whole if not is_zero(value))
-    return tuple(short(value / first) for value in whole)
+    return tuple(rationalised(short(value / first)) for value in whole)
 
 
 def _slowest_first(found: list[Scalar], system: System) -> tuple[Scalar, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 
 from rbpsym.decide.assumptions import Assumptions
-from rbpsym.decide.rooted import rooted
+from rbpsym.decide.rooted import neat, rooted
 from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -73,7 +73,7 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
         return Rest((), *_everywhere(forces, given))
-    found = common_zeros(forces, names, spread=lambda *root: turns_within(given, *root))
+    found = common_zeros(forces, names, spread=lambda *root: turns_within(given, *root), given=given)
     candidates = [*found.found, *(at for at in _stated(system, names) if _balances(forces, at, given))]
     places: list[tuple[At, tuple[Demand, ...]]] = []
     doubts: list[str] = []
@@ -203,7 +203,7 @@ def _of_place(at: Mapping[str, Scalar], given: Assumptions, start: Mapping[str, 
 def _of_tied(system: System, at: Mapping[str, Scalar], given: Assumptions) -> Iterator[Demand]:
     """What is tied to the place lies within its ranges too."""
     for name in system.dependent.keys() & given.ranges.keys():
-        value = rooted(substitute(system.dependent[name], at), given)
+        value = neat(substitute(system.dependent[name], at), given)
         if not any(depends_on(value, other) for other in system.coordinates):
             begin = substitute(system.dependent[name], system.scope.start)
             yield from _of_place({name: value}, given, {name: begin})
@@ -219,10 +219,10 @@ def _of_forces(system: System, dynamics: Dynamics, at: At, given: Assumptions) -
     still = dict.fromkeys((*system.speeds, *system.accelerations), NOTHING)
 
     def here(name: str) -> Scalar:
-        return rooted(substitute(substitute(dynamics.reactions[name], still), at), given)
+        return neat(substitute(substitute(dynamics.reactions[name], still), at), given)
 
     for _, value in taken(system):
-        there = rooted(substitute(value, at), given)
+        there = neat(substitute(value, at), given)
         yield from () if any(depends_on(there, name) for name in system.coordinates) else [Demand(there)]
     for element in system.problem.constraints:
         for name in pushes(element):

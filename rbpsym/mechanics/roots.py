@@ -6,6 +6,9 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import gcd
 
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import neat
+from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.field.normal import normal
@@ -52,20 +55,23 @@ def _is_irreducible(poly: Poly) -> bool:
     return any(set(part) == {0, 1} and len(part[1]) == 1 for part in parts)
 
 
-def zeros(value: Scalar, name: str) -> list[Scalar]:
+def zeros(value: Scalar, name: str, given: Assumptions | None = None) -> list[Scalar]:
     """Values of the coordinate (angles in (-π, π]) at which the function vanishes, as far as closed forms go."""
     found: list[Scalar] = []
     for factor in numerator_factors(value):
-        for root in factor_zeros(Scalar(factor), name):
+        for root in factor_zeros(Scalar(factor), name, given):
             if not any(is_zero(root - old) for old in found):
                 found.append(root)
     return found
 
 
-def factor_zeros(factor: Scalar, name: str) -> list[Scalar]:
-    """The zeros of one irreducible factor."""
+def factor_zeros(factor: Scalar, name: str, given: Assumptions | None = None) -> list[Scalar]:
+    """The zeros of one irreducible factor; with a root of the coordinate in it where what is `given` tells which they are."""
     if not depends_on(factor, name):
         return []
+    rooted = [i for i in factor.num.atoms() if atoms.atom(i).kind == "root" and atom_depends(i, name)]
+    if rooted:
+        return [] if given is None else _rooted_zeros(factor, rooted[0], name, given)
     slope = derivative(factor, name)
     if not depends_on(slope, name):
         return [-(substitute(factor, {name: NOTHING}) / slope)]
@@ -73,6 +79,18 @@ def factor_zeros(factor: Scalar, name: str) -> list[Scalar]:
     if not depends_on(bend, name):
         return _solve_quadratic(bend / 2, *(substitute(value, {name: NOTHING}) for value in (slope, factor)))
     return _trig_zeros(factor, name)
+
+
+def _rooted_zeros(factor: Scalar, index: int, name: str, given: Assumptions) -> list[Scalar]:
+    """Those of a + b √x among the zeros of a² - b² x; none where one of these has no closed form, or may be none of them."""
+    parts = {k: Scalar(part) for k, part in factor.num.by_power(index).items()}
+    if set(parts) != {0, 1}:
+        return []
+    squared = [one for one in factors_in(parts[0] ** 2 - parts[1] ** 2 * atoms.atom(index).arg, name) if depends_on(one, name)]
+    found = [[neat(place, given) for place in factor_zeros(one, name, given)] for one in squared]
+    signs = [(place, sign(neat(substitute(factor, {name: place}), given), given)) for places in found for place in places]
+    is_whole = all(found) and all(side.kind == "zero" or side.is_nonzero for _, side in signs)
+    return [place for place, side in signs if side.kind == "zero"] if is_whole else []
 
 
 def period(factor: Scalar, name: str) -> Scalar | None:
@@ -240,6 +258,7 @@ def common_zeros(
     names: Sequence[str],
     most: int = 32,
     spread: Spread = lambda name, root, period: (root,),
+    given: Assumptions | None = None,
 ) -> Places:
     """Where all values vanish, found one equation at a time.
 
@@ -247,23 +266,23 @@ def common_zeros(
     and the period of its factor all that are meant.
     """
     places = Places()
-    _search(list(values), tuple(names), {}, places, most, spread)
+    _search(list(values), tuple(names), {}, places, most, spread, given)
     return places
 
 
-def _search(values: list[Scalar], names: tuple[str, ...], at: dict, places: Places, most: int, spread: Spread) -> None:
+def _search(values: list[Scalar], names: tuple[str, ...], at: dict, places: Places, most: int, spread: Spread, given) -> None:
     values = [value for value in values if not is_zero(value)]
     if not values:
         if at and not any(_are_same(at, old) for old in places.found):
             places.found.append(dict(at))
         return
     for value in sorted(values, key=lambda v: (sum(depends_on(v, n) for n in names), len(v.num))):
-        ways, left = _ways(value, [name for name in names if name not in at], names, spread)
+        ways, left = _ways(value, [name for name in names if name not in at], names, spread, given)
         for image in ways:
             if len(places.found) < most:
                 fixed = {n: substitute(v, image) for n, v in at.items()} | image
                 others = [substitute(v, fixed) for v in values if v is not value]  # which vanishes by its root
-                _search(others, names, fixed, places, most, spread)
+                _search(others, names, fixed, places, most, spread, given)
         if ways or not left:
             places.open_.extend(left)
             return
@@ -274,13 +293,13 @@ def _are_same(first: dict[str, Scalar], second: dict[str, Scalar]) -> bool:
     return first.keys() == second.keys() and all(is_zero(first[name] - second[name]) for name in first)
 
 
-def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spread) -> tuple[list[dict], list[Scalar]]:
+def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spread, given) -> tuple[list[dict], list[Scalar]]:
     """How each factor can vanish, solved for one of the names that are open: r sin θ by r = 0, θ = 0 and θ = π;
     and the factors that are not solved."""
     found: list[dict[str, Scalar]] = []
     left: list[Scalar] = []
     for factor in factors_in(value, *open_):
-        solved = ((name, [root for root in zeros(factor, name) if _is_plain_in(root, names)]) for name in open_)
+        solved = ((name, [root for root in zeros(factor, name, given) if _is_plain_in(root, names)]) for name in open_)
         name, roots = next((item for item in solved if item[1]), ("", []))
         found += [{name: place} for root in roots for place in spread(name, root, period(factor, name))]
         left += [] if roots else [factor]

@@ -96,23 +96,24 @@ class Given(Frozen):
         return (found > 0) - (found < 0)
 
 
-def given(study: Study, name: str, *, small: bool = False) -> Given | None:
-    """What is known of a coordinate, with its `small` oscillations about a stable equilibrium in place of its motion; None
-    where its acceleration has no such form, or the start is not said."""
+def given(study: Study, name: str, *, small: bool = False, others: Mapping[str, Scalar] | None = None) -> Given | None:
+    """What is known of a coordinate, with its `small` oscillations about a stable equilibrium in place of its motion, with
+    what is known of `others`; None where its acceleration has no such form, or the start is not said."""
     start = study.system.scope.start
     if study.at_start or name not in start:
         return None
     item = swinging(study) if small else None
-    found = _small(study, name, item) if small else form_along(study, name)
+    found = _small(study, name, item) if small else form_along(study, name, others)
     speed = start.get(f"{name}_dot", NOTHING)
     if found is None or (names_in(start[name]) | names_in(speed)) & study.system.scope.rates.keys():
         return None
     return Given(found, start[name], speed, study, name, item.valid if item else ())
 
 
-def form_along(study: Study, name: str) -> Form | None:
-    """The form of the acceleration of a coordinate on the motion; None where it has none of them."""
+def form_along(study: Study, name: str, others: Mapping[str, Scalar] | None = None) -> Form | None:
+    """The form of the acceleration of a coordinate on the motion, with what is known of `others`; None where it has none."""
     gained = None if study.at_start or study.ties else (study.dynamics.accelerations or {}).get(f"{name}_ddot")
+    gained = gained if gained is None or not others else short(substitute(gained, others))
     return None if gained is None else form_of(gained, name, {*study.system.scope.rates, "t"})
 
 
@@ -202,7 +203,8 @@ def _free(known: Given) -> tuple[Scalar, Scalar, Scalar]:
 
 
 def _uniform(known: Given) -> Course | None:
-    return Course(known.place + known.speed * TIME + known.form.constant * TIME * TIME / 2)
+    left, place, speed = _free(known)
+    return Course(left + place + speed * TIME + known.form.constant * TIME * TIME / 2)
 
 
 def _swinging(known: Given) -> Course | None:

@@ -9,7 +9,7 @@ Kleppner & Kolenkow 2.4, 7.6.
 from __future__ import annotations
 
 from rbpsym.errors import StatementError
-from rbpsym.field import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol, tidy
+from rbpsym.field import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, symbol, tidy
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry, no_direction
@@ -67,13 +67,13 @@ def _straight(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector
             return along, length
         other = other or (along, length)
     if other is None:
-        return _slanting(apart, offset)
+        return _slanting(apart, offset, geometry)
     return other if geometry.is_unsaid(other[1]) else None
 
 
-def _slanting(apart: Vector, offset: Scalar) -> tuple[Vector, Scalar]:
+def _slanting(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector, Scalar]:
     square = tidy(apart.dot(apart))
-    length = root(tidy(square - offset * offset))
+    length = geometry.size(tidy(square - offset * offset))
     return (apart * length - apart.turned() * offset) * square.inverse() if offset else apart * length.inverse(), length
 
 

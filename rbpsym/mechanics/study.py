@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any, Self
 
 from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.rooted import rooted
 from rbpsym.errors import LimitError
 from rbpsym.expr.tree import Fn, Sym, walk
 from rbpsym.field import NOTHING, PI, Scalar, Vector, apart, at_most, kept, names_in, substitute, symbol
@@ -193,7 +194,8 @@ class Study(Frozen):
     @kept
     def squares(self) -> Mapping[str, Scalar]:
         """Squares of speeds as functions of position, from the start."""
-        return motion.speed_squared(self.system, self.dynamics, self.first_integral)
+        found = motion.speed_squared(self.system, self.dynamics, self.first_integral)
+        return {name: rooted(square, self.assumptions) for name, square in found.items()}
 
     @kept
     def resting(self) -> Mapping[str, Scalar]:

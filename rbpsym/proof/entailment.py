@@ -223,8 +223,8 @@ def _slope(value: Scalar, name: str, rank: int) -> tuple[int, bool, int, int, st
 
 
 def _may_vanish(slope: Scalar) -> bool:
-    """Whether it is zero, or a sum of roots that numbers can't tell from zero: p √(1 + x²/p²) - √(p² + x²)."""
-    if is_zero(slope) or sum(atoms.atom(index).kind == "root" for index in slope.atoms()) < 2:
+    """Whether it is zero, or a sum with roots that numbers can't tell from zero: √(p²) - p."""
+    if is_zero(slope) or not any(atoms.atom(index).kind == "root" for index in slope.atoms()):
         return is_zero(slope)
     try:
         return abs(number(slope, {name: 1 + k / 7 for k, name in enumerate(sorted(names_in(slope)), 1)})) < TINY

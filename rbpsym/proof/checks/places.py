@@ -204,13 +204,17 @@ def _holds(context: Context, step: Step, printed: list[Demand]) -> Iterator[Verd
         value = substitute(context.on_motion(symbol(name)), still)
         return without_even_roots(substitute(value, step.data["at"]))
 
+    def met(asked: Demand) -> Verdict:
+        if _follows(asked, printed, context.assumptions):
+            return Verdict(PROVED)
+        return compare(NOTHING, asked.value, context.assumptions, strict=asked.op == ">")
+
     for _, value in taken(system):
         there = without_even_roots(substitute(value, step.data["at"]))
-        yield from () if any(depends_on(there, n) for n in system.coordinates) else [compare(NOTHING, there, context.assumptions)]
+        yield from () if any(depends_on(there, n) for n in system.coordinates) else [met(Demand(there))]
     for element in system.problem.constraints:
         for name in pushes(element):
-            met = _follows(Demand(here(name), ">="), printed, context.assumptions)
-            yield Verdict(PROVED) if met else compare(NOTHING, here(name), context.assumptions, strict=False)
+            yield met(Demand(here(name), ">="))
         if element.values.get("limit") is not None:
             grip, most = here(element["friction"]), sum(map(here, element.normals), NOTHING) * scalar(element["limit"])
             for side in (grip, -grip):
