@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import PI, Scalar, function, is_zero, short
+from rbpsym.field import PI, Scalar, depends_on, function, is_zero, short
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import orbit, solutions, solved
 from rbpsym.mechanics.elimination import determinant
@@ -87,8 +87,9 @@ def frequency(world: ProblemWorld, ordinal: str | None, name: str, mode: str | N
     """An angular frequency of small oscillations about the stable equilibrium; of what is driven, that without the drive."""
     if found := _orbit(world, name, about):
         return number(function("sqrt", found[1].square), f"orbit {name} {found[0]}")
+    name = _told_by(world, name)
     try:
-        item = _about(world, name, about)
+        item = _about(world, name if about else _known_by(world, name), about)
     except StatementError:
         if not world.study.system.has_clock:
             raise
@@ -110,9 +111,24 @@ def _orbit(world: ProblemWorld, name: str, about: str | None) -> tuple[int, orbi
     return found[0] if len(found) == 1 else None
 
 
+def _told_by(world: ProblemWorld, name: str) -> str:
+    """The one free coordinate on which another one depends, which swings with it."""
+    value = world.study.system.dependent.get(name)
+    led = [] if value is None else [n for n in world.study.system.independent if depends_on(value, n)]
+    return led[0] if len(led) == 1 else name
+
+
+def _known_by(world: ProblemWorld, name: str) -> str:
+    """The coordinate by whose places those of rest are told: of what is free to go anywhere, another one's."""
+    items, names = world.study.equilibria, world.study.system.independent
+    is_free = name in names and items and not any(name in item.at for item in items)
+    return next((n for n in names if n in items[0].at), name) if is_free else name
+
+
 def frequencies(world: ProblemWorld, name: str | None) -> Bound:
     """Those of all modes, the lowest first."""
-    item = _about(world, name or world.study.system.independent[0], None)
+    name = name and _told_by(world, name)
+    item = _about(world, _known_by(world, name or world.study.system.independent[0]), None)
     squares = item.frequencies_squared if name is None else _taking_part(world, item, name)
     if not squares:
         raise _damped(name or world.study.system.independent[0])
@@ -121,8 +137,7 @@ def frequencies(world: ProblemWorld, name: str | None) -> Bound:
 
 def mode_shape(world: ProblemWorld, first: str, second: str, ordinal: str) -> Bound:
     """The ratio of two amplitudes in a mode of coordinates. Raises StatementError where it is not told by the first of them."""
-    names, known = world.study.system.independent, {name for item in world.study.equilibria for name in item.at}
-    kept = first if second in {*names} - known else second  # of what is free to go anywhere no place of rest is told
+    names, kept = world.study.system.independent, _known_by(world, second)
     item = _about(world, kept, None)
     if first == second or not {first, second} <= {*names}:
         raise StatementError("the shape of a mode is told of two coordinates", instead=f"of two of {', '.join(names)}.")
