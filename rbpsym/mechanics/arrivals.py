@@ -12,7 +12,19 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat, root_of, sign_along
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
-from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
+from rbpsym.field import (
+    NOTHING,
+    PI,
+    Scalar,
+    depends_on,
+    derivative,
+    has_roots,
+    is_zero,
+    names_in,
+    substitute,
+    symbol,
+    time_derivative,
+)
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
@@ -242,7 +254,8 @@ def _drive(study: Study, name: str) -> Scalar:
 
 def positive_root(study: Study, value: Scalar) -> Scalar:
     """The square root, with what is declared positive taken out."""
-    return root_of(neat(value, study.assumptions), study.assumptions)
+    value = short(value)
+    return root_of(neat(value, study.assumptions) if has_roots(value) else value, study.assumptions)
 
 
 def tie_to_time(system: System, name: str) -> Scalar | None:

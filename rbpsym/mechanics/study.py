@@ -9,7 +9,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
 from rbpsym.errors import LimitError
 from rbpsym.expr.tree import Fn, Sym, walk
-from rbpsym.field import NOTHING, PI, Scalar, Vector, apart, at_most, kept, names_in, substitute, symbol
+from rbpsym.field import NOTHING, PI, Scalar, Vector, apart, at_most, has_roots, kept, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
@@ -195,7 +195,7 @@ class Study(Frozen):
     def squares(self) -> Mapping[str, Scalar]:
         """Squares of speeds as functions of position, from the start."""
         found = motion.speed_squared(self.system, self.dynamics, self.first_integral)
-        return {name: rooted(square, self.assumptions) for name, square in found.items()}
+        return {name: rooted(square, self.assumptions) if has_roots(square) else square for name, square in found.items()}
 
     @kept
     def resting(self) -> Mapping[str, Scalar]:
