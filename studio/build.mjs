@@ -12,6 +12,8 @@ import { loadPyodide } from "pyodide";
 const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
 const out = resolve(process.argv[2] ?? join(root, "build", "studio")), python = process.argv[3] ?? "python3";
 const ENGINE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"];
+const TYPST = join(here, "node_modules", "@myriaddreamin", "typst-ts-web-compiler", "pkg");
+const FONTS = ["NewComputerModernMath-Regular", "NewComputerModern10-Regular", "NewComputerModern10-Bold", "NewComputerModern10-Italic", "NewComputerModern10-BoldItalic"];
 const PACKAGES = ["sympy", "mpmath", "jinja2", "markupsafe"];
 
 const hashed = (data) => createHash("sha256").update(data).digest("hex").slice(0, 10);
@@ -37,6 +39,28 @@ async function archive() {
   return ["/engine.zip", "/data.zip", "/scene.css"].map((name) => py.FS.readFile(name));
 }
 
+// --- Typst, for PDF: its compiler from npm, its fonts out of the library of the Python package, in which they lie as they are
+
+function fonts() {
+  const find = "import importlib.util as u, pathlib as p; print(next(p.Path(u.find_spec('typst').origin).parent.glob('_typst*')))";
+  const data = readFileSync(execFileSync(python, ["-c", find], { encoding: "utf8" }).trim()), found = {};
+  for (let at = data.indexOf("OTTO"); at >= 0; at = data.indexOf("OTTO", at + 4)) {
+    const tables = Array.from({ length: Math.min(data.readUInt16BE(at + 4), 40) }, (_, k) => at + 12 + 16 * k).map((k) => [data.latin1Slice(k, k + 4), data.readUInt32BE(k + 8), data.readUInt32BE(k + 12)]);
+    const [, from, size] = tables.find(([tag]) => tag === "name") ?? [];
+    if (!from || from + size > 1e7) continue;
+    const names = data.latin1Slice(at + from, at + from + size).replaceAll("\0", ""), own = FONTS.find((one) => new RegExp(one + "(?![-A-Za-z])").test(names));
+    if (own) found[own] ??= data.subarray(at, at + Math.max(...tables.map(([, start, length]) => start + length)));
+  }
+  if (Object.keys(found).length < FONTS.length) throw new Error(`the package typst holds no longer the fonts ${FONTS.filter((one) => !found[one]).join(", ")}`);
+  return Object.entries(found).map(([name, font]) => put(`typst/${name}.otf`, font));
+}
+
+function typst() {
+  const names = ["typst_ts_web_compiler.mjs", "typst_ts_web_compiler_bg.wasm"].map((name) => put("typst/" + name, readFileSync(join(TYPST, name))));
+  const made = source("typst.js").replace("FILES;", JSON.stringify({ module: names[0], wasm: names[1], fonts: fonts() }) + ";");
+  return put(`typst.${hashed(made)}.js`, made);
+}
+
 // --- the site
 
 rmSync(out, { recursive: true, force: true });
@@ -50,7 +74,7 @@ const files = { py, data, key: `snapshot-${version}-${hashed(py + data)}`, snaps
 const worker = source("worker.js").replace("FILES;", JSON.stringify(files) + ";");
 const workerName = put(`worker.${hashed(worker)}.js`, worker);
 const bundled = await build({ entryPoints: [join(here, "src", "app.js")], bundle: true, minify: true, format: "esm", write: false, target: "es2022", logLevel: "error" });
-const app = bundled.outputFiles[0].text.replace("./WORKER", "./" + workerName);
+const app = bundled.outputFiles[0].text.replace("./WORKER", "./" + workerName).replace("./TYPST", "./" + typst());
 const appName = put(`app.${hashed(app)}.js`, app);
 const font = readFileSync(join(root, "templates", "math.woff2")), fontName = put(`math.${hashed(font)}.woff2`, font);
 const style = source("style.css").replace("FONT", fontName) + new TextDecoder().decode(scene), styleName = put(`style.${hashed(style)}.css`, style);
@@ -59,9 +83,9 @@ put("frame.html", source("frame.html"));
 
 const all = (folder = "") => readdirSync(join(out, folder), { withFileTypes: true })
   .flatMap((one) => one.isDirectory() ? all(join(folder, one.name)) : [join(folder, one.name)]);
-const names = all().filter((name) => name !== "index.html").sort();
-const sw = source("sw.js").replace("LIST", names.map((name) => JSON.stringify("./" + name)).join(", "));
+const names = all().filter((name) => name !== "index.html").sort(), first = names.filter((name) => !name.startsWith("typst/")); // Typst comes when a PDF is asked for
+const sw = source("sw.js").replace("LIST", first.map((name) => JSON.stringify("./" + name)).join(", "));
 put("sw.js", sw.replace("VERSION", hashed(names.map((name) => name + hashed(readFileSync(join(out, name)))).join() + readFileSync(join(out, "index.html")))));
-const sizes = all().map((name) => gzipSync(readFileSync(join(out, name))).length);
-console.log(`${out}: ${all().length} files, ${(sizes.reduce((a, b) => a + b) / 1e6).toFixed(1)} MB gzipped, ${((Date.now() - began) / 1000).toFixed(0)} s`);
+const size = (names) => (names.reduce((sum, name) => sum + gzipSync(readFileSync(join(out, name))).length, 0) / 1e6).toFixed(1);
+console.log(`${out}: ${all().length} files, ${size(["index.html", ...first])} MB gzipped, ${size(names.filter((name) => !first.includes(name)))} MB more for PDF, ${((Date.now() - began) / 1000).toFixed(0)} s`);
 process.exit(0);

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rbpsym.teaching.executor import Crew
     from rbpsym.teaching.model import Student
 
-PAPERS = ("pdf", "tex", "html")  # a file for each student
+PAPERS = ("pdf", "tex", "typ", "html")  # a file for each student
 PLATFORMS = ("moodle", "qti", "canvas", "prairielearn", "gift")  # all students together
 ENGINES = ("typst", "pdflatex")
 MOST = 100_000

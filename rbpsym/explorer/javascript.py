@@ -51,6 +51,10 @@ class Program:
 
         self._solvers |= dict.fromkeys(names, write)
 
+    def knows(self, name: str) -> bool:
+        """Can it tell the value of a name?"""
+        return name in self.inputs or name in self.defined or name in self._solvers
+
     def output(self, value: Scalar) -> int:
         """The place of a value among the numbers that the function returns."""
         if value not in self._outputs:

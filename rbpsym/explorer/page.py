@@ -19,6 +19,7 @@ from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.explorer.events import force_labels, label, strikes
+from rbpsym.explorer.loose import loose
 from rbpsym.explorer.sliders import DEGREE, Slider, sliders, unit_of
 from rbpsym.explorer.stage import LAST, Began, PhaseEnding, StagePhase, phase
 from rbpsym.expr import tree as t
@@ -46,12 +47,17 @@ class Model(Frozen):
     phases: tuple[StagePhase, ...]
     alt: str = ""
     is_first_phase_only: bool = False
+    loose: tuple[StagePhase, ...] = ()
 
     @property
     def script(self) -> str:
         """The model as a JavaScript expression."""
-        code = (",".join(f"{json.dumps(k)}:{v}" for k, v in part.code.items()) for part in self.phases)
-        return f"{{data:{as_json(self.data)},code:[{','.join(f'{{{part}}}' for part in code)}]}}"
+        loose = ",".join(f"{{data:{as_json(part.data)},code:{_functions(part)}}}" for part in self.loose)
+        return f"{{data:{as_json(self.data)},code:[{','.join(map(_functions, self.phases))}],loose:[{loose}]}}"
+
+
+def _functions(part: StagePhase) -> str:
+    return f"{{{','.join(f'{json.dumps(name)}:{text}' for name, text in part.code.items())}}}"
 
 
 def as_json(value: Any) -> str:
@@ -90,7 +96,10 @@ def model(problem: Problem, language: str) -> Model:
             for k, (part, found) in enumerate(zip(parts, phases, strict=True))
         ],
     }
-    return Model(data, phases, plain("explorer.picture", language, parts=_bodies(study, said)), partial)
+    ends = (parts[0], *parts[1:][-1:])
+    free = tuple(loose(part.study, names, _ground(parts)) for part in ends)
+    alt = plain("explorer.picture", language, parts=_bodies(study, said))
+    return Model(data, phases, alt, partial, free if None not in free else ())
 
 
 def _bodies(study: Study, said: Words) -> list[str]:
@@ -181,8 +190,8 @@ def _coordinate(coordinate, notation: Notation, said: Words) -> dict[str, Any]:
 # ---
 
 
-SCRIPTS = ("numbers", "motion", "shapes", "drawing", "readings", "curves", "layers", "moments",
-           "predicting", "sound", "controls")  # fmt: skip
+SCRIPTS = ("numbers", "motion", "loose", "shapes", "drawing", "readings", "curves", "layers", "moments",
+           "predicting", "sound", "releasing", "controls")  # fmt: skip
 FOLDER = Path(__file__).with_name("script")
 
 

@@ -7,7 +7,7 @@ kinetic friction, the friction that is left, the range of a coordinate.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from rbpsym.explorer.events import events
@@ -57,7 +57,8 @@ START = Began()
 def phase(study: Study, names: tuple[str, ...], ending: PhaseEnding = LAST, began: Began = START) -> StagePhase:
     """A phase; `names` are those of the adjustable numbers in their order."""
     solved = is_lighter_solved_here(study, names)
-    look, data = _look(study, names, solved, ending, began.ground)
+    look = _program(study, names, solved=solved)
+    data = seen(study, look, (c.name for c in study.problem.coordinates), ending, began.ground)
     data["endsWith"] = [list(event) for event in ending.events]
     starts = _program(study, names, moving=False)
     state = [starts.output_again(value) for value in _start(study)]
@@ -169,19 +170,17 @@ def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
     return program.text, {"rows": rows, "held": held}
 
 
-def _look(
-    study: Study, names: tuple[str, ...], solved: bool, ending: PhaseEnding, elsewhere
-) -> tuple[Program, dict[str, Any]]:
-    """The program of all numbers that are shown, and where each stands."""
-    program, system = _program(study, names, solved=solved), study.system
-    put = program.output
-    seen = [c.name for c in study.problem.coordinates]
+def seen(
+    study: Study, program: Program, shown: Iterable[str], ending: PhaseEnding = LAST, elsewhere: tuple[Element, ...] = ()
+) -> dict[str, Any]:
+    """Where all numbers that are shown stand in a program; `shown` are the coordinates."""
+    system, put, shown = study.system, program.output, tuple(shown)
     data = {
         "size": len(system.coordinates) + len(system.speeds),
         "free": len(system.coordinates),
-        "coordinates": {name: put(symbol(name)) for name in seen},
-        "speeds": {name: put(_speed(study, name)) for name in seen},
-        "accelerations": {name[: -len("_ddot")]: put(symbol(name)) for name in system.accelerations},
+        "coordinates": {name: put(symbol(name)) for name in shown},
+        "speeds": {name: put(_speed(study, name)) for name in shown},
+        "accelerations": {name: put(symbol(f"{name}_ddot")) for name in shown if program.knows(f"{name}_ddot")},
         "unknowns": {name: put(symbol(name)) for name in system.unknowns},
         "couples": [name for name in system.unknowns if any(depends_on(f.couple, name) for f in system.forces)],
         "forces": [_force(force, put) for force in system.forces],
@@ -189,7 +188,7 @@ def _look(
         "origins": {name: [put(place.x), put(place.y)] for name, place in study.origins.items()},
         "events": [{**event, "value": put(event["value"])} for event in events(study, ending.goal)],
     }
-    return program, {**data, **scenery(study, put, elsewhere)}
+    return {**data, **scenery(study, put, elsewhere)}
 
 
 def _speed(study: Study, name: str) -> Scalar:

@@ -44,15 +44,15 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     solved = {c.name: tied.solved[c.name] for c in problem.coordinates if c.name in tied.solved}
     _refuse_frozen(problem, tied.implicit, names)
     scope, independent = _rates(names, tied, problem, free=free)
-    scope = _with_clock(scope, problem, placed, tied.implicit)
-    states = {name: _moving(name, inertias[name], placed[name], scope) for name in problem.body_names}
+    scope = with_clock(scope, problem, placed, tied.implicit)
+    states = {name: moving(name, inertias[name], placed[name], scope) for name in problem.body_names}
     bare = System(problem, names, solved, states, (), tied.conditions, tied.implicit, scope, independent, tied.speeds)
     _check_starts(bare)
     _check_start_speeds(bare)
-    return _with_forces(bare, locator(problem, inertias, placed))
+    return with_forces(bare, locator(problem, inertias, placed))
 
 
-def _with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose], tied: Iterable[Condition]) -> Scope:
+def with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose], tied: Iterable[Condition]) -> Scope:
     """The time runs where something depends on it explicitly."""
     values = [condition.value for condition in tied]
     values += [v for pose in placed.values() for v in (pose.angle, pose.origin.x, pose.origin.y)]
@@ -152,7 +152,8 @@ def _dependent_speeds(free, tied: Tied, problem: Problem) -> dict[str, Scalar]:
     return solve_linear(rows, unknowns, keep_free=True).values
 
 
-def _moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
+def moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
+    """A body in motion, by the rates of what its pose holds."""
     center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
     velocity = vector_rate(center, scope)
     omega = time_derivative(pose.angle, scope)
@@ -201,7 +202,8 @@ def _sure_sense(problem: Problem, value: Scalar) -> int:
 CLEAR, LOOKS = 1e-12, 8
 
 
-def _with_forces(system: System, where) -> System:
+def with_forces(system: System, where) -> System:
+    """The system with all forces that its elements exert."""
     setting = setting_of(system, where)
     placed = {name: state.pose for name, state in system.bodies.items()}
     geometry = Geometry(where, placed, start_numbers(system.problem), system.bodies, unsaid(system.problem))

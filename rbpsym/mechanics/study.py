@@ -38,6 +38,12 @@ class Study(Frozen):
         vars(other).update(found | ({"system": replace(self.system, problem=problem)} if "system" in found else {}))
         return other
 
+    def of(self, system: System) -> Self:
+        """The mechanics of a system that is worked out already."""
+        other = type(self)(system.problem)
+        vars(other)["system"] = system
+        return other
+
     @kept
     def system(self) -> System:
         """Kinematics and forces."""

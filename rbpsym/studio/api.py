@@ -13,9 +13,11 @@ from base64 import b64encode
 from collections.abc import Callable, Mapping
 from functools import lru_cache
 from importlib.util import find_spec
+from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
+from zipfile import ZIP_DEFLATED, ZipFile
 
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.expr import tree as t
@@ -29,7 +31,7 @@ from rbpsym.studio.kept import FILE, derived, problem_of, study
 from rbpsym.typeset.mathml import to_mathml
 
 FORMATS = ("html", "tex", "md", "ipynb", "typ")  # of notes; PDF where Typst is installed
-SHEETS = ("html", "tex", "moodle", "qti", "canvas", "prairielearn", "gift")
+SHEETS = ("html", "tex", "typ", "moodle", "qti", "canvas", "prairielearn", "gift")
 DETAILS = ("brief", "standard", "full")
 Answer = Mapping[str, Any]
 GLANCE = 90  # nodes of a formula
@@ -183,15 +185,19 @@ def _told(found: Any) -> Answer:
     }
 
 
-def explorer(text: str, language: str = "en") -> Answer:
-    """{html}: the page in which the system moves."""
+def explorer(text: str, language: str = "en", beside: str = "") -> Answer:
+    """{html}: the page in which the system moves, beside that of a problem that ships."""
     from rbpsym.explorer.page import explorer as page
 
-    return {"html": page((problem_of(text),), language)}
+    others = (problem_of(statement(beside)["text"]),) if beside else ()
+    return {"html": page((problem_of(text), *others), language)}
 
 
-def export(text: str, format: str, language: str = "en", detail: str = "standard") -> Answer:
-    """{files: [{name, content, base64}], left_out}: the notes in a format; `base64` says how the content is written."""
+def export(text: str, format: str, language: str = "en", detail: str = "standard", packed: bool = False) -> Answer:
+    """{files: [{name, content, base64}], left_out}: the notes in a format; `base64` says how the content is written.
+
+    Where they are `packed`, several files are one archive.
+    """
     from rbpsym.document.notes import notes as written
     from rbpsym.document.writers import files
 
@@ -199,21 +205,27 @@ def export(text: str, format: str, language: str = "en", detail: str = "standard
     _one_of(detail, DETAILS, "level of detail")
     derivation = derived(text)
     document = written(derivation, language, detail, plots=True)
-    return {"files": _files(files(document, format, derivation.study.problem.name)), "left_out": []}
+    return {"files": _files(files(document, format, derivation.study.problem.name), packed), "left_out": []}
 
 
-def worksheet(text: str, format: str, seed: str = "", language: str = "en") -> Answer:
+def worksheet(text: str, format: str, seed: str = "", language: str = "en", packed: bool = False) -> Answer:
     """{files, left_out}: a worksheet of the problem with its key; `left_out` says what the format can't carry."""
     from rbpsym.teaching.formats import Options, exporter
     from rbpsym.teaching.plan import plan_of
 
     _one_of(format, SHEETS, "format")
     made = exporter(format)((plan_of(problem_of(text)).worksheet(None, seed, language),), Options(key=True))
-    return {"files": _files(made.files), "left_out": list(made.left_out)}
+    return {"files": _files(made.files, packed), "left_out": list(made.left_out)}
 
 
-def _files(contents: Mapping[str, str | bytes]) -> list[Answer]:
-    """Files as JSON can hold them."""
+def _files(contents: Mapping[str, str | bytes], packed: bool) -> list[Answer]:
+    """Files as JSON can hold them; where they are packed, more than two as one archive."""
+    if packed and len(contents) > 2:
+        archive = BytesIO()
+        with ZipFile(archive, "w", ZIP_DEFLATED) as found:
+            for name, made in contents.items():
+                found.writestr(name, made)
+        contents = {"problem.zip": archive.getvalue()}
     coded = {name: b64encode(made).decode() for name, made in contents.items() if isinstance(made, bytes)}
     return [{"name": name, "content": coded.get(name, made), "base64": name in coded} for name, made in contents.items()]
 

@@ -21,7 +21,7 @@ from rbpsym.expr.glyphs import Notation
 from rbpsym.expr.infix import read_relation
 from rbpsym.expr.latex.reader import read_latex
 from rbpsym.expr.symbol_table import symbol_table
-from rbpsym.field import NOTHING, Scalar, Value, is_zero, names_in
+from rbpsym.field import NOTHING, Scalar, Value, is_zero, names_in, symbol
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.proof.checks import of_steps as checks
 from rbpsym.proof.context import Context
@@ -174,9 +174,11 @@ class Sheet(Frozen):
         pairs = [(this, self.value(other)) for this, other in (ends, ends[::-1])] if ends[0] != ends[1] else []
         rows = [(id, row.items[0], self.value(row.items[-1])) for id, row in self._rows]
         named = (id for id, left, right in rows for this, other in pairs if this == left and is_same(other, right))
-        scaled = (id for id, its in self._gaps if gap is not None and self._is_multiple(gap, its))
+        alike = [(id, its) for id, its in self._gaps if gap is not None and self._is_multiple(gap, its)]
+        scaled = (id for id, its in alike if self._is_kept(its) or not self._tells(ends))
+        is_identity = is_same(*map(self.value, ends))
         valued = (id for id, _, right in rows for _, other in pairs[:1] if is_same(other, right))
-        found = list(named) or list(scaled) or list(valued if gap is None else ())
+        found = list(named) or list(scaled) or list(valued if is_identity else ())
         return min(found, key=lambda id: not self.steps[id].is_result, default="")
 
     def _gap(self, row: t.Chain) -> Scalar | None:
@@ -193,6 +195,15 @@ class Sheet(Frozen):
     @cached_property
     def _given(self) -> frozenset[str]:
         return frozenset(quantity.name for quantity in self.derivation.study.problem.parameters)
+
+    def _is_kept(self, gap: Scalar) -> bool:
+        """Does it vanish all along the motion, and not at a rest or a moment only?"""
+        return is_zero(self.context.on_motion(gap))
+
+    def _tells(self, ends: tuple[t.Node, t.Node]) -> bool:
+        """Does an equation say what a letter is that has a value, and not only where it vanishes?"""
+        known = [isinstance(end, t.Sym) and self.value(end) not in (None, symbol(end.name)) for end in ends]
+        return any(is_known and self.value(other) != NOTHING for is_known, other in zip(known, ends[::-1], strict=True))
 
     def _is_multiple(self, one: Scalar, other: Scalar) -> bool:
         """Is it the other one times a constant?"""

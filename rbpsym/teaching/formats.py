@@ -38,6 +38,7 @@ Exporter = Callable[[tuple[Worksheet, ...], Options], Exported]
 EXPORTERS: Mapping[str, tuple[str, str]] = {
     "pdf": ("rbpsym.teaching.paper_files", "export_pdf"),
     "tex": ("rbpsym.teaching.paper_files", "export_latex"),
+    "typ": ("rbpsym.teaching.paper_files", "export_typst"),
     "html": ("rbpsym.teaching.paper_files", "export_html"),
     "moodle": ("rbpsym.teaching.exports.moodle", "export_moodle"),
     "qti": ("rbpsym.teaching.exports.qti", "export_qti"),

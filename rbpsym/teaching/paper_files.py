@@ -28,6 +28,11 @@ def export_latex(worksheets: tuple[Worksheet, ...], options: Options) -> Exporte
     return _papers(worksheets, options, "tex", "pdflatex", latex)
 
 
+def export_typst(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
+    """The same as sources for Typst."""
+    return _papers(worksheets, options, "typ", "typst", typst_source)
+
+
 def export_html(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
     """One page a student without any answer; with keys also one for practice, which holds them behind folds."""
     from rbpsym.teaching.papers.html_paper import write_html
@@ -68,13 +73,18 @@ def by_pdflatex(document: Document, worksheet: Worksheet, is_key: bool) -> bytes
     return compiled(latex(document, worksheet, is_key))
 
 
+def typst_source(document: Document, worksheet: Worksheet, is_key: bool) -> str:
+    """The source for Typst."""
+    from rbpsym.teaching.papers.typst_paper import write_paper
+
+    return write_paper(document, worksheet, is_key=is_key)
+
+
 def by_typst(document: Document, worksheet: Worksheet, is_key: bool) -> bytes:
     """Tagged PDF by Typst."""
     import typst
 
-    from rbpsym.teaching.papers.typst_paper import write_paper
-
-    source = write_paper(document, worksheet, is_key=is_key).encode()
+    source = typst_source(document, worksheet, is_key).encode()
     return typst.compile(source, pdf_standards=["ua-1"], font_paths=_fonts())
 
 

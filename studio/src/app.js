@@ -12,8 +12,8 @@ const el = (tag, props = {}, ...inner) => { const one = Object.assign(document.c
 const PAUSE = 120, PATIENCE = 4000; // ms after the last key; until a derivation that is outdated, or in the way, is ended
 const TABS = ["notes", "answers", "explorer", "export", "check", "tutor"];
 const FIRST = "sliding-ladder";
-const NOTES = { html: "HTML", tex: "LaTeX", md: "Markdown", ipynb: "Notebook", typ: "Typst" };
-const SHEETS = { html: "HTML", tex: "LaTeX", moodle: "Moodle", qti: "QTI", canvas: "Canvas", prairielearn: "PrairieLearn", gift: "GIFT" };
+const NOTES = { pdf: "PDF", html: "HTML", tex: "LaTeX", md: "Markdown", ipynb: "Notebook", typ: "Typst" };
+const SHEETS = { pdf: "PDF", html: "HTML", tex: "LaTeX", moodle: "Moodle", qti: "QTI", canvas: "Canvas", prairielearn: "PrairieLearn", gift: "GIFT" };
 
 let tables = null, text = "", timer = 0, turn = 0, running = 0, tab = "notes", done = {}, glance = null;
 // what tests and measurements read: ms from the last key to the first sight and to the notes, and of work in the engine
@@ -140,7 +140,7 @@ const FILL = {
   async explorer() {
     const none = $("explorer-none");
     try {
-      const { html } = await work("explorer", asked(), true), old = $("explorer"), frame = old.cloneNode();
+      const { html } = await work("explorer", { ...asked(), beside: $("beside").value }, true), old = $("explorer"), frame = old.cloneNode();
       frame.hidden = !(none.hidden = true);
       frame.hidden = false;
       frame.onload = () => { frame.onload = null; frame.contentWindow.postMessage(html, "*"); };
@@ -198,13 +198,32 @@ function save(name, content, is64) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
+/** What PDF is made of, in a worker that is begun when one is first asked for. */
+let typst = null, papers = 0;
+function pdf(source) {
+  typst ??= new Worker(new URL("./TYPST", import.meta.url), { type: "module" });
+  const id = ++papers;
+  return new Promise((resolve, reject) => {
+    const hear = ({ data }) => { if (data.id !== id) return; typst.removeEventListener("message", hear); if (data.pdf) resolve(data.pdf); else reject(new Error(data.error)); };
+    typst.addEventListener("message", hear);
+    typst.addEventListener("error", () => { typst = null; reject(new Error(say("nopdf"))); }, { once: true });
+    typst.postMessage({ id, source });
+  });
+}
+
+/** Files are called as the problem is; what is more than two files comes as one archive. */
 async function exported(name, keys) {
   $("exported").textContent = say("writing");
+  const title = glance?.title.normalize("NFD").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "problem", isPdf = keys.format === "pdf";
   try {
-    const { files, left_out } = await work(name, { ...asked(), ...keys });
-    for (const file of files) save(file.name, file.content, file.base64);
+    const { files, left_out } = await work(name, { ...asked(), ...keys, format: isPdf ? "typ" : keys.format, packed: !isPdf });
+    for (const file of files) {
+      file.name = file.name.replace("problem", title);
+      if (isPdf) Object.assign(file, { name: file.name.replace(/typ$/, "pdf"), content: await pdf(file.content) });
+      save(file.name, file.content, file.base64);
+    }
     $("exported").textContent = [say("saved", { files: files.map((file) => file.name).join(", ") }), ...left_out].join(" ");
-  } catch (error) { $("exported").textContent = error.error?.told ?? String(error); }
+  } catch (error) { $("exported").textContent = error.error?.told ?? error.message; }
 }
 
 async function decided() {
@@ -280,6 +299,7 @@ $("astext").onclick = () => asForm(false);
 $("gallery").onchange = () => $("gallery").value && started($("gallery").value);
 $("link").onclick = async () => copied(address({ p: await packed(text), only: null }));
 $("embed").onclick = async () => copied(frameOf(address({ p: await packed(text), only: tab, tab: null }), document.title));
+$("beside").onchange = () => { history.replaceState(null, "", address({ beside: $("beside").value || null })); done.explorer = false; fill(); };
 $("undo").onclick = () => undone(view);
 try { if (localStorage.getItem("studio form")) asForm(true); } catch { /* the same */ }
 addEventListener("hashchange", opened);
@@ -298,6 +318,9 @@ engine.ask("gallery").then((cards) => {
     const own = cards.filter((card) => card.topic === topic).map((card) => el("option", { value: card.name, textContent: card.title }));
     $("gallery").append(el("optgroup", { label: topic }, ...own));
   }
+  $("beside").append(...[...$("gallery").querySelectorAll("optgroup")].map((group) => group.cloneNode(true)));
+  $("beside").value = wanted().get("beside") ?? "";
+  if ($("beside").value && done.explorer) $("beside").onchange();
 });
 tells("ready");
 if ("serviceWorker" in navigator) navigator.serviceWorker.register("./sw.js").then(() => navigator.serviceWorker.ready).then(() => { marks.kept = performance.now(); }).catch(() => { /* a frame may not keep the page */ });

@@ -1,6 +1,7 @@
 // What stands behind the # of the address: p (a statement, deflated, in base64url) or n (a problem of the library), tab, lang,
-// detail, only (one panel without the rest, for a frame); what else there is belongs to the explorer (numbers, t).
-const OWN = ["p", "n", "tab", "lang", "detail", "only"];
+// detail, only (one panel without the rest, for a frame), beside (a
+// problem of the library that moves beside it in the explorer); what else there is belongs to the explorer (numbers, t).
+const OWN = ["p", "n", "tab", "lang", "detail", "only", "beside"];
 const through = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 
 export async function packed(text) {

@@ -1,4 +1,4 @@
-// All files of the site are kept at the first visit; after it the page needs no network. A new site is a new cache.
+// All files of the site are kept at the first visit, Typst's at the first PDF; after it the page needs no network. A new site is a new cache.
 const CACHE = "rbpsym-studio-VERSION", FILES = ["./", LIST];
 self.addEventListener("install", (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES)).then(() => self.skipWaiting())));
 self.addEventListener("activate", (event) => event.waitUntil((async () => {
@@ -8,5 +8,10 @@ self.addEventListener("activate", (event) => event.waitUntil((async () => {
 self.addEventListener("fetch", (event) => {
   const url = new URL(event.request.url);
   if (event.request.method !== "GET" || url.origin !== self.location.origin) return;
-  event.respondWith(caches.open(CACHE).then((cache) => cache.match(event.request, { ignoreSearch: true })).then((found) => found || fetch(event.request)));
+  event.respondWith(caches.open(CACHE).then((cache) => cache.match(event.request, { ignoreSearch: true })).then((found) => found || fetched(event.request, url)));
 });
+async function fetched(request, url) {
+  const answer = await fetch(request);
+  if (answer.ok && url.pathname.includes("/typst/")) await (await caches.open(CACHE)).put(request, answer.clone());
+  return answer;
+}

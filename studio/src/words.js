@@ -33,6 +33,8 @@ const TABLE = {
   paper: ["Paste a text with formulas (LaTeX); each is decided with the names of this problem.", "Pegue un texto con fórmulas (LaTeX); cada una se decide con los nombres de este problema."],
   decide: ["Check", "Comprobar"],
   "col.line": ["Line", "Línea"], "col.formula": ["Formula", "Fórmula"], "col.verdict": ["Verdict", "Veredicto"], "col.why": ["Why", "Por qué"],
+  nopdf: ["Typst, which makes PDF, can't be loaded; without a network it is there after the first PDF.", "No se puede cargar Typst, que hace los PDF; sin red está disponible después del primer PDF."],
+  beside: ["Beside it moves", "A su lado se mueve"], "beside.none": ["nothing else", "nada más"],
   write: [" – write: {fix}", " – escriba: {fix}"],
   noformula: ["No formula was found: write it between \\[ and \\], or between dollars.", "No se encontró ninguna fórmula: escríbala entre \\[ y \\], o entre dólares."],
   "tutor.intro": ["Work on the problem line by line: any true line counts, in any order.", "Trabaje el problema línea a línea: toda línea verdadera cuenta, en cualquier orden."],

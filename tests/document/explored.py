@@ -17,12 +17,13 @@ from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 
 ASK = """
-const MOTIONS = MODELS.map((model) => new Motion(model, model.data.numbers.map((one) => one.value)));
+const MOTIONS = MODELS.map((model) => new Motion(model, model.data.numbers.map((one) => one.value), CHANGE));
 const asked = TIMES.flatMap((share) => MOTIONS.map((motion) => {
   const moment = motion.at(share * motion.duration), out = moment.out, data = moment.data;
   const named = (places) => Object.fromEntries(Object.entries(places).map(([name, place]) => [name, out[place]]));
   const momenta = Object.keys(data.origins).flatMap((o) => data.bodies.map((b) => [b.name, o, ...momentum(moment, b.name, o)]));
   return {
+    first: motion.frames.findLast((frame) => frame.phase === 0)?.time ?? 0,
     end: motion.end, duration: motion.duration, frames: motion.frames.length, time: moment.time, local: moment.local,
     phase: moment.phase,
     began: motion.frames[motion.frames.length - 1].began, unfit: motion.unfit && motion.unfit.kind,
@@ -42,10 +43,13 @@ STAND_INS = (
 )
 
 
-def run(found: Model, shares: tuple[float, ...] = (0.0, 0.37, 0.8)) -> list[dict[str, Any]]:
-    """What the script says at shares of the recorded motion."""
-    scripts = [(FOLDER / f"{name}.js").read_text() for name in ("numbers", "motion", "shapes", "drawing", "readings")]
-    text = "\n".join([STAND_INS, f"const MODELS=[{found.script}];const TIMES={list(shares)};", *scripts, ASK])
+def run(
+    found: Model, shares: tuple[float, ...] = (0.0, 0.37, 0.8), change: str = "AS_STATED", seconds: float = 0.0
+) -> list[dict[str, Any]]:
+    """What the script says at shares of the recorded motion, or of so many seconds; `change`: what a reader changes."""
+    scripts = [(FOLDER / f"{name}.js").read_text() for name in ("numbers", "motion", "loose", "shapes", "drawing", "readings")]
+    ask = ASK.replace("CHANGE", change).replace("motion.duration)", f"{seconds})" if seconds else "motion.duration)")
+    text = "\n".join([STAND_INS, f"const MODELS=[{found.script}];const TIMES={list(shares)};", *scripts, ask])
     done = subprocess.run(["node", "-"], input=text, capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 0, done.stderr[-2000:]
     return json.loads(done.stdout)

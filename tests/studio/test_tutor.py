@@ -135,6 +135,23 @@ def test_a_line_for_a_moment_is_not_wrong() -> None:
     assert hoop.judge("R*Omega^2*cos(theta) = 2*g").verdict == WRONG
 
 
+FALSE = {  # one side of each is a side of a step; the other is what it is not, has no value of its own, or is so at a rest alone
+    "hoop-on-its-rim": (
+        r"\vec{R}_{\mathrm{cm}} \times \vec{P}_{\mathrm{cm}} = (M R^2 \omega + M R^2 \omega) \, \hat{k}",
+        r"M R^2 \omega \, \hat{k} = I_O \vec{\omega}_{\mathrm{hoop}}",
+    ),
+    "ball-off-sphere": (
+        r"\tau_{O,W} = -m g (a - R) \sin\theta", r"\vec{V}_{\mathrm{cm}} = (a + R)^2 \omega^2", r"\phi = \theta",
+    ),
+    "rod-pendulum": (r"\int_{\mathrm{rod}} r \, dm = \frac{M}{\ell} \int_0^{\ell} \left( s - \frac{\ell}{2} \right)^2 \, ds",),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FALSE)
+def test_a_false_line_is_not_true_by_its_other_side(name: str) -> None:
+    assert [line for line in FALSE[name] if tutor(name).judge(line).verdict in ACCEPTED] == []
+
+
 def test_a_factor_in_brackets_is_no_unit() -> None:
     """“v [m a - F]” at the end of a line was read as “v”, in a unit."""
     assert tutor("rear-wheel-drive").judge("0 = v [m a - F]").verdict in ACCEPTED

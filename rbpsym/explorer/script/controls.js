@@ -5,7 +5,7 @@ const byId = (id) => document.getElementById(id);
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const told = (key, slots = {}) => WORDS[key].replace(/\{(\w+)\}/g, (_, name) => slots[name] ?? "");
 
-const state = { time: 0, playing: false, numbers: {}, motions: [], drawings: [], readings: [], seekers: [] };
+const state = { time: 0, playing: false, numbers: {}, motions: [], stated: [], change: { ...AS_STATED, off: new Set() }, drawings: [], readings: [], seekers: [] };
 
 /** All adjustable numbers by name; those that two models share are one. */
 const NUMBERS = new Map();
@@ -18,6 +18,7 @@ function begin() {
   const kinds = SETS.filter((kind) => MODELS.some((model) => kind !== "reactions" || Object.keys(model.data.unknowns).length));
   byId("curves-kind").replaceChildren(...kinds.map((kind) => element("option", { value: kind }, WORDS[kind])));
   layerBoxes();
+  releaseBoxes();
   MODELS.forEach((_, place) => draggable(byId("picture-" + place), place));
   sliders();
   rebuild();
@@ -61,7 +62,9 @@ function soon() {
 }
 
 function rebuild() {
-  state.motions = MODELS.map((model) => new Motion(model, model.data.numbers.map((one) => state.numbers[one.name])));
+  const made = (change) => MODELS.map((model) => new Motion(model, model.data.numbers.map((one) => state.numbers[one.name]), change));
+  state.motions = made(isChanged() ? { ...state.change, off: new Set(state.change.off) } : AS_STATED);
+  state.stated = isChanged() ? made(AS_STATED) : [];
   const fine = state.motions.filter((motion) => motion.end.kind !== "numbers");
   const whole = fine.length ? fine.map(boxOfMotion).reduce(joinBoxes) : [-1, -1, 1, 1], force = forceScale(fine);
   const size = Math.max(...fine.map((motion) => extentOf(motion, motion.frames[0])), 1e-9);
@@ -77,11 +80,12 @@ function rebuild() {
   seekers();
   curves();
   aboutTable();
+  lineShown();
   asks();
 }
 
 function curves() {
-  const fine = state.motions.filter((motion) => motion.end.kind !== "numbers");
+  const fine = [...state.motions, ...state.stated].filter((motion) => motion.end.kind !== "numbers");
   state.curves = fine.length ? new Curves(fine, byId("curves-kind").value) : null;
 }
 
@@ -135,8 +139,10 @@ const clock = () => shown(Math.round(state.time * 1e4) / 1e4) + "\u202fs";
 function phaseName(motion, moment) {
   if (motion.unfit) return ending({ end: { ...motion.unfit, atOnce: true }, data: motion.data });
   if (motion.nudged) return told("nudged", { name: motion.data.coordinates[motion.nudged].here.text });
-  const key = moment.data.name ? "phase" : "phase_first", blow = motion.blow(moment.time);
-  const said = motion.code.length > 1 ? told(key, { number: moment.phase + 1, count: motion.code.length, name: moment.data.name }) : "";
+  const key = moment.data.name || moment.data.after ? "phase" : "phase_first", blow = motion.blow(moment.time);
+  const before = motion.frames[0].phase, count = motion.code.length - before;
+  const { after, name } = moment.data, met = after && (motion.data.unknowns[after.name] || { text: /^floor/.test(after.name) ? "N" : after.name }).text;
+  const said = count > 1 || before ? told(key, { number: moment.phase + 1 - before, count, name: after ? told("stretch." + after.kind, { name: met }) : name }) : "";
   return blow ? said + ". " + struck(blow) : said;
 }
 
@@ -257,6 +263,8 @@ function restart() { pause(); seek(0); say(); }
 
 function reset() {
   for (const [name, one] of NUMBERS) state.numbers[name] = one.value;
+  state.change = { ...AS_STATED, off: new Set() };
+  releaseBoxes();
   sliders();
   rebuild();
   restart();
@@ -271,6 +279,11 @@ byId("question").addEventListener("change", offers);
 byId("release").addEventListener("click", release);
 byId("predict").addEventListener("toggle", () => predicting(byId("predict").open));
 byId("curves-kind").addEventListener("change", () => { curves(); seek(state.time); });
+byId("line-of").addEventListener("change", (event) => { state.change.force = event.target.value; aside(0); });
+byId("line-aside").addEventListener("input", (event) => { pause(); aside(Number(event.target.value)); });
+const seeking = (event) => { const box = byId("curves").getBoundingClientRect(); if (state.curves && state.curves.isInTime && event.buttons) { pause(); seek(state.curves.timeAt(((event.clientX - box.left) / box.width) * WIDE)); } };
+byId("curves").addEventListener("pointerdown", seeking);
+byId("curves").addEventListener("pointermove", seeking);
 document.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|BUTTON|SUMMARY|A)$/.test(event.target.tagName)) return;
   const keys = { " ": () => (state.playing ? pause() : play()), ArrowRight: () => nudge(0.02), ArrowLeft: () => nudge(-0.02), Home: restart };

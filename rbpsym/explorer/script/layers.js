@@ -95,6 +95,8 @@ function handleAt(place, goal, reach) {
   const model = MODELS[place], { scale, out } = state.drawings[place];
   const away = (point) => Math.hypot(point[0] - goal[0], point[1] - goal[1]) * scale.factor;
   if (layers.has("moment") && away(about.at) < REACH) return (point) => moveAbout(point, place);
+  const line = state.change.force && lineHandle(place, away);
+  if (line) return line;
   const far = (body) => away(pick(body.cm, out)), body = model.data.phases[0].bodies.reduce((a, b) => (far(b) < far(a) ? b : a));
   if (far(body) > reach || !startNumbers(model).length) return null;
   return (point) => { pause(); if (state.time) seek(0); drag(model, body, point); sliders(); soon(); };

@@ -2,12 +2,15 @@
 
 const FLASH = 0.08, FRAME = 0.01, LONGEST = 10, RADIANS = 75, FAR = 6, APART = 2.5, HARDLY = 1e-7, NUDGE = 2e-3;
 
+/** What a reader changes of a system: what is let go, the force whose line of action is moved, and how far to its left. */
+const AS_STATED = { off: new Set(), force: "", aside: 0 };
+
 /** A system with its numbers, ready to be asked. */
 class Motion {
-  constructor(model, numbers) {
-    this.data = model.data;
-    this.code = model.code;
-    this.numbers = numbers;
+  constructor(model, numbers, change = AS_STATED) {
+    this.data = { ...model.data, phases: [...model.data.phases], forces: { ...model.data.forces } };
+    this.code = [...model.code];
+    Object.assign(this, { model, numbers, change, floors: [] });
     this.frames = [];
     this.blows = [];
     this.end = null;
@@ -16,19 +19,38 @@ class Motion {
   }
 
   /** All numbers of a phase at a state. */
-  look(phase, x, t) { return this.code[phase].look(x, this.numbers, t); }
+  look(phase, x, t) {
+    const out = this.code[phase].look(x, this.numbers, t), { active, bodies } = this.data.phases[phase];
+    if (!active) for (const one of this.floors) { const body = bodies[one.body]; out.push(gapOf(one, pick(body.at, out), out[body.angle])); }
+    return out;
+  }
 
   run() {
     let t = 0, works = this.works.map(() => [0, 0]);
-    for (let phase = 0; phase < this.code.length && !this.isOver(); phase++) {
-      [t, works] = this.runPhase(phase, t, works);
+    this.watched();
+    if (!this.change.off.size && !this.change.aside) for (let phase = 0; phase < this.model.code.length && !this.isOver(); phase++) [t, works] = this.runPhase(phase, t, works);
+    while (this.goesOn()) {
+      const phase = this.stretch();
+      [t, works] = this.runPhase(phase, t, [...works, ...this.works.slice(works.length).map(() => [0, 0])]);
     }
     this.end = this.end || { kind: "time", time: t };
+  }
+
+  /** The floors on whose free side corners begin, and the events that they are met. */
+  watched() {
+    const y = this.start(0), out = this.code[0].look(y, this.numbers, 0);
+    if (!this.model.loose.length || !out.every(Number.isFinite)) return;
+    this.floors = floorsOf(this, out);
+    this.data.phases = this.data.phases.map((data, phase) => {
+      const base = this.code[phase].look([...y, ...Array(data.size).fill(0)], this.numbers, 0).length;
+      return { ...data, events: [...data.events, ...this.floors.map(({ key }, k) => ({ kind: "meets", name: key, value: base + k }))] };
+    });
   }
 
   isOver() { return this.end !== null; }
 
   start(phase) {
+    if (this.data.phases[phase].begin) return this.data.phases[phase].begin;
     const places = this.data.phases[phase].start, values = this.code[phase].start([], this.numbers, 0);
     const { rows, held } = this.data.phases[phase].gaps, state = places.map((place) => values[place]);
     if (phase === 0 && !this.endsAtOnce()) this.nudge(state);
@@ -54,6 +76,7 @@ class Motion {
   allCoordinates(phase) { return Array.from({ length: this.data.phases[phase].free }, (_, k) => k); }
 
   conditions(phase, x, t) {
+    if (this.data.phases[phase].active) return this.free.conditions(this.data.phases[phase].active, x, t);
     const out = this.code[phase].gaps(x, this.numbers, t);
     return this.data.phases[phase].gaps.rows.map(([gap, slopes]) => [out[gap], slopes.map((k) => out[k])]);
   }
@@ -72,7 +95,7 @@ class Motion {
       this.end = { kind: "numbers", time: began };
       return [began, worksBefore];
     }
-    this.unfit = this.unfit || watch.first(y);
+    if (data.active) watch.first(y); else this.unfit = this.unfit || watch.first(y);
     const longest = this.longest(phase, y, began);
     let event = null;
     while (!event && t < ends && began + t < longest - 1e-9) {
@@ -98,7 +121,8 @@ class Motion {
   longest(phase, y, began) {
     if (phase + 1 < this.code.length) return LONGEST;
     const out = this.look(phase, y, 0), turning = Math.max(...this.data.phases[phase].bodies.map((body) => Math.abs(out[body.omega])));
-    return Math.min(LONGEST, began + 1 + RADIANS / turning);
+    const rests = this.data.phases[phase].active && this.code[phase].rates(y, this.numbers, 0).slice(0, this.data.phases[phase].size).every((rate, k, all) => k < all.length / 2 || Math.abs(rate) < HARDLY);
+    return Math.min(LONGEST, began + 1 + (rests ? 0 : RADIANS / turning));
   }
 
   /** Notes the impulses with which a phase begins. */

@@ -82,7 +82,7 @@ function kept(conditions, state, free) {
     const size = Math.max(...rows.map(([gap]) => Math.abs(gap)));
     if (!(size > 1e-13)) return state;
     const slopes = rows.map(([, all]) => free.map((k) => all[k]));
-    const square = slopes.map((a) => slopes.map((b) => a.reduce((sum, value, k) => sum + value * b[k], 0)));
+    const square = slopes.map((a, r) => slopes.map((b, q) => a.reduce((sum, value, k) => sum + value * b[k], r === q ? 1e-12 : 0)));  // also of conditions that say the same
     const share = solve(square, rows.map(([gap]) => gap));
     state = state.slice();
     free.forEach((place, k) => { state[place] -= slopes.reduce((sum, row, r) => sum + row[k] * share[r], 0); });

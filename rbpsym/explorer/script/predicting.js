@@ -18,8 +18,8 @@ function setsOut(motion, name) {
 
 function endsWith(motion) {
   const data = motion.data.phases[0], goesOn = motion.frames.some((frame) => frame.phase > 0), key = (kind, name) => `${kind} ${name}`;
-  const ended = goesOn ? data.endsWith[0] : [motion.end.kind, motion.end.name], is = ended && data.events.some((one) => one.kind === ended[0] && one.name === ended[1]);
-  const known = data.events.filter((one) => `end.${one.kind}` in WORDS);
+  const ended = goesOn ? data.endedBy || data.endsWith[0] : [motion.end.kind, motion.end.name], is = ended && data.events.some((one) => one.kind === ended[0] && one.name === ended[1]);
+  const known = data.events.filter((one) => `end.${one.kind}` in WORDS && one.kind !== "meets");
   if (motion.unfit || !known.length || (goesOn && !is) || (is && !known.some((one) => one.kind === ended[0]))) return [];
   const choices = new Map(known.map((one) => [key(one.kind, one.name), ending({ end: { ...one, time: 0 }, data: motion.data }).split(". ")[0].replace(/\.?$/, ".")]));
   return [{ words: WORDS["predict.ends"], choices: [...choices, ["none", WORDS.goes_on]], truth: is ? key(...ended) : "none", until: motion.frames.findLast((frame) => frame.phase === 0).time }];
