@@ -404,12 +404,12 @@ def problem_length(name: str) -> float:
 def test_a_prediction_is_decided_by_the_motion(tmp_path: Path) -> None:
     """Of all that can end the ladder's first phase the force of the wall vanishes; the readings wait for the prediction."""
     found = model(load_problem(FILES["sliding-ladder"]), "en")
-    end = explored.run(found, (0.5,))[0]["end"]
+    ended = explored.run(found, (0.5,))[0]["ended"]
     [seen] = met(tmp_path, {"file": str(written(tmp_path, "sliding-ladder")), "act": "predict"})
     right = [key for key, told in seen["said"].items() if told.startswith("The motion says so, too")]
     known = {f"{one['kind']} {one['name']}" for one in found.data["phases"][0]["events"]}
     assert set(seen["said"]) == {*known, "none"} and len(known) > 1
-    assert right == [f"{end['kind']} {end['name']}"]
+    assert right == [" ".join(ended)]
     assert seen["hidden"] and seen["after"]
 
 

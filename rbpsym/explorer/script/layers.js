@@ -58,7 +58,7 @@ function fastest(motion) {
 
 /** A motion that is not worked out: only its start is asked for. */
 function startOf(model, numbers) {
-  const motion = Object.assign(Object.create(Motion.prototype), { data: model.data, code: model.code, numbers });
+  const motion = Object.assign(Object.create(Motion.prototype), { data: model.data, code: model.code, numbers, floors: [] });
   const state = motion.start(0);
   return { state: state.slice(0, model.data.phases[0].free), out: motion.look(0, state, 0) };
 }
