@@ -24,7 +24,8 @@ const asked = TIMES.flatMap((share) => MOTIONS.map((motion) => {
   const momenta = Object.keys(data.origins).flatMap((o) => data.bodies.map((b) => [b.name, o, ...momentum(moment, b.name, o)]));
   return {
     first: motion.frames.findLast((frame) => frame.phase === 0)?.time ?? 0,
-    end: motion.end, ended: motion.data.phases[0].endedBy ?? null, duration: motion.duration, frames: motion.frames.length, time: moment.time, local: moment.local,
+    end: motion.end, ended: motion.data.phases[0].endedBy ?? null,
+    duration: motion.duration, frames: motion.frames.length, time: moment.time, local: moment.local,
     phase: moment.phase,
     began: motion.frames[motion.frames.length - 1].began, unfit: motion.unfit && motion.unfit.kind,
     q: named(data.coordinates), v: named(data.speeds), a: named(data.accelerations),

@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from base64 import b64decode
+from io import BytesIO
 from typing import Any
+from zipfile import ZipFile
 
 import pytest
 
@@ -125,3 +128,15 @@ def test_what_an_edit_does_not_change_is_not_derived_again(
     assert len(calls) == derives
     kept._WORKED.clear()
     assert asked(do="notes", text=text)["ok"] == found
+
+
+def test_many_files_come_as_one_archive(ladder: str) -> None:
+    told = {"do": "worksheet", "text": ladder, "format": "prairielearn"}
+    several, [one] = (asked(**told, packed=packed)["ok"]["files"] for packed in (False, True))
+    names = ZipFile(BytesIO(b64decode(one["content"]))).namelist()
+    assert one["name"] == "problem.zip" and names == [file["name"] for file in several] and len(names) > 2
+
+
+def test_another_problem_moves_beside_it(ladder: str) -> None:
+    assert asked(do="explorer", text=ladder, beside="rod-pendulum")["ok"]["html"].count('class="picture"') == 2
+    assert "no problem" in asked(do="explorer", text=ladder, beside="../x")["error"]["what"]

@@ -125,7 +125,8 @@ def test_the_page_does_all_it_is_for() -> None:
     assert seen["edited"] == 3
     assert "bodies.other has no “shape”" in seen["fault"]
     assert seen["panel"].splitlines()[1:3] == ["    [bodies.other]", "            ^^^^^"]
-    assert seen["completed"] and seen["explorer"] and seen["linked"]
+    assert seen["completed"] and seen["explorer"] and seen["released"] and seen["linked"]
+    assert seen["pdf"] == ["sliding-ladder.pdf", "%PDF-"]
     assert seen["export"][0].endswith(".tex")
     assert "REFUTED" in seen["check"]
     assert "wrong" in seen["tutor"] and "2 times what it should be" in seen["tutor"]
