@@ -24,6 +24,7 @@ KINDS: Mapping[str, str] = {
     ".wasm": "application/wasm",
     ".zip": "application/zip",
     ".woff2": "font/woff2",
+    ".otf": "font/otf",
 }
 ASKED_AGAIN = ("index.html", "sw.js", "frame.html")  # the names of the others change with their content
 

@@ -66,6 +66,11 @@ def test_only_its_own_files_are_served(small: int, path: str, host: str, status:
     connection.close()
 
 
+@needs_page
+def test_every_file_of_the_page_has_a_kind() -> None:
+    assert {path.suffix for path in serving.site(BUILT).values()} <= serving.KINDS.keys()
+
+
 def test_without_the_page_it_is_said_how_to_get_it(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "rbpsym", "studio", "--site", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False, cwd=ROOT)
