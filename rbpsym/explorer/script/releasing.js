@@ -39,7 +39,7 @@ function lineShown() {
   Object.assign(input, { min: -size, max: size, step: size / 100, disabled: !state.change.force });
   input.value = state.change.aside;
   input.setAttribute("aria-valuetext", shown(state.change.aside) + " m");
-  const [key, on] = [state.change.force, state.change.force.split("@")[1]], stated = state.stated[0];
+  const [key, on] = [state.change.force, state.change.force.split("@")[1]], stated = state.change.aside && new Motion(MODELS[0], numbersOf(MODELS[0]), { ...state.change, aside: 0 });
   byId("line-told").textContent = !key || !state.change.aside || !stated ? "" : told(sameCentre(motion, stated, on) ? "line_same" : "line_other", { body: motion.data.bodies[on] });
 }
 
