@@ -43,7 +43,7 @@ def combined(search: Search, goal: Scalar, rows: Sequence[Scalar]) -> list[Scala
         if any(value.den.atoms() & unknown for value in (goal, *rows)):
             continue
         factors = [_whole(search, value) for value in _factors_of(search, goal, rows, unknown) or ()]
-        if factors and all(stays(search, Scalar(value.den)) and not _swings_below(value, speeds) for value in factors):
+        if factors and all(stays(search, part) for value in factors for part in _under(value)):
             return factors
     return None
 
@@ -54,9 +54,10 @@ def _whole(search: Search, value: Scalar) -> Scalar:
     return next((form for form in forms if not any(e < 0 and is_wave(i) for m in form.num.terms for i, e in m)), value)
 
 
-def _swings_below(value: Scalar, speeds: set[int]) -> bool:
-    """Whether it is divided by a speed."""
-    return any(exponent < 0 and index in speeds for monomial in value.num.terms for index, exponent in monomial)
+def _under(value: Scalar) -> Iterator[Scalar]:
+    """What it is divided by."""
+    yield Scalar(value.den)
+    yield from (Scalar(generator(i)) for i in sorted({i for m in value.num.terms for i, e in m if e < 0}))
 
 
 def _factors_of(search: Search, goal: Scalar, rows: Sequence[Scalar], letters: Collection[int]) -> list[Scalar] | None:

@@ -14,7 +14,7 @@ from rbpsym.cli import main
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field.scalar import symbol
-from rbpsym.kernel.certificates import Lemma, reduced
+from rbpsym.kernel.certificates import Lemma, formulas, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.claims import AHEAD
@@ -64,6 +64,18 @@ def test_a_lemma_names_only_what_its_step_lists(name: str) -> None:
         for lemma in lemmas:
             listed = lemma.premises.keys() - ranges.keys()
             assert {premise.rpartition("'")[0] for premise in listed} <= set(map(identifier, allowed)), lemma.name
+
+
+@each_problem
+def test_nothing_is_divided_by_a_letter_that_a_premise_says_to_vanish(name: str) -> None:
+    """A work is no multiple of 1/τ where τ = 0 (the factors of linear algebra were not looked through for negative powers)."""
+    for lemma in (lemma for each in found(name).lemmas.values() for lemma in each):
+        gone = {item.left.name for item in lemma.premises.values() if item.right == t.ZERO and isinstance(item.left, t.Sym)
+                and item.kind == "equal"}  # fmt: skip
+        for part in (part for node in formulas(lemma.proof) for part in t.walk(node)):
+            is_power = isinstance(part, t.Pow) and isinstance(part.exponent, t.Num) and part.exponent.value < 0
+            below = part.den if isinstance(part, t.Div) else part.base if is_power else t.ONE
+            assert not gone & t.names(below), (lemma.name, below)
 
 
 @pytest.mark.parametrize("name", ["rod-with-spring", "four-bar-linkage", "double-compound-pendulum"])
