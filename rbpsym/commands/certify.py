@@ -20,8 +20,9 @@ USUAL = Path("build", "rocq")
 @click.argument("names", metavar="[NAME|FILE]...", type=ShelfName("problem"), nargs=-1)
 @click.option("--all", "every", is_flag=True, help="Every problem that ships.")
 @click.option("--output", "-o", type=FOLDER, help="Folder of the files (build/rocq).")
+@click.option("--coqchk", "check", is_flag=True, help="Have coqchk check what coqc compiled (takes longer).")
 @click.option("--no-cache", is_flag=True, help="Compile everything anew.")
-def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: bool) -> int:
+def command(names: tuple[str, ...], every: bool, output: Path | None, check: bool, no_cache: bool) -> int:
     """Write each step of problems as a lemma for Rocq, from its listed premises alone; coqc, if it is there, checks them.
 
     \b
@@ -46,7 +47,7 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, no_cache: 
     paths = list(problem_files().values()) if every else [found(name, ("problem",))[1] for name in names]
     folder, each, many = None if no_cache else default_folder(), [], every or len(names) > 1
     for path in paths:
-        each.append(certified(path, output if many else output or USUAL, folder))
+        each.append(certified(path, output if many else output or USUAL, folder, check=check))
         click.echo("\n".join(lines(each[-1], f"{path.stem}: " if many else "")))
     is_whole = all(report.is_sound for report in each) and (many or not each[0].refused)
     return 0 if is_whole else 1
@@ -59,7 +60,7 @@ def report_on(path: Path) -> Report:
     return certified(path, None, default_folder())
 
 
-def certified(path: Path, output: Path | None, folder: Path | None) -> Report:
+def certified(path: Path, output: Path | None, folder: Path | None, *, check: bool = False) -> Report:
     """The report on a problem; its files are written if there is an `output`. What was found before stands in `folder`."""
     from rbpsym.claims.run import digest, engine
     from rbpsym.commands.progress import Progress
@@ -81,11 +82,11 @@ def certified(path: Path, output: Path | None, folder: Path | None) -> Report:
         for file in write_all(output, {**prelude, **texts}) if output is not None else ():
             click.echo(str(file))
         with Progress("coqc"):
-            return together((part, compiled(done, folder)) for part, _, done in each)
+            return together((part, compiled(done, folder, check=check)) for part, _, done in each)
 
     if output is not None:
         return found()
-    return reported(folder, digest(engine(), PRELUDE.read_bytes(), path.read_bytes()), found)
+    return reported(folder, digest(engine(), PRELUDE.read_bytes(), path.read_bytes(), str(check)), found)
 
 
 def lines(report: Report, name: str = "") -> Iterator[str]:
@@ -96,4 +97,6 @@ def lines(report: Report, name: str = "") -> Iterator[str]:
     if report.axioms is None:
         yield f"{count} written as {report.lemmas} lemmas; nothing is certified: there is no coqc (apt: coq libcoq-coquelicot)"
     else:
-        yield f"{count} certified by coqc, {report.lemmas} lemmas in {report.seconds:.0f} s; axioms: {', '.join(report.axioms)}"
+        told = {None: "", True: "; coqchk agrees", False: "; coqchk does not agree"}[report.checked]
+        axioms = ", ".join(report.axioms)
+        yield f"{count} certified by coqc, {report.lemmas} lemmas in {report.seconds:.0f} s; axioms: {axioms}{told}"

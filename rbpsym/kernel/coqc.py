@@ -24,6 +24,7 @@ from rbpsym.kernel.rocq import REFUSED
 PRELUDE = Path(__file__).with_name("Prelude.v")
 NOT_ACCEPTED = "coqc does not accept its proof"
 LONGEST = 900  # seconds that coqc may take for one file
+CHECKED = ("-silent", "-norec", "Prelude", "-norec", "Steps")  # what is written, and not the libraries below it once more
 AXIOMS = frozenset((  # of the real numbers (the last for their arctangent), and that functions are equal that have equal values
     "ClassicalDedekindReals.sig_not_dec",
     "ClassicalDedekindReals.sig_forall_dec",
@@ -33,13 +34,15 @@ AXIOMS = frozenset((  # of the real numbers (the last for their arctangent), and
 
 
 class Report(Frozen):
-    """refused: why a step is not certified, by its id; axioms: what the accepted lemmas rest on; None: no coqc."""
+    """refused: why a step is not certified, by its id; axioms: what the accepted lemmas rest on; None: no coqc. checked:
+    whether coqchk, which checks compiled proofs alone, agrees; None: it was not asked."""
 
     steps: int
     lemmas: int
     refused: dict[str, str]
     axioms: tuple[str, ...] | None = None
     seconds: float = 0.0
+    checked: bool | None = None
 
     def is_certified(self, id: str) -> bool:
         """Whether coqc accepted a step, by its id with the phase before it."""
@@ -53,7 +56,8 @@ class Report(Frozen):
     @property
     def is_sound(self) -> bool:
         """Whether coqc accepts all that is written, from no axioms but those of the reals."""
-        return NOT_ACCEPTED not in self.refused.values() and {*(self.axioms or ())} <= AXIOMS
+        is_accepted = NOT_ACCEPTED not in self.refused.values() and self.checked is not False
+        return is_accepted and {*(self.axioms or ())} <= AXIOMS
 
 
 def together(reports: Iterable[tuple[str, Report]]) -> Report:
@@ -63,7 +67,8 @@ def together(reports: Iterable[tuple[str, Report]]) -> Report:
     each = [report.axioms for _, report in told]
     axioms = None if None in each else tuple(dict.fromkeys(axiom for one in each for axiom in one or ()))
     steps, lemmas = (sum(getattr(report, name) for _, report in told) for name in ("steps", "lemmas"))
-    return Report(steps, lemmas, every, axioms, sum(report.seconds for _, report in told))
+    checked = None if any(report.checked is None for _, report in told) else all(report.checked for _, report in told)
+    return Report(steps, lemmas, every, axioms, sum(report.seconds for _, report in told), checked)
 
 
 def has_coqc() -> bool:
@@ -71,22 +76,23 @@ def has_coqc() -> bool:
     return shutil.which("coqc") is not None
 
 
-def compiled(found: Written, folder: Path | None = None) -> Report:
-    """The report of coqc; lemmas that it does not accept are found in one more pass, and left out in a third. What it said
-    before of the same text is taken from the folder, if one is given."""
+def compiled(found: Written, folder: Path | None = None, *, check: bool = False) -> Report:
+    """The report of coqc, and of coqchk if there is to be a `check`; lemmas that are not accepted are found in one more pass,
+    and left out in a third. What was said before of the same text is taken from the folder, if one is given."""
     refused, lemmas = dict(found.refused), sum(map(len, found.lemmas.values()))
     report = Report(len(found.lemmas) + len(found.refused), lemmas, refused)
     if not has_coqc():
         return report
     whole = text(found)
-    said = kept(folder, digest(version(), PRELUDE.read_bytes(), whole), lambda: _said(found, whole))
+    key = digest(version(), PRELUDE.read_bytes(), whole, *(["coqchk"] if check else []))
+    said = kept(folder, key, lambda: _said(found, whole, check))
     bad = {*said["bad"]}
     refused |= {id: NOT_ACCEPTED for id, own in found.lemmas.items() if {lemma.name for lemma in own} & bad}
-    return replace(report, axioms=tuple(said["axioms"]), seconds=said["seconds"])
+    return replace(report, axioms=tuple(said["axioms"]), seconds=said["seconds"], checked=said.get("checked"))
 
 
-def _said(found: Written, whole: str) -> dict[str, Any]:
-    """The lemmas that coqc does not accept, the axioms of the others, and how long it took."""
+def _said(found: Written, whole: str, check: bool) -> dict[str, Any]:
+    """The lemmas that coqc does not accept, the axioms of the others, how long it took, and whether coqchk agrees."""
     begin, bad = time.perf_counter(), []
     [done] = with_prelude([whole])
     if done.returncode:
@@ -95,7 +101,8 @@ def _said(found: Written, whole: str) -> dict[str, Any]:
         if done.returncode:
             raise RbpsymError(f"coqc does not read the written file: {done.stderr[-400:]}")
     axioms = re.findall(r"^([\w.']+)\s*:", done.stdout.partition("Axioms:")[2], re.MULTILINE)
-    return {"bad": bad, "axioms": axioms, "seconds": time.perf_counter() - begin}
+    checked = _run(Path(_desk().name), *CHECKED, program="coqchk").returncode == 0 if check else None
+    return {"bad": bad, "axioms": axioms, "seconds": time.perf_counter() - begin, "checked": checked}
 
 
 def kept(folder: Path | None, key: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
@@ -129,7 +136,7 @@ def _desk() -> tempfile.TemporaryDirectory[str]:
     """A folder with the compiled prelude, for all files of a run."""
     made = tempfile.TemporaryDirectory()
     shutil.copy(PRELUDE, made.name)
-    _run(Path(made.name), PRELUDE.name)
+    _run(Path(made.name), "-q", PRELUDE.name)
     return made
 
 
@@ -138,12 +145,12 @@ def with_prelude(contents: Iterable[str]) -> list[subprocess.CompletedProcess[st
     folder, found = Path(_desk().name), []
     for content in contents:
         (folder / "Steps.v").write_text(content, encoding="utf-8")
-        found.append(_run(folder, "Steps.v"))
+        found.append(_run(folder, "-q", "Steps.v"))
     return found
 
 
-def _run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
+def _run(folder: Path, *words: str, program: str = "coqc") -> subprocess.CompletedProcess[str]:
     try:
-        return subprocess.run(["coqc", "-q", name], cwd=folder, capture_output=True, text=True, timeout=LONGEST, check=False)
+        return subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, timeout=LONGEST, check=False)
     except subprocess.TimeoutExpired as error:
-        raise RbpsymError(f"coqc takes more than {LONGEST} seconds") from error
+        raise RbpsymError(f"{program} takes more than {LONGEST} seconds") from error

@@ -11,6 +11,7 @@ import pytest
 from click.testing import CliRunner
 
 from rbpsym.cli import main
+from rbpsym.commands.certify import lines
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field.scalar import symbol
@@ -18,7 +19,7 @@ from rbpsym.kernel.certificates import Lemma, formulas, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
 from rbpsym.kernel.claim import Claim
 from rbpsym.kernel.claims import AHEAD
-from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, with_prelude
+from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, together, with_prelude
 from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.rocq import REFUSED, identifier
 from tests.kernel.spoiling import attempted, draws
@@ -178,6 +179,19 @@ def test_a_wrong_proof_is_reported_by_its_step() -> None:
     wrong = spoilt(right, 1, t.ONE)
     told = compiled(Written(whole.source, {"balance.ladder": [wrong], "energy": whole.lemmas["energy"]}, {"rest": "why"}))
     assert set(told.refused) == {"balance.ladder", "rest"} and told.steps == 3
+
+
+@needs_coqc
+def test_coqchk_agrees_with_what_is_compiled() -> None:
+    whole = found("sliding-ladder")
+    told = compiled(Written(whole.source, {"energy": whole.lemmas["energy"]}), check=True)
+    assert told.checked and told.is_sound and told.axioms
+
+
+def test_a_report_with_which_coqchk_does_not_agree_is_not_sound() -> None:
+    told = [together([("", replace(SOME, checked=True)), ("phase2.", replace(SOME, checked=agrees))]) for agrees in (True, False)]
+    assert [report.is_sound for report in told] == [True, False]
+    assert [[*lines(report)][-1].rpartition("; ")[2] for report in told] == ["coqchk agrees", "coqchk does not agree"]
 
 
 # --- the command

@@ -19,6 +19,7 @@ from tests.library.derived import unsimulated
         ("cylinder-off-cylinder", ("friction.N",)),  # what stands below is N by a factor, and N > 0 is the condition
         ("crate-on-truck", ("friction.N_r",)),  # a sum of forces stands below
         ("rod-on-turntable", ("position.rod", "reaction.A_x")),  # ωt here, tω there
+        ("bead-on-rotating-rod", ("theorem.T.rod",)),  # at the start the angle is 0·Ω
     ],
 )
 def test_coqc_accepts_it(name: str, ids: tuple[str, ...]) -> None:
