@@ -38,7 +38,16 @@ Decide = Callable[[t.Chain, Ground], Link]
 
 def relations(node: t.Node) -> Iterator[t.Chain]:
     """The single relations that a chain or a system asserts."""
-    return (t.relation(*one) for one in t.relations(node))
+    return (relation for relation, _ in asserted(node))
+
+
+def asserted(node: t.Node, conditions: tuple[t.Node, ...] = ()) -> Iterator[tuple[t.Chain, tuple[t.Node, ...]]]:
+    """The single relations, each with the conditions under which it is said to hold."""
+    if isinstance(node, t.System):
+        for row in node.rows:
+            yield from asserted(row, (*conditions, *node.conditions))
+    else:
+        yield from ((t.relation(*one), conditions) for one in t.relations(node))
 
 
 def premises(given: Iterable[tuple[Printed, t.Node]], ground: Ground) -> dict[str, Scalar]:
@@ -131,6 +140,8 @@ def _bounded(low: t.Node, high: t.Node, ground: Ground, given: Assumptions) -> A
         if kind is None:
             return None
         ends[end] = value if kind == "positive" else ends[end]
+        if None not in ends and sign(ends[1] - ends[0], given).kind != "positive":
+            return None  # no state is there, and of none anything could be said
         return given.with_range(name, *ends)
     return None
 
@@ -211,9 +222,9 @@ class Checker(Frozen):
 
     def links(self, node: t.Node, claim: Claim, ground: Ground, latex: str = "") -> Iterator[Link]:
         """The outcome of each relation that the formula asserts."""
-        solved, narrow = told(ground), under(getattr(node, "conditions", ()), ground)
-        for place, relation in enumerate(relations(node)):
-            link = narrow(relation, lambda relation, ground: decide(relation, ground, claim.holds))
+        solved = told(ground)
+        for place, (relation, conditions) in enumerate(asserted(node)):
+            link = under(conditions, ground)(relation, lambda relation, ground: decide(relation, ground, claim.holds))
             link = replace(link, how=", ".join(filter(None, (link.how, solved))))
             if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
                 found = self.diagnose(relation, claim, ground)

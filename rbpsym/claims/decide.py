@@ -163,18 +163,19 @@ def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdi
 
 
 def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
-    """a ≈ b for small values of the one coordinate, with its speed, in which they differ; at any depth."""
-    found = undecided("it is not clear which quantity is small")
+    """a ≈ b for small values of one coordinate, with its speed, in which they differ, or of all of them; at any depth."""
+    found = undecided("nothing was tried")
     for depth in question.depths:
         sides = [question.seen(side, depth) for side in (a, b)]
-        small = [name for name in question.motion.scope.start if depends_on(sides[0] - sides[1], name)]
-        if len({name.removesuffix("_dot") for name in small}) > 1:
-            found = undecided("it is not clear which quantity is small")
-            continue
-        found = _to_first_order(sides, small, question)
-        if found.is_proved:
-            first = f"equal to first order in {' and '.join(small)}" if small else ""
-            return proved(", ".join(filter(None, (HOW[depth] if depth != "identity" or not small else "", first))))
+        moving = [name for name in question.motion.scope.start if depends_on(sides[0] - sides[1], name)]
+        each = {name.removesuffix("_dot"): [] for name in moving}
+        for name in moving:
+            each[name.removesuffix("_dot")].append(name)
+        for small in (*each.values(), moving) if len(each) != 1 else (moving,):
+            found = _to_first_order(sides, small, question)
+            if found.is_proved:
+                first = f"equal to first order in {' and '.join(small)}" if small else ""
+                return proved(", ".join(filter(None, (HOW[depth] if depth != "identity" or not small else "", first))))
     return found
 
 

@@ -11,16 +11,17 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from rbpsym.claims.check import decide
+from rbpsym.claims.decide import equal_to_first_order, is_constant
 from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
 from rbpsym.claims.diagnosis_numbers import TOLERANCE, samples
-from rbpsym.claims.ground import Ground, Question, holds_unknowns
-from rbpsym.claims.integrals import prepared
+from rbpsym.claims.ground import HOW, Ground, Question, holds_unknowns
+from rbpsym.claims.integrals import prepared, valued
 from rbpsym.claims.model import Claim, Outcome
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.places import Path, put, sites
-from rbpsym.field import Scalar, depends_on, symbol
+from rbpsym.field import NOTHING, Scalar, Space, depends_on, derivative, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.present.forms import present
@@ -58,6 +59,8 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
     """The first repair that is PROVED; what is true of a symbol that stands alone if none is."""
     if relation.ops != ("=",):
         return Diagnosis()
+    if told := _said_otherwise(relation, claim, ground):
+        return Diagnosis(told)
     loose = any(ground.kind(name) in ("constant", "up to a constant") for name in t.names(relation))  # then numbers say nothing
     looks = [] if loose else samples(Question(ground, claim.holds), relation=relation)
     decided, unseen, most = 0, 0, MOST_LOOSE if loose else MOST_UNSEEN
@@ -70,9 +73,35 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
             continue
         decided += seen is True
         link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
-        if link.outcome is Outcome.PROVED:
+        if link.outcome is Outcome.PROVED and not (t.ZERO in repair.relation.items and link.how == HOW["identity"]):  # 0 = 0
             return Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
     return Diagnosis(_actual(relation, ground))
+
+
+def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> str:
+    """What makes the relation true as it stands, if it is said so: to first order, or up to a constant; else ""."""
+    question = Question(ground, claim.holds, False)
+    try:
+        sides = [valued(side, ground) for side in relation.items]
+        if any(isinstance(side, Space) for side in sides):
+            return ""
+        gap = sides[0] - sides[1]
+        names = [latex for latex, meaning in claim.setting.symbols.items() if ENERGY.fullmatch(meaning.phrase)]
+        alone = {side.name for side in relation.items if isinstance(side, t.Sym)}
+        for latex in names:
+            if ground.glossary.names[latex][0] in alone and is_constant(gap, question, ("identity",)):
+                asked = f"is {latex} the {claim.setting.symbols[latex].phrase}, up to a constant?"
+                return f"{FACT} the sides differ by a constant, {to_text(present(gap))}: {asked}"
+        small = [name for name in question.motion.scope.start if depends_on(gap, name)]
+        slopes = (substitute(derivative(side, name), dict.fromkeys(small, NOTHING)) for side in sides for name in small)
+        if any(slopes) and equal_to_first_order(*sides, question).is_proved:
+            return f"{FACT} it holds to first order in {' and '.join(to_text(t.Sym(name)) for name in small)}: write \\approx"
+    except (RbpsymError, ZeroDivisionError):
+        pass
+    return ""
+
+
+ENERGY = re.compile(r"(?:(?:total |mechanical |potential )*energy|Lagrangian)(?: of .+)?")
 
 
 FACT = "in fact"  # begins a diagnosis that is no near miss
@@ -124,7 +153,7 @@ def _repairs(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair
 
 
 def _signs(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in terms(relation):
+    for path, node in sorted(terms(relation), key=lambda item: item[0][-1] == ("terms", 0)):  # first those with a sign in front
         yield Repair(put(relation, path, t.neg(node)), f"sign of {to_text(node)}")
 
 
@@ -157,6 +186,8 @@ def _times(factor: Fraction, node: t.Node) -> t.Node:
         return t.mul(t.Num(number * factor), *node.factors[1:])
     if isinstance(node, t.Neg):
         return t.neg(_times(factor, node.arg))
+    if isinstance(node, t.Div) and t.names(node.num) and factor.denominator == 1:
+        return replace(node, num=_times(factor, node.num), span=None)
     return t.mul(t.Num(factor), node)
 
 

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from rbpsym.claims.diagnosis import Diagnosis
 
 MOST = 20_000
+MOST_DIAGNOSIS = 400_000  # of them for what a refuted relation means
 MOST_WORK = 200_000_000  # products of terms for a formula: a limit that is the same on every machine
 NAME = "certificates.json"
 _PACKAGE = Path(__file__).resolve().parent.parent
@@ -296,9 +297,13 @@ def checker(file: ClaimsFile, cache: Certificates) -> Remembering:
 
 
 def _diagnosed(relation: Chain, claim: Claim, ground: Ground) -> Diagnosis:
-    from rbpsym.claims.diagnosis import diagnosis
+    from rbpsym.claims.diagnosis import Diagnosis, diagnosis
 
-    return diagnosis(relation, claim, ground)
+    try:
+        with granted(MOST_DIAGNOSIS):
+            return diagnosis(relation, claim, ground)
+    except WorkSpent:
+        return Diagnosis()
 
 
 def check_claims(file: ClaimsFile, cache: Certificates) -> Iterator[Result]:

@@ -227,10 +227,10 @@ def _elongation(world: ProblemWorld, sign: int, name: str) -> Bound:
     return number((length - scalar(springs[name]["natural_length"])) * sign)
 
 
-def _energy(world: ProblemWorld, loose: str | None) -> Bound:
+def _energy(world: ProblemWorld) -> Bound:
     if world.study.first_integral is None:
         raise StatementError(f"“{world.study.problem.name}” has no energy integral")
-    return Bound(world.study.first_integral, kind="up to a constant" if loose else "value")
+    return Bound(world.study.first_integral)
 
 
 def _with_stored(sense: int) -> Callable[[ProblemWorld], Bound]:
@@ -293,6 +293,7 @@ PHRASES: tuple[Phrase, ...] = (
     *VECTORS,
     (r"kinetic energy of (?:the )?system relative to its centre of mass", _relative,
      "kinetic energy of the system relative to its centre of mass"),
+    (r"(.+), up to a constant", lambda world, phrase: Bound(world.bound(phrase).number, kind="up to a constant"), ""),
     (r"minus (.+)", _minus, "minus work of FORCE"),
     (r"magnitude of (.+)", _magnitude, "magnitude of velocity of BODY.cm"),
     (r"([xyz]) component of (.+)", _component, "x component of velocity of BODY.cm"),
@@ -323,7 +324,7 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"(?:total )?potential energy(?: of {_B})?", _potential, "potential energy"),
     (r"(?:elongation|stretch|extension) of (\w+)", lambda world, name: _elongation(world, 1, name), "elongation of FORCE"),
     (r"compression of (\w+)", lambda world, name: _elongation(world, -1, name), "compression of FORCE"),
-    (r"energy(, up to a constant)?", _energy, "energy"),
+    (r"energy", _energy, "energy"),
     (r"Lagrangian", _with_stored(-1), "Lagrangian"),
     (r"(?:total )?mechanical energy", _with_stored(1), "mechanical energy"),
     (r"energy of motion, weights and springs", _own_energy, "energy of motion, weights and springs"),

@@ -5,7 +5,7 @@ import pytest
 from rbpsym.claims.check import Checker
 from rbpsym.claims.diagnosis import diagnosis
 from rbpsym.claims.loader import load_claims
-from rbpsym.claims.model import Outcome, Printed
+from rbpsym.claims.model import Claim, Meaning, Outcome, Printed, Setting
 from rbpsym.claims.run import Worlds
 from rbpsym.statement.library import library_folder
 
@@ -42,6 +42,21 @@ def test_a_near_miss_is_named(name, latex, words):
     )
     assert found.outcome is Outcome.REFUTED
     assert words in found.diagnosis
+
+
+@pytest.mark.parametrize(
+    ("latex", "told"),
+    [
+        (r"\alpha = -\frac{3g}{2\ell}\theta", r"in fact it holds to first order in θ: write \approx"),
+        (r"V = \frac12 Mg\ell(1-\cos\theta)", "is V the potential energy, up to a constant?"),
+        (r"V = -Mg\ell\cos\theta", "factor"),
+    ],
+)
+def test_what_is_true_if_it_is_said_otherwise_is_no_near_miss(latex, told):
+    symbols = {r"\alpha": Meaning("acceleration of theta"), "V": Meaning("potential energy")}
+    checker = Checker(Worlds(), diagnosis)
+    found = checker.check(Claim("c", Setting("s", "rod-pendulum", symbols=symbols), Printed(latex)))
+    assert found.outcome is Outcome.REFUTED and told in found.diagnosis
 
 
 def test_what_is_far_off_is_told_what_it_is():

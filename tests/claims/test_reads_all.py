@@ -35,6 +35,7 @@ ROWS = [
     (r"K(\theta) = K\theta", "NOT PROVED"),
     (r"K(\theta) = \frac16 M\ell^2\omega^2", PROVED),
     (r"\theta(t) = \theta", PROVED),
+    (r"K(\theta(t)) = \frac16 M\ell^2\omega^2", PROVED),
     (r"K = \frac16 M\ell^2\omega^2, 12Mg\ell", Outcome.UNREAD),
     (r"\alpha = -\frac{3g}{2\ell}\sin\theta \quad\quad K = \frac16 M\ell^2\omega^2", PROVED),
     (r"\alpha = -\frac{3g}{2\ell}\sin\theta \quad\quad K = 2 M\ell^2\omega^2", REFUTED),
@@ -49,6 +50,16 @@ ROWS = [
     (r"|\sin\theta| = \sin\theta \qquad -1<\theta<\frac{\pi}{2}", "NOT PROVED"),
     (r"\sin\theta > 0 \text{ if } 0\le\theta<\frac{\pi}{2}", UNDECIDED),
     (r"\sin\theta > 0 \text{ if } 0<\theta<\frac{\pi}{2}", PROVED),
+    (r"|\sin\theta| = \sin\theta \text{ if } \theta>0 \\ |\sin\theta| = -\sin\theta \text{ if } \theta<0", PROVED),
+    (r"|\sin\theta| = \sin\theta \text{ if } \theta>0 \\ |\sin\theta| = \sin\theta \text{ if } \theta<0", REFUTED),
+    (r"|\theta| = \theta \text{ if } \theta>1, \theta<0", UNDECIDED),  # there is no such state
+    (r"V(2\ell) = 0", Outcome.UNREAD),
+    (r"\theta(\frac{\pi}{2}) = 0", Outcome.UNREAD),
+    (r"K(2\ell) = \frac16 M\ell^2\omega^2", Outcome.UNREAD),
+    (r"K = \frac16 M\ell^2\omega^2 + o(\theta^2)", Outcome.UNREAD),
+    (r"\dot K = \frac13 M\ell^2\omega\alpha", PROVED),
+    (r"\dot K = \frac16 M\ell^2\omega\alpha", REFUTED),
+    (r"\alpha = -\frac{3g}{2\ell}sin\theta = -\frac{3g}{2\ell}sin{(\theta)}", PROVED),
     (r"\alpha \approx -\frac{3g}{2\ell}\theta", PROVED),
     (r"\alpha \approx -\frac{3g}{\ell}\theta", REFUTED),
     (r"\sin\theta \approx \theta", PROVED),
@@ -89,6 +100,24 @@ def under(latex, *given):
 def test_a_premise_is_solved_for_what_stands_in_it_and_contradicts_no_sign(latex, given, wanted):
     found = under(latex, given)
     assert found.outcome is wanted, found
+
+
+@pytest.mark.parametrize(
+    ("latex", "phrase", "wanted"),
+    [
+        (r"V = \frac12 Mg\ell(1-\cos\theta)", "potential energy, up to a constant", PROVED),
+        (r"V = Mg\ell(1-\cos\theta)", "potential energy, up to a constant", REFUTED),
+        (r"V = \frac16 M\ell^2\omega^2 + \frac12 Mg\ell(1+\cos\theta)", "Lagrangian, up to a constant", PROVED),
+        (r"\ddot V \approx -\frac32 g\theta", "ell*theta", PROVED),
+    ],
+)
+def test_what_is_known_up_to_a_constant_and_the_rates_of_what_is_bound(latex, phrase, wanted):
+    assert result(latex, "rod-pendulum", PENDULUM | {"V": phrase}).outcome is wanted
+
+
+def test_small_coordinates_are_told():
+    found = result(r"\sin(\theta_1 - \theta_2) \approx \theta_1 - \theta_2", "spring-coupled-pendulums")
+    assert found.outcome is PROVED and "first order in theta_1 and theta_2" in found.links[0].how
 
 
 def test_it_is_told_for_what_a_premise_is_solved():

@@ -17,9 +17,10 @@ from pathlib import Path
 from rbpsym.claims.ground import glossary
 from rbpsym.claims.loader import HOLDS
 from rbpsym.claims.model import EXPECTATIONS, Claim, Meaning, Printed, Setting
+from rbpsym.claims.papers.macros import expanded
 from rbpsym.claims.papers.source import Note
 from rbpsym.claims.papers.walk import Formula, Paper
-from rbpsym.errors import ReadError
+from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.source import did_you_mean
 
@@ -107,7 +108,7 @@ class _Reader:
 
     def _given(self, note: Note, value: str) -> None:
         """An equation that is assumed: by the claim above it, or by all that follows."""
-        printed = Printed(value, note.place)
+        printed = Printed(self._own(note, value), note.place)
         for place in self.latest:
             formula, claim = self.found[place]
             setting = replace(claim.setting, given=(*claim.setting.given, printed))
@@ -133,9 +134,17 @@ class _Reader:
             raise ReadError(f"there is no problem “{name[:60]}” beside the text", place=note.place)
         return str(target)
 
+    def _own(self, note: Note, latex: str) -> str:
+        """What a comment prints, with the macros of the text put in. Raises ReadError."""
+        try:
+            return expanded(latex, self.paper.macros)
+        except RbpsymError as error:
+            raise ReadError(error.what, instead=error.instead, place=note.place) from None
+
     def _mean(self, note: Note, symbol: str, phrase: str) -> None:
         setting = self._current(note)
-        symbols = {**setting.symbols, symbol.strip("$ "): Meaning(phrase.rstrip("."), note.place)}
+        drawn = self._own(note, symbol.strip("$ "))
+        symbols = {**setting.symbols, drawn: Meaning(phrase.rstrip("."), note.place)}
         made = replace(setting, symbols=symbols)
         glossary(made.symbols)  # a symbol that is none is told here
         self.scopes.append(Scope(note.offset, made))
@@ -169,7 +178,8 @@ class _Reader:
             raise ReadError(f"“{key}” can't be “{value[:40]}”", instead=did_you_mean(value, words, "words"), place=note.place)
         for place in self.latest:
             formula, claim = self.found[place]
-            self.found[place] = formula, replace(claim, **{key: Printed(value, note.place) if key == "right" else value})
+            said = Printed(self._own(note, value), note.place) if key == "right" else value
+            self.found[place] = formula, replace(claim, **{key: said})
 
     def claims(self) -> Iterator[tuple[Formula, Claim]]:
         """The claims with names that stay while the text around them changes: label, or the place in their file."""

@@ -177,9 +177,16 @@ def _of_section(paper: Paper, worlds: Worlds) -> list[tuple[Formula, list[str]]]
     head = [f": problem = {best.problem}"] if best.problem else ["? problem = NAME"]
     head += [f": {symbol} is the {phrase}" for symbol, phrase in bound if own.get(drawn_name(symbol)) != phrase]
     head += [f"? {fit.problem} fits too, {len(fit.formulas)} displays" for fit in others if fit.problem]
-    unknown = (symbol for symbol in every if symbol not in best.symbols and drawn_name(symbol) not in own)
+    drawn = {symbol: drawn_name(symbol) for symbol in every}
+    rates = {symbol for symbol, found in drawn.items() if found and found[0].dots and _still(found) in drawn.values()}
+    unknown = (symbol for symbol in every if symbol not in best.symbols and drawn[symbol] not in own and symbol not in rates)
     head += [f"? {symbol} is {_guess(symbol)}" for symbol in unknown]
     return [*((formula, head) for formula in displays[:1]), *((formula, [": claim"]) for formula in best.formulas)]
+
+
+def _still(drawn: tuple[Drawn, bool]) -> tuple[Drawn, bool]:
+    """The symbol whose rate it is."""
+    return replace(drawn[0], dots=0), drawn[1]
 
 
 def _guess(symbol: str) -> str:

@@ -185,14 +185,18 @@ class _Files:
                     waiting.append((beside, found[one]))
         return "\n".join(found.values())
 
-    def _wholes(self, path: Path, text: str) -> list[Path]:
-        """The document beside a chapter or above it that puts the chapter in."""
+    def _wholes(self, path: Path, text: str, below: tuple[Path, ...] = ()) -> list[Path]:
+        """The document beside a chapter or above it that puts the chapter in, or a chapter that does."""
         if path.suffix.lower() not in LATEX or _CLASS in text:
             return []
         named = re.compile(rf"\\(?:input|include|subfile|import)[^\n]*?(?<![\w-]){re.escape(path.stem)}(?:\.tex)?\s*\}}")
         near = [one for one in files_above(path.parent, ("*.tex",)) if one.resolve() != path.resolve()][-MAX_FILES:]
         heads = ((one, one.read_bytes()[:MAX_HEAD].decode("utf-8", "replace")) for one in near)
-        return [one for one, said in heads if _CLASS in said and named.search(said)][-1:]
+        naming = [(one, said) for one, said in heads if named.search(said) and one not in below]
+        wholes = [one for one, said in naming if _CLASS in said] or [
+            found for one, said in naming for found in self._wholes(one, said, (*below, path))
+        ]  # fmt: skip
+        return wholes[-1:]
 
     def _definitions(self, path: Path) -> str:
         return "\n".join(_COMMENT.sub(r"\1", line) for line in self._content(path).split("\n"))
@@ -234,7 +238,8 @@ class _Files:
     def _existing(self, beside: Path, below: str, name: str, place: Place) -> Path:
         """The file of this name, beside the text or the file that names it; small letters may stand for large ones."""
         endings = [path.suffix for path in [Path(place.file)] if path.suffix not in ("", ".tex")]
-        tried = [(folder / below / f"{name}{end}") for folder in (self.folder, beside) for end in ("", ".tex", *endings)]
+        above = [one for one in self.folder.parents if one.is_relative_to(run_of(self.folder))]  # a chapter of a document there
+        tried = [(one / below / f"{name}{end}") for one in (self.folder, beside, *above) for end in ("", ".tex", *endings)]
         found = next((one.resolve() for one in tried if one.is_file()), None)
         for one in tried if found is None else ():
             inside = one.parent.resolve().is_relative_to(self.folder) and one.parent.is_dir()

@@ -51,8 +51,8 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     reader.take()
     partial = reader.take().text == "∂"
     order = _order(reader)
-    of = None if reader.sees_sign("}") else expression(reader)
-    if not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
+    of = None if reader.sees_sign("}") or not order else expression(reader)
+    if not order or not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
         reader.position = begin  # the fraction of a length d, or of a differential
         return None
     parts = _below(reader, order)
@@ -80,14 +80,12 @@ def slashed_derivative(reader: LatexReader) -> t.Node | None:
 
 
 def _order(reader: LatexReader) -> int:
-    """The order after the d: 1, or what ^ says."""
+    """The order after the d: 1, or the number that ^ says, 0 for one that is none from 1 to 9."""
     if not reader.pass_sign("^"):
         return 1
-    token = reader.token
     order = argument(reader)
-    if isinstance(order, t.Num) and isinstance(order.value, int) and 1 <= order.value <= 9:
-        return order.value
-    raise reader.error("the order of a derivative is a number from 1 to 9", "", token)
+    small = isinstance(order, t.Num) and isinstance(order.value, int) and 1 <= order.value <= 9
+    return order.value if small else 0
 
 
 def _below(reader: LatexReader, order: int) -> list[tuple[str, int]]:

@@ -56,7 +56,7 @@ SENTENCES: Mapping[str, Sentence] = {
     "condition": ("are these words a condition?", r"Write it as \text{for } x > 0, or as “given” in the claim."),
     "continued": ("what stands on the left of this?", "Write the left side again."),
     "unfinished": ("what stands on the right of this?", "Write the right side too."),
-    "marked": ("only a symbol can have a subscript or prime", "Give all of it a symbol."),
+    "marked": ("only a symbol can have a subscript, prime or mark", "Give all of it a symbol."),
     "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
     "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
     "crossed": ("is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side."),
@@ -65,6 +65,8 @@ SENTENCES: Mapping[str, Sentence] = {
     "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),
     "binomial": ("a binomial coefficient can't be computed", "Write the number."),
     "factorial": ("a factorial can't be computed", "Write the number."),
+    "order": ("terms that are left out have no value", r"Leave them out, and write \approx."),
+    "asked": ("what is asked here?", "Write the formula."),
 }  # fmt: skip
 
 
@@ -94,6 +96,15 @@ def _sign(reader: LatexReader) -> t.Node:
     label = (t.Word(label_after(reader)),) if kind == "∇" and reader.sees_sign("_") else ()
     label = label or ((t.Word(token.text[1:]),) if token.text in _GRADIENTS else ())
     return formal(reader, token.start, kind, *label)
+
+
+@begins(r"\?")
+def _asked(reader: LatexReader) -> t.Node:
+    """What a reader is to find: p = ?"""
+    start = reader.token.start
+    while reader.pass_sign(r"\?"):
+        pass
+    return formal(reader, start, "asked")
 
 
 @begins(r"\forall", r"\exists")

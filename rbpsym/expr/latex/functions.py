@@ -30,7 +30,7 @@ from rbpsym.expr.latex.grammar import (
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.tokens import FUNCTION_WORDS, Token
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
-from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
+from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 
 SIGNS = {
     "=": "=", "<": "<", ">": ">", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~",
@@ -75,7 +75,10 @@ COMMANDS["relation"] = relation
 
 @begins("f()")
 def called(reader: LatexReader) -> t.Node:
-    """A name; in x(t) and V(θ, φ) it is a function of these, and stands for its value there."""
+    """A name; in x(t) and V(θ, φ) it is a function of these, and stands for its value there; O(θ²) are terms left out."""
+    if reader.token.text in ("o", "O") and reader.ahead().text == "(" and Drawn(reader.token.text) not in reader.table.names:
+        start = reader.take().start
+        return reader.spanned(t.Formal("order", (COMMANDS["("](reader),)), start)
     first, name = reader.position, read_name(reader)
     return applied(reader, name, first) if isinstance(name, (t.Sym, t.Vec)) and reader.sees_sign("(") else name
 
@@ -90,6 +93,8 @@ def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False)
         return _value(reader, name)
     found = _arguments(reader)
     end, reader.position = reader.position, begin
+    if found is None and varies and not raised and _is_value(reader, first):
+        return _value(reader, name)
     if found is None or (varies is False and found != [t.ZERO]):
         return name
     constant = any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False)
@@ -115,6 +120,30 @@ def _has_commas(reader: LatexReader) -> bool:
         if not depth:
             break
     return count > 0
+
+
+def _is_value(reader: LatexReader, first: int) -> bool:
+    """Is in the parentheses behind a name a number, or one term that makes no product by its dimension: θ(π/2), v(2R)?
+
+    A product that is all of a side would not be said to be 0 or another number.
+    """
+    depth, inner = 0, []
+    for token in reader.tokens[reader.position :]:
+        depth += (token.text in ("(", "{", "[")) - (token.text in (")", "}", "]"))
+        inner.append(token)
+        if not depth:
+            break
+    if all(token.kind == "digit" or token.text in _NUMERIC for token in inner):
+        return True
+    single = not any(token.text in ("+", "-", *SIGNS) for token in inner) and len(reader.met) < MOST_ASKED
+    sign, other, behind = (reader.ahead(len(inner) + k) for k in range(3))
+    begins = not first or reader.tokens[first - 1].kind == "row" or reader.tokens[first - 1].text in SIGNS
+    if single and begins and sign.text in SIGNS and other.kind == "digit" and behind.kind in ("row", "end"):
+        return True
+    return single and reader.table.faults is not None and reader.decide(_CALLED, _WRITE, yes=1)
+
+
+_NUMERIC = frozenset(("(", ")", "{", "}", "-", ".", "/", r"\frac", "π"))
 
 
 def _value(reader: LatexReader, name: t.Node) -> t.Node:
@@ -166,7 +195,8 @@ def _applied_to(reader: LatexReader) -> t.Node | None:
         return None
     try:
         name = read_name(reader)
-        return name if isinstance(name, (t.Sym, t.Vec)) else None
+        given = not reader.sees_sign("(") or _arguments(reader) is not None  # V(z(t))
+        return name if given and isinstance(name, (t.Sym, t.Vec)) else None
     except RbpsymError:
         is_time = token.kind == "letter" and token.text == "t" and reader.tokens[reader.position - 1] is token
         return _TIME if is_time else None
@@ -211,7 +241,7 @@ def _function(reader: LatexReader) -> t.Node:
             name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
         elif name == "exp" and not (begins_factor(reader) or isinstance(exponent, t.Num)):
             return reader.spanned(t.Fn(name, exponent), token.start)  # \exp^{-t/T}, printed for e^{-t/T}
-        elif name in _INVERSE_POWER or number_of(exponent) is None:
+        elif name in _INVERSE_POWER or (number_of(exponent) is None and not t.names(exponent)):  # sin^n x is no n-th inverse
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
     arg = _argument(reader, token)
@@ -245,8 +275,8 @@ def _argument(reader: LatexReader, head: Token) -> t.Node:
 
 
 def _is_number(node: t.Node) -> bool:
-    """Is it a number or π, of which one hardly takes a sine or cosine if more follows?"""
-    return isinstance(node, t.Num) or node == t.Sym("pi")
+    """Is it a number or π, of which one hardly takes a sine or cosine if more follows? π/4 is an angle."""
+    return node == t.Sym("pi") or all(isinstance(part, (t.Num, t.Div)) for part in t.walk(node))
 
 
 def _is_simple(reader: LatexReader) -> bool:
@@ -278,7 +308,7 @@ def _goes_on(reader: LatexReader, before: t.Node) -> bool:
 def _is_apart(reader: LatexReader, before: t.Node) -> bool:
     """Would one hardly take what follows for a part of the argument?"""
     gap = reader.source.text[reader.previous_end : reader.token.start]
-    apart = isinstance(before, (t.Div, t.Sqrt)) or reader.token.text in _DOTTED
+    apart = (isinstance(before, (t.Div, t.Sqrt)) and not _is_number(before)) or reader.token.text in _DOTTED
     return apart or reader.sees_sign(*_CLOSED) or bool(SPACING.search(gap))
 
 

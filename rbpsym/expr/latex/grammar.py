@@ -27,12 +27,18 @@ def expression(reader: LatexReader) -> t.Node:
         terms = [_evaluated(reader, term_of(reader))]
         while goes_on(reader, "-") or reader.sees_sign("+", *_SIGNED):
             sign = reader.take()
-            term = _evaluated(reader, term_of(reader), start)
+            own = any(map(_is_taken, terms))  # each term has its own bar
+            term = _evaluated(reader, term_of(reader), None if own else start)
             terms.append(_signed(reader, term, sign) if sign.text != "+" else term)
     if _is_differential(terms[-1]) and any(isinstance(part, t.PathIntegral | t.Integral) for part in t.walk(t.Add(tuple(terms)))):
         what = "does this belong to the integral?"
         raise reader.source.error(what, start, reader.previous_end, "Put the integrand in parentheses.")
     return terms[0] if len(terms) == 1 else reader.spanned(t.Add(tuple(terms)), start)
+
+
+def _is_taken(term: t.Node) -> bool:
+    """Is it, or a part of it, taken at a place?"""
+    return any(isinstance(part, t.At) or (isinstance(part, t.Formal) and part.kind in ("at", "between")) for part in t.walk(term))
 
 
 _SIGNED = {"-": "", r"\pm": "±", r"\mp": "∓"}
@@ -234,6 +240,9 @@ def factor(reader: LatexReader) -> t.Node:
         reader.take()
         base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
+        if not isinstance(base, (t.Sym, t.Vec)) and (mark := COMMANDS["mark"](reader)):
+            base = reader.spanned(t.Formal("marked", (base, t.Word(mark))), start)
+            continue
         reader.take()
         exponent = _exponent(reader)
         transposed = exponent == t.Sym("T") and is_vector(base)

@@ -52,6 +52,9 @@ def read_name(reader: LatexReader) -> t.Node:
 def _over_several(reader: LatexReader) -> t.Node:
     """An accent over more than a letter, \\overline{v^2}. Raises ReadError for what begins otherwise."""
     head = reader.take()
+    if reader.sees_sign("{") and reader.sees_differential(1) and reader.ahead(2).text == "}":  # as it is seen in a moving frame
+        reader.position += 3
+        return reader.spanned(t.Formal("seen from", (t.Word(head.text[1:]), t.Word("d"))), head.start)
     if head.text not in _HEADS or not reader.sees_sign("{"):
         reader.position -= 1
         _summed(reader)
@@ -241,6 +244,21 @@ def _label_above(reader: LatexReader) -> str:
     return "".join(token.text.lstrip("\\") for token in inner[:length])
 
 
+def mark_above(reader: LatexReader) -> str:
+    """Pass ^+, ^*, ^\\dagger behind what is no name; "" if the superscript is something else."""
+    tokens = reader.tokens[reader.position + 1 : reader.position + 4]
+    braces = tokens[0].text == "{"
+    mark, behind = tokens[braces : braces + 2]
+    alone = behind.text == "}" if braces else behind.kind not in ("digit", "letter")
+    if not alone or mark.text not in ("*", "+", "-", *_NAMED):
+        return ""
+    reader.position += 2 + 2 * braces
+    return mark.text.lstrip("\\")
+
+
+COMMANDS["mark"] = mark_above
+
+
 def _primes_ahead(reader: LatexReader) -> int:
     """Pass ^', ^{'} or ^\\prime; the number of primes, 0 if the superscript is something else."""
     tokens = reader.tokens[reader.position + 1 :]
@@ -307,6 +325,9 @@ def _changed(reader: LatexReader) -> t.Node:
 
 def _known(reader: LatexReader, drawn: Drawn, vector: bool, word: Token | None, first: int) -> t.Node:
     names = reader.table.names.get(drawn, ())
+    still = reader.table.names.get(replace(drawn, dots=0), ()) if drawn.dots and not names and reader.table.varies else ()
+    if len(still) == 1 and reader.table.varies(still[0]):
+        return t.Deriv((t.Vec if vector else t.Sym)(still[0]), "t", drawn.dots)
     if len(names) == 1:
         return (t.Vec if vector else t.Sym)(names[0])
     if names:

@@ -187,6 +187,9 @@ _MEASURED = re.compile(  # a decimal number and letters behind a gap that spell 
 )
 
 
+_UPRIGHT_D = re.compile(r"(?<![\d_^~])(?<!\\,)(?<!_\{)\\(?:mathrm|rm|text|textrm)\s*\{\s*d\s*([a-z])\s*\}")  # \mathrm{dt}
+
+
 def _closed_at(text: str, start: int) -> int:
     """Where the brace is closed behind which the text begins; -1 if nowhere."""
     depth = 1
@@ -199,6 +202,7 @@ def _closed_at(text: str, start: int) -> int:
 
 def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
     """The tokens of the relations; a frame round a relation, or round all, is made blank, so that places are kept."""
+    text = _UPRIGHT_D.sub(lambda found: rf"\dd {found[1]}".ljust(len(found[0])), text)
     for frame in _FRAME.finditer(text[:MAX_LENGTH]):
         end = _closed_at(text, frame.end())
         if end > 0 and (_RELATES.search(text, frame.end(), end) or not (text[: frame.start()] + text[end + 1 :]).strip()):
@@ -211,15 +215,26 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
 
 
 def _rows(reader: LatexReader) -> t.Node:
-    """One formula, or several relations, perhaps with the conditions under which they hold."""
-    rows, conditions = [_row(reader)], []
+    """One formula, or several relations, each perhaps with the conditions behind it under which it holds."""
+    groups: list[tuple[list[t.Node], list[t.Node]]] = [([_row(reader)], [])]
     while reader.token.kind == "row":
-        parting = reader.take().text
+        parting, (rows, conditions) = reader.take().text, groups[-1]
         row = _row(reader)
-        (conditions if _is_condition(row, parting, rows, conditions) else rows).append(row)
+        if _is_condition(row, parting, rows, conditions):
+            conditions.append(row)
+        elif conditions and not _is_text(row):  # a = b if x > 0, a = c if x < 0
+            groups.append(([row], []))
+        else:
+            rows.append(row)
     if reader.token.kind != "end":
         hint = UNKNOWN_COMMAND if reader.token.kind == "command" else ""
         raise reader.error(f"“{reader.token.text}” is not expected here", hint)
+    found = [_asserted(rows, conditions, reader) for rows, conditions in groups]
+    return found[0] if len(found) == 1 else t.System(tuple(found), span=(0, reader.previous_end))
+
+
+def _asserted(rows: list[t.Node], conditions: list[t.Node], reader: LatexReader) -> t.Node:
+    """A formula alone, or relations that hold under the same conditions."""
     rows = [_as_condition(row, reader) for row in rows if not _is_text(row)] or rows
     if len(rows) == 1 and not conditions:
         return rows[0]

@@ -23,6 +23,7 @@ ARROW = r"\to"
 _CUT = (r"\left.", r"\right.")
 _HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
 _DEEPER, _HIGHER = frozenset("([{⟨") | {r"\{", COLUMN}, frozenset(")]}⟩") | {r"\}", END_COLUMN}
+_WIDE = (r"\quad", r"\qquad")
 _CELLED = frozenset(("array", "cases"))  # whose rows may be no sum, but the values of a vector or by cases
 
 
@@ -36,8 +37,8 @@ class _Layout:
 
     def __init__(self, source: Source, tokens: tuple[Token, ...]) -> None:
         self.source, self.all = source, tokens
-        self.depth = self.cut = 0
-        self.columns: list[int] = []  # how deep the columns stand that are open
+        self.cut = 0
+        self.open: list[str] = []  # what is open where a token stands
         self.related = False  # was there a relation sign since the last parting?
         self.stated = False  # and one that is no arrow?
         self.parted = 0  # relations side by side in this row
@@ -50,9 +51,8 @@ class _Layout:
         """What is read: things and signs, and what parts relations."""
         found: list[Token] = []
         for k, token in enumerate(self.all):
-            self.depth += self.steps[k]
-            if token.text in (COLUMN, END_COLUMN):
-                self.columns = [*self.columns, self.depth] if token.text == COLUMN else self.columns[:-1]
+            self.open += [token.text] * (self.steps[k] > 0)
+            del self.open[len(self.open) + min(self.steps[k], 0) :]
             self.related |= self.depth == 0 and _is_relation(token)
             self.stated |= self.depth == 0 and _is_relation(token) and token.text != ARROW
             kept = self._kept(k, token)
@@ -81,6 +81,11 @@ class _Layout:
         """How much deeper what follows stands."""
         counts = token.kind == "sign" or (self.braced and token.kind == "command")
         return (token.text in _DEEPER) - (token.text in _HIGHER) if counts else 0
+
+    @property
+    def depth(self) -> int:
+        """In how many brackets a token stands."""
+        return len(self.open)
 
     # --- what stands around
 
@@ -116,7 +121,7 @@ class _Layout:
     def _row(self, k: int, token: Token) -> Token | None:
         """The end of a row, or a word that joins relations."""
         before, behind = self._near(k, -1), self._near(k, 1)
-        if self.columns and self.depth == self.columns[-1]:
+        if self.open and self.open[-1] == COLUMN:
             if not token.text.startswith("\\") or (behind and behind.text == END_COLUMN):
                 return None
             return replace(token, kind="sign", text=NEXT)
@@ -151,14 +156,19 @@ class _Layout:
         return replace(token, text="" if aligned else OPEN)
 
     def _gap(self, k: int, token: Token) -> Token | None:
-        """A gap in a row parts two relations, and never stands in a product within one."""
-        if self.depth or (k and self.all[k - 1].kind == "gap") or self._at_edge(k, -1) or self._at_edge(k, 1):
+        """A gap in a row parts two relations, and never stands in a product within one; in brackets it parts components."""
+        if (k and self.all[k - 1].kind == "gap") or self._at_edge(k, -1) or self._at_edge(k, 1):
             return None
         before, behind, last = self._near(k, -1), self._near(k, 1), k
         while self.all[last + 1].kind == "gap":
             last += 1
         if self.all[last + 1].text == "&":
             return None
+        if self.depth:
+            inner = token.text in _WIDE and self.open[-1] in ("[", "(")
+            things = not any(one.kind == "text" or one.text in (*_SIGNS, *PUNCTUATION) for one in (before, behind))
+            parts = inner and things and before.text != self.open[-1] and behind.text not in _HELD
+            return replace(token, kind="sign", text=",") if parts else None
         if before.text in PUNCTUATION:
             return replace(token, kind="row", text=GAP)
         if before.text in _SIGNS or behind.text in (*_JOINING, *RELATIONS, *_HELD, *PUNCTUATION):
@@ -194,7 +204,7 @@ class _Layout:
         used = any(self.all[place].text == "&" for place in self._row_before(k))
         if self.related and self._relates(k) and (used or not _SIGNS.intersection(near)):
             return self._part(token, "")
-        return None if {"+", "-"}.intersection(near) and (self.related or self._relates(k)) else token
+        return None if {"+", "-"}.intersection(near) and any(map(_is_relation, self.all)) else token
 
     def _remark_behind(self, k: int) -> int:
         """Where the row ends, if nothing but words that are no condition follows in it, and the next row goes on; else 0."""

@@ -30,10 +30,10 @@ _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|normalsize|large|Large|LARGE|huge|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
+    r"|tiny|small|normalsize|large|Large|LARGE|huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
     r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))"
-    r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)"
+    r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit))\s*\[[^\]]*\]"
     r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
 )
 _SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
@@ -42,18 +42,18 @@ _DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
 _APART = r"(?:(?<=[,;:(~])|(?<=[,;:(~] )|(?<=quad)|(?<=quad ))"  # in a = 2 b, i = 1, 2, ... the b is a factor
 _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
     rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:\s*[-+]\s*\w)?|\d+))?"
-    r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))\s*=\s*\d+(?:\s*,\s*\d+)+"
+    r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))(?:\s*,\s*(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu)))*\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
 _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
     r"(?<=[\s,~(:;])"
-    rf"(?:\\(?:text(?:rm)?|mbox)\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}(?:\s|\\[,:; ])*)?"
+    rf"(?:\\(?:text(?:rm)?|mbox)\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}(?:\s|\\[,:; ]|\\q?quad)*)?"
     rf"\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
-    rf"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end|{_SO}))"
+    rf"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
 )
 _ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
 _DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
 _GAP = (
-    r"(?<=[-+=&])\{\}|\{\}(?=\s*(?:[-+=<>&]|\\[pm]{2}(?![A-Za-z])))"
+    r"(?<=[-+=&])\{\}|\{\}(?=\s*(?:[-+=<>&]|\\[pm]{2}(?![A-Za-z])))|(?<=[A-Za-z\d}'])\{\}(?=\^\s*\{?\s*\d)"
     r"|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
     r"|\\hspace\*?\s*\{[^{}]*\}"
 )
@@ -69,7 +69,7 @@ _PATTERNS = (
     rf"|(?P<gap>{_GAP})"
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
-    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))"
+    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
     r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq)\s*\{[^{}$]*\$(?:[^{}]|\{[^{}]*\})*\}"
     r"|\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
     rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
@@ -78,11 +78,13 @@ _PATTERNS = (
     r"(?:(?<!split\})(?<!ed\})\s*\{(?:[lcr|\s\d]|[@!p]\{[^{}]*\})*\})?|\\(?:begin|end)\s*\{[^{}]*\})"
     rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
     rf"|(?P<degree>{_DEGREE})"
-    rf"|(?P<plain>(?<![A-Za-z\\])(?:{'|'.join(FUNCTION_WORDS)})(?=\s*(?:\(|\\left|\\[a-z])))"
+    rf"|(?P<plain>(?<![a\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) > 2)})(?=\s*[(\[{{^\\]|\s+[A-Za-z\d])"
+    rf"|(?<![A-Za-z\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) == 2)})(?=\s*(?:\(|\\left|\\[a-z])))"
     r"|(?P<arrow>\\x(?:right|Right|mapsto)arrow\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})"
     r"|(?P<command>\\(?:v[abu]\*|[A-Za-z]+|[|{}]))"
+    r"|(?P<dots>\.\.\.)"
     r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
-    r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!])"
+    r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!?])"
 )
 _ALIASES = {
     r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
@@ -99,7 +101,7 @@ _ALIASES = {
     r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
     r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
     r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
-    r"\leadsto": r"\to", r"\rightsquigarrow": r"\to", r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'",
+    r"\leadsto": r"\to", r"\rightsquigarrow": r"\to", r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'", "?": r"\?",
 }  # fmt: skip
 JOINING = frozenset({
     "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
@@ -254,6 +256,10 @@ def _arrow(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     return Token("command", r"\to", start, end)
 
 
+def _dots(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token("command", r"\dots", start, end)
+
+
 def _empty(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     return Token("sign", re.sub(r"\s", "", text), start, end)
 
@@ -289,5 +295,5 @@ def _environment(source: Source, kind: str, text: str, start: int, end: int) -> 
 _MAKERS = {
     "text": _text, "plain": _function, "differential": _differential, "begin": _environment, "command": _command,
     "bar": _bar, "zero": _zero, "empty": _empty, "row": _row, "degree": _degree, "gradient": _gradient,
-    "arrow": _arrow,
+    "arrow": _arrow, "dots": _dots,
 }  # fmt: skip

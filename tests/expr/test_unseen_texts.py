@@ -1,0 +1,55 @@
+"""What texts that nobody of this project wrote print: read as what is meant, or as a part that has no value."""
+
+import pytest
+
+from rbpsym.claims.papers.draft import ANY
+from rbpsym.expr import tree as t
+from rbpsym.expr.latex.reader import latex_ways
+from rbpsym.typeset.text import to_text
+
+
+def read(latex):
+    return latex_ways(latex, ANY, whole=True).trees[0]
+
+
+@pytest.mark.parametrize(
+    ("latex", "told"),
+    [
+        (r"y = Ysin\omega", "y = Y sin ω"),
+        (r"x = -cos{(\phi)} + sin x", "x = −cos ϕ + sin x"),
+        (r"y = \cos\frac23 t", "y = cos(⅔t)"),
+        (r"y = \sin\frac{\pi}{4} g", "y = sin(π/4) g"),
+        (r"F = \sin^{2n}\phi", "F = (sin ϕ)²ⁿ"),
+        (r"a = b, \quad \alpha,\beta = 1,2,3", "a = b"),
+        (r"a = 0 \quad (i = 1,2,\cdots,s),\quad b = 0", "a = 0\nb = 0"),
+        (r"\frac12 r + a& {}+b \\ & = c", "½r + a + b = c"),
+        (r"\frac{\rm{d}v}{\rm{dt}} = 0", "dv/dt = 0"),
+        (r"\frac{\partial{}}{\partial{x}}Q = 0", "∂Q/∂x = 0"),
+        (r"R - q \cdot c + D = 0 \\ -R + E - q \cdot c = 0", "R − qc + D = 0\n−R + E − qc = 0"),
+        (r"I' = x_k{}^2", "I′ = xₖ²"),
+        (r"x|_{t=0} = a|_{t=0} + c|_{t=0}", "x|_(t = 0) = a|_(t = 0) + c|_(t = 0)"),
+        (r"W = 5 E_{\mathrm{dr}} + 5\,\mathrm{dm}", "W = 5E_dr + 5dm"),
+    ],
+)
+def test_is_read_as_it_is_meant(latex, told):
+    tree = read(latex)
+    assert to_text(tree).replace(" ", "") == told.replace(" ", "")
+    assert not any(isinstance(part, t.Formal) for part in t.walk(tree))
+
+
+@pytest.mark.parametrize(
+    ("latex", "kind"),
+    [
+        (r"q = [\phi \quad \delta]", "brackets"),
+        (r"p = ?", "asked"),
+        (r"x + ... + y = 0", "…"),
+        (r"t = a|_{x_0}^{x} - b|_{x_0}^{x}", "between"),
+        (r"V = a + O(\theta^3)", "order"),
+        (r"\frac{\tilde{\mathrm{d}} L}{\mathrm{d} t} = M", "seen from"),
+        (r"\frac{\mathrm{d}^n f}{\mathrm{d} t^n} = 0", "differential"),
+        (r"(\frac{a}{b})^+ - c = 0", "marked"),
+        (r"a = \SI[per-mode=symbol]{0.03}{m}", "measured"),
+    ],
+)
+def test_what_has_no_value_is_a_formal_part(latex, kind):
+    assert kind in {part.kind for part in t.walk(read(latex)) if isinstance(part, t.Formal)}
