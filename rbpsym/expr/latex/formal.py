@@ -34,8 +34,11 @@ _STATES = (r"\ket", r"\bra", r"\braket", r"\ketbra", r"\expval", r"\mel", r"\dya
 _BARS = ("|", r"\lvert", r"\rvert")
 _DOTTED = (r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb")
 _MEASURED = (r"\SI", r"\qty", r"\si", r"\unit", r"\SIrange", r"\qtyrange")
-_SUMMED = {r"\prod": "product over", r"\bigcup": "union over", r"\bigoplus": "sum over"}
-_AROUND = (r"\oint", r"\iint", r"\iiint", r"\oiint")
+_SUMMED = {
+    r"\prod": "product over", r"\bigcup": "union over", r"\bigoplus": "sum over",
+    **dict.fromkeys((r"\oint", r"\iint", r"\iiint", r"\oiint"), "∮"),
+}  # fmt: skip
+_ARGUED = {r"\forall": ("∀", 1), r"\exists": ("∃", 1), **dict.fromkeys((r"\binom", r"\dbinom", r"\tbinom"), ("binomial", 2))}
 _OPERATORS = (
     r"\det", r"\min", r"\max", r"\Re", r"\Im", r"\arg", r"\sup", r"\inf", r"\dim", r"\ker", r"\Tr", r"\tr", r"\sgn", r"\deg",
 )  # fmt: skip
@@ -107,10 +110,11 @@ def _asked(reader: LatexReader) -> t.Node:
     return formal(reader, start, "asked")
 
 
-@begins(r"\forall", r"\exists")
-def _quantified(reader: LatexReader) -> t.Node:
+@begins(*_ARGUED)
+def _of_arguments(reader: LatexReader) -> t.Node:
     token = reader.take()
-    return formal(reader, token.start, "∀" if token.text == r"\forall" else "∃", argument(reader))
+    kind, count = _ARGUED[token.text]
+    return formal(reader, token.start, kind, *(argument(reader) for _ in range(count)))
 
 
 @begins(*_MEASURED)
@@ -187,15 +191,6 @@ def _end(reader: LatexReader) -> t.Node:
     return found[0] if len(found) == 1 else t.Formal("list", tuple(found), span=(opening.start, reader.previous_end))
 
 
-@begins(*_AROUND)
-def _around(reader: LatexReader) -> t.Node:
-    token, begin = reader.take(), reader.position
-    limits = [_end(reader) for _ in range(2) if reader.pass_sign("_", "^")]
-    if reader.sees_sign(r"\limits"):
-        reader.position = begin
-    return formal(reader, token.start, "∮", term_of(reader), *limits)
-
-
 @begins(*_OPERATORS)
 def _operator(reader: LatexReader) -> t.Node:
     token = reader.take()
@@ -211,12 +206,6 @@ def _state(reader: LatexReader) -> t.Node:
     while reader.sees_sign("{"):
         words.append(_word(reader, reader.position))
     return formal(reader, head.start, "state", *words)
-
-
-@begins(r"\binom", r"\dbinom", r"\tbinom")
-def _binomial(reader: LatexReader) -> t.Node:
-    start = reader.take().start
-    return formal(reader, start, "binomial", argument(reader), argument(reader))
 
 
 @begins("⟨")

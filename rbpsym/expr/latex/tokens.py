@@ -6,7 +6,7 @@ every other character makes one, or an error that names it. Gaps make one where 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 
 from rbpsym.errors import LimitError
@@ -197,79 +197,48 @@ def _single(source: Source, position: int) -> Token:
 
 
 def _token(source: Source, found: re.Match[str]) -> Token:
-    return _MAKERS.get(found.lastgroup, _plain)(source, found.lastgroup, found[0], *found.span())
+    kind, text = found.lastgroup, found[0]
+    if kind == "begin":
+        return _environment(source, text, *found.span())
+    return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, _ALIASES.get(text, text))), *found.span())
 
 
-def _plain(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    return Token("sign" if kind == "mark" else kind, _ALIASES.get(text, text), start, end)
-
-
-def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+def _text(text: str) -> tuple[str, str]:
     """Upright text; a word such as `and` between relations begins a new one."""
     word = re.sub(r"\s+", " ", re.sub(r"^(?:\\[a-z]+\*?)?\s*\{?|\}$|\\(?:rm|bf)(?![A-Za-z])|~|\\[ ,]", " ", text)).strip()
     if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
-        return Token("command", rf"\{word}", start, end)
+        return "command", rf"\{word}"
     if word == "d" and text[0] == "{":
-        return Token("differential", word, start, end)
+        return "differential", word
     plain = "" if text.startswith((r"\mathrm", r"\operatorname")) else word.strip(" ,;:.")
     if plain in CONDITIONAL:
-        return Token("row", CONDITION, start, end)
+        return "row", CONDITION
     if word in PUNCTUATION:
-        return Token("sign", word, start, end)
-    return Token("row" if plain in JOINING else "text", word, start, end)
+        return "sign", word
+    return "row" if plain in JOINING else "text", word
 
 
-def _function(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    """The name of a function in italics: sin(x) is no product of three letters."""
-    return Token("command", rf"\{text}", start, end)
-
-
-def _differential(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    return Token(kind, "∂" if "partial" in text else "d", start, end)
-
-
-def _bar(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    right = text.startswith((r"\right", r"\bigr"))
-    return Token("sign", r"\rvert" if right else r"\lvert", start, end)
-
-
-def _row(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    """The end of a row, or an arrow or words between two relations."""
-    return Token(kind, text if text.startswith("\\\\") else "so", start, end)
-
-
-def _zero(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    """The vector zero is printed as a bold number."""
-    return Token("digit", "0", start, end)
-
-
-def _gradient(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    return Token("command", r"\nabla", start, end)
-
-
-def _degree(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    return Token("sign", "°", start, end)
-
-
-def _arrow(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    """An arrow with a word on it, which says how one gets there."""
-    return Token("command", r"\to", start, end)
-
-
-def _dots(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    return Token("command", r"\dots", start, end)
-
-
-def _empty(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    return Token("sign", re.sub(r"\s", "", text), start, end)
-
-
-def _command(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+def _command(text: str) -> tuple[str, str]:
     text = _ALIASES.get(text, text)
     letter = LETTERS.get(text[1:]) or (LETTERS.get(text[4:]) if text.startswith(r"\var") else None)
-    if letter:
-        return Token("letter", letter, start, end)
-    return Token("command" if text.startswith("\\") else "sign", text, start, end)
+    return ("letter", letter) if letter else ("command" if text.startswith("\\") else "sign", text)
+
+
+_DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in several ways: its kind and text
+    "text": _text,
+    "command": _command,
+    "mark": lambda text: ("sign", text),
+    "plain": lambda text: ("command", rf"\{text}"),  # sin(x) is no product of three letters
+    "differential": lambda text: ("differential", "∂" if "partial" in text else "d"),
+    "bar": lambda text: ("sign", r"\rvert" if text.startswith((r"\right", r"\bigr")) else r"\lvert"),
+    "row": lambda text: ("row", text if text.startswith("\\\\") else "so"),  # or an arrow or words between relations
+    "zero": lambda _: ("digit", "0"),  # the vector zero is printed as a bold number
+    "gradient": lambda _: ("command", r"\nabla"),
+    "degree": lambda _: ("sign", "°"),
+    "arrow": lambda _: ("command", r"\to"),  # with a word on it, which says how one gets there
+    "dots": lambda _: ("command", r"\dots"),
+    "empty": lambda text: ("sign", re.sub(r"\s", "", text)),
+}
 
 
 def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
@@ -281,7 +250,7 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
     return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
 
 
-def _environment(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+def _environment(source: Source, text: str, start: int, end: int) -> Token:
     name = re.search(r"\{([^{}]*)\}", text)[1]
     in_rows = name in ("array", "cases", "dcases") and not _is_column(source.text, name, text, start, end)
     if name.removesuffix("*") in _COLUMNS or (name in ("array", "cases", "dcases") and not in_rows):
@@ -291,9 +260,3 @@ def _environment(source: Source, kind: str, text: str, start: int, end: int) -> 
         raise source.error(what, start, end, "Use aligned, or write one formula.")
     return Token("begin", rf"\{text[1:].partition('{')[0].strip()}{{{name}}}", start, end)
 
-
-_MAKERS = {
-    "text": _text, "plain": _function, "differential": _differential, "begin": _environment, "command": _command,
-    "bar": _bar, "zero": _zero, "empty": _empty, "row": _row, "degree": _degree, "gradient": _gradient,
-    "arrow": _arrow, "dots": _dots,
-}  # fmt: skip
