@@ -68,6 +68,7 @@ class Tutor(Frozen):
     derivation: Derivation
     language: str = "en"
     known: dict[str, tuple[str, str, str]] = field(default_factory=dict)
+    checked: dict[t.Node, Result] = field(default_factory=dict)
 
     @cached_property
     def sheets(self) -> Mapping[str, Sheet]:
@@ -142,7 +143,11 @@ class Tutor(Frozen):
 
         It is wrong if it is so in all phases in which it can be read.
         """
-        found = [self._in_phase(line, name) for name in self.sheets]
+        found = []
+        for name in self.sheets:
+            found.append(self._in_phase(line, name))
+            if found[-1][0] == TRUE:
+                break
         return min(found, key=lambda one: (RANK[one[0]], one[1] == self._say("wrong")))
 
     def _in_phase(self, line: str, phase: str) -> tuple[str, str, str]:
@@ -186,10 +191,11 @@ class Tutor(Frozen):
 
     def _checked(self, read: t.Node) -> Result:
         """What the judge of `check` says: of the motion from its start until it first comes to rest."""
-        name = self.derivation.study.problem.name
-        world = ProblemWorld(self.derivation.study)
-        claim = Claim("line", Setting(name, problem=name), Printed(to_latex(read, self.notation)))
-        return Checker(lambda _: world, diagnosis).check_safely(claim)
+        if read not in self.checked:
+            name, world = self.derivation.study.problem.name, ProblemWorld(self.derivation.study)
+            claim = Claim("line", Setting(name, problem=name), Printed(to_latex(read, self.notation)))
+            self.checked[read] = Checker(lambda _: world, diagnosis).check_safely(claim)
+        return self.checked[read]
 
     def _is_proved_by_check(self, read: t.Node, sheet: Sheet) -> bool:
         """Is it proved there, in letters that mean the same there?"""

@@ -157,6 +157,14 @@ def test_the_centre_of_mass_does_not_care_where_a_force_acts() -> None:
     assert straight["K"][1] == pytest.approx(0, abs=1e-9) and aside["K"][1] > 1e-3
 
 
+@node
+def test_what_can_only_push_lets_go_where_it_would_pull() -> None:
+    """The ladder's weight moved beyond its foot: it leaves the wall at once, and no contact ever pulls."""
+    found, shares = model(load_problem(FILES["sliding-ladder"]), "en"), (0.0, 0.2, 0.4, 0.6, 0.8, 1.0)
+    seen = explored.run(found, shares, '{ off: new Set(), force: "W@ladder", aside: 1 }')
+    assert seen[0]["R"]["N_w"] == 0 and min(force for one in seen for force in one["R"].values()) > -1e-6
+
+
 STRUCK = [name for name in MOVING if "impulses" in FILES[name].read_text(encoding="utf-8")]
 
 

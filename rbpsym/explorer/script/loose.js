@@ -105,11 +105,11 @@ class Free {
 
   /** What holds of `active` where nothing pulls. */
   holding(active, y, t, blow) {
-    const now = new Set(active);
+    let now = new Set(active);
     for (let k = 0; k <= active.size; k++) {
       const found = this.solve(now, y, t, blow), worst = this.pulling(found, blow ? 1e-12 : 1e-9);
       if (!worst) return [now, found];
-      for (const key of [worst, worst + " turns"]) now.delete(key);
+      now = new Set([...now].filter((key) => key !== worst && key !== worst + " turns"));
     }
     return [now, this.solve(now, y, t, blow)];
   }

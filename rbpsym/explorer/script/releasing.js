@@ -55,6 +55,6 @@ function lineHandle(place, away) {
   if (!own || away(pick(own.at, moment.out)) > REACH) return null;
   return (point) => {
     const now = motion.at(0), mine = now.data.forces.find((one) => keyOf(one) === force), [x, y] = pick(mine.at, now.out), [u, v] = pick(mine.vector, now.out), size = Math.hypot(u, v) || 1;
-    aside(state.change.aside + (-v * (point[0] - x) + u * (point[1] - y)) / size);
+    aside(motion.change.aside + (-v * (point[0] - x) + u * (point[1] - y)) / size);
   };
 }
