@@ -27,7 +27,7 @@ def turned(coefficient: Coefficient, pieces: list[Piece], style: Style) -> tuple
         return coefficient, pieces
     for k, (node, moving) in enumerate(pieces):
         if isinstance(node, t.Add) and len(node.terms) == 2 and t.is_negative(node.terms[1]) and _may_turn(node, style):
-            turned = t.Add((t.neg(node.terms[1]), t.Neg(node.terms[0])))
+            turned = t.Add((t.neg(node.terms[1]), t.neg(node.terms[0])))
             return -coefficient, [*pieces[:k], (turned, moving), *pieces[k + 1 :]]
     return coefficient, pieces
 

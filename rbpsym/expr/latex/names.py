@@ -22,8 +22,10 @@ _DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 _HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
 _LONGEST = 24
 _MARKED = frozenset("+-*=()/<>|;:.")  # what a label may hold beside letters and digits
-_NAMES = "pm mp max min perp parallel infty dagger star odot oplus to times bot top ne in dots"
-_NAMED = frozenset(rf"\{word}" for word in _NAMES.split())
+_NAMED = frozenset(rf"\{word}" for word in (
+    "pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top", "ne",
+    "in", "dots",
+))  # fmt: skip
 
 
 def begins_name(token: Token) -> bool:
@@ -94,7 +96,8 @@ def _prescribed(reader: LatexReader) -> t.Node:
     reader.position += braces
     mark = reader.token.text + label_after(reader)
     if not (braces or (mark[1:2].isalpha() and begins_name(reader.token))):
-        raise reader.error("“^” stands where a number or symbol is expected", r"Write {}^A v for a mark before a name.", opening)
+        what = "“^” stands where a number or symbol is expected"
+        raise reader.error(what, "Write empty braces before a mark that stands before a name.", opening)
     if not begins_name(reader.token) or reader.sees_differential():
         return reader.spanned(t.Formal("seen from", (t.Word(mark[1:]), COMMANDS["operand"](reader))), start)
     drawn, vector = _scripted(reader)

@@ -202,7 +202,7 @@ def _closed_at(text: str, start: int) -> int:
 
 def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
     """The tokens of the relations; a frame round a relation, or round all, is made blank, so that places are kept."""
-    text = _UPRIGHT_D.sub(lambda found: rf"\dd {found[1]}".ljust(len(found[0])), text)
+    text = _UPRIGHT_D.sub(lambda found: (r"\dd " + found[1]).ljust(len(found[0])), text)
     for frame in _FRAME.finditer(text[:MAX_LENGTH]):
         end = _closed_at(text, frame.end())
         if end > 0 and (_RELATES.search(text, frame.end(), end) or not (text[: frame.start()] + text[end + 1 :]).strip()):
