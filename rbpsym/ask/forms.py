@@ -8,6 +8,7 @@ from rbpsym.decide.rooted import neat, rationalised
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber
 from rbpsym.field import Scalar, has_roots, is_rooted, root, with_exponentials_joined
+from rbpsym.field.normal import in_one_angle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.pushing import begins, begun_numbers
@@ -19,7 +20,7 @@ from rbpsym.quantity.path import even
 
 def shortest(value: Scalar, study: Study) -> Scalar:
     """The value in the shortest of its forms: as it is, with short roots, as one root."""
-    value = with_exponentials_joined(value)
+    value = in_one_angle(with_exponentials_joined(value))
     if not has_roots(value):
         return value
     given, square = study.assumptions, short(even(value * value))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.seen import PLACE, Scene, moving, seen
+from rbpsym.ask.seen import PLACE, Scene, moving, parts_seen, seen
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr import tree as t
@@ -48,7 +48,7 @@ def _pendulum(world: Scene, name: str | None) -> t.Node:
 
 
 def _magnitude(world: Scene, force: str, when: str) -> t.Node:
-    with suppress(RbpsymError):
+    if len(parts_seen(world.afresh(), f"impulse of {force}{when}")) == 1:
         return t.Abs(_leaf(world, f"impulse of {force}{when}"))
     return t.Sqrt(t.add(*(t.Pow(_leaf(world, f"impulse of {force}_{axis}{when}"), t.TWO) for axis in "xy")))
 

@@ -157,19 +157,26 @@ def require_numbers(study: Study, values: Iterable[Scalar], known: Collection[st
 def value_at(study: Study, values: Sequence[Scalar], valid: Sequence[t.Node], numbers: Mapping[str, float]) -> list[float]:
     """The values at some numbers. Raises StatementError for a letter without one, or where a condition is not met."""
     require_numbers(study, values, numbers)
-    for node in valid:
-        for left, op, right in t.relations(node):
-            gap = value_of(t.add(left, t.neg(right)), study.system.scope)
-            if names_in(gap) <= {*numbers, "pi"} and not _holds(gap, op, numbers):
-                raise StatementError(
-                    f"with these numbers the answer does not hold: it needs {to_text(node)}", instead="change a number."
-                )
+    if (node := unmet(study, valid, numbers)) is not None:
+        raise StatementError(f"with these numbers the answer does not hold: it needs {to_text(node)}", instead="change a number.")
     try:
         return [number(value, numbers) for value in values]
     except NoNumber as error:
         needs = ", ".join(to_text(node) for node in valid)  # at the very edge of one of these
         hint = f"change a number, or ask for another case: this one needs {needs}." if needs else "change a number."
         raise StatementError(f"the answer has no value at these numbers: {error.what}", instead=hint) from None
+
+
+def unmet(study: Study, valid: Iterable[t.Node], numbers: Mapping[str, float], *, wholly: bool = False) -> t.Node | None:
+    """The first of some conditions that is not met at numbers; `wholly`: raises StatementError where a letter has none."""
+    for node in valid:
+        for left, op, right in t.relations(node):
+            gap = value_of(t.add(left, t.neg(right)), study.system.scope)
+            if wholly:
+                require_numbers(study, (gap,), numbers)
+            if names_in(gap) <= {*numbers, "pi"} and not _holds(gap, op, numbers):
+                return node
+    return None
 
 
 def _holds(gap: Scalar, op: str, numbers: Mapping[str, float]) -> bool:

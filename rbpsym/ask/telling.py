@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -9,14 +10,15 @@ from rbpsym.ask.answer import Answer
 from rbpsym.ask.brackets import bracket
 from rbpsym.ask.integrated import HOW, integrated
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.numbers import Given, rounded, unit_for, value_at
+from rbpsym.ask.numbers import Given, rounded, unit_for, unmet, value_at
 from rbpsym.ask.question import Question
 from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
-from rbpsym.field import NOTHING, substitute
+from rbpsym.field import NOTHING, names_in, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.sympy_bridge import plain_names
+from rbpsym.frozen import replace
 from rbpsym.proof.step import Step
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.typeset.latex import to_latex
@@ -39,8 +41,18 @@ def record(found: Answer, given: Given | None = None) -> dict[str, Any]:
         "valid_where": [to_machine(node) for node in found.valid],
         "steps": [_step(step, notation) for step in found.steps],
         "symbols": {name: {"sympy": plain} for name, plain in plain_names(map(machine_name, names)).items()},
-        **(numbers(found, given) if given and (found.values or found.equation) else {}),
+        **(numbers(found, given) if given and is_number(found, given) else {}),
     }
+
+
+YES_OR_NO = re.compile(r"(yes|no) where this is met(, else (?:yes|no))?")
+
+
+def is_number(found: Answer, given: Given) -> bool:
+    """Does it have a value at these numbers: not a function of a place that has none of them, not a mere sentence?"""
+    moving = {"t", *found.study.system.scope.rates, *(c.name for c in found.study.problem.coordinates)} - given.values.keys()
+    is_function = bool(found.holds) and any(names_in(value) & moving for value in found.values)
+    return not is_function and bool(found.values or found.equation or YES_OR_NO.match(found.says))
 
 
 def is_of_parameter(found: Answer) -> bool:
@@ -107,7 +119,16 @@ def _valued(given: Given, values: list[Any], unit: str) -> dict[str, Any]:
 
 
 def _at(found: Answer, row: Mapping[str, float]) -> list[float]:
-    """The values at some numbers; what has no closed form between two numbers close to each other."""
+    """The values at some numbers, those of several whose own conditions are met there; yes or no; what has no closed form
+    between two numbers close to each other."""
+    if said := YES_OR_NO.match(found.says):
+        is_met = unmet(found.study, found.valid, row, wholly=True) is None
+        if not is_met and said[2] is None:
+            value_at(found.study, (), found.valid, row)
+        return [is_met == (said[1] == "yes")]
+    if found.each:
+        kept = [v for v, own in zip(found.values, found.each, strict=True) if unmet(found.study, own, row) is None]
+        found = replace(found, values=tuple(kept)) if kept else replace(found, valid=(*found.valid, *found.each[0]))
     if found.equation is None or found.values:
         return value_at(found.study, found.values, found.valid, row)
     equation = scalar(found.equation, found.study.system.scope)
@@ -129,6 +150,6 @@ def numbered(record: Mapping[str, Any], given: Given) -> Iterator[str]:
     for row in record.get("table", [record]):
         values = row["value"] if isinstance(row["value"], list) else [row["value"]]
         place = ", ".join(f"{name} = {rounded(row[name], given.digits)}" for name in given.ranges)
-        told = ", ".join(rounded(value, given.digits) for value in values)
+        told = ", ".join(["no", "yes"][value] if isinstance(value, bool) else rounded(value, given.digits) for value in values)
         told = told if len(values) == 1 else f"({told})"
         yield f"{f'{place}: ' if place else ''}{told} {unit_text(record['unit'])}".rstrip()

@@ -59,7 +59,7 @@ def inverse_image(reading: Reading, kind: str, arg: Scalar) -> Poly:
 
 
 def _asin(reading: Reading, arg: Scalar) -> Poly:
-    return _odd(reading, "asin", arg, _angle_of_sine)
+    return _odd(reading, "asin", arg, angle_of_sine)
 
 
 def _acos(reading: Reading, arg: Scalar) -> Poly:
@@ -67,7 +67,7 @@ def _acos(reading: Reading, arg: Scalar) -> Poly:
 
 
 def _atan(reading: Reading, arg: Scalar) -> Poly:
-    return _odd(reading, "atan", arg, _angle_of_tangent)
+    return _odd(reading, "atan", arg, angle_of_tangent)
 
 
 def _odd(reading: Reading, kind: str, arg: Scalar, angle_of: Callable[[Scalar], Scalar | None]) -> Poly:
@@ -86,7 +86,7 @@ def _odd(reading: Reading, kind: str, arg: Scalar, angle_of: Callable[[Scalar], 
     return generator(atoms.intern(kind, _canonical(image, arg)))
 
 
-def _angle_of_sine(arg: Scalar) -> Scalar | None:
+def angle_of_sine(arg: Scalar) -> Scalar | None:
     """A if the argument is sin A, π/2 - A if it is cos A."""
     if arg.den is not ONE or len(arg.num) != 1:
         return None
@@ -99,7 +99,7 @@ def _angle_of_sine(arg: Scalar) -> Scalar | None:
     return Scalar(found.arg) if found.kind == "sin" else QUARTER - Scalar(found.arg)
 
 
-def _angle_of_tangent(arg: Scalar) -> Scalar | None:
+def angle_of_tangent(arg: Scalar) -> Scalar | None:
     """A if the argument is sin A / cos A."""
     if arg.den is not ONE or len(arg.num) != 1:
         return None

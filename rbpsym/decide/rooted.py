@@ -22,7 +22,7 @@ from rbpsym.field import (
     with_exponentials_joined,
 )
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, root, substitute
-from rbpsym.field.normal import has_roots, normal, short
+from rbpsym.field.normal import has_roots, in_one_angle, normal, short
 from rbpsym.field.roots import is_root, side_of, simplified_root, tidied, with_image, without_even_roots
 from rbpsym.frozen import Frozen
 
@@ -69,7 +69,7 @@ def neat(value: Scalar, given: Assumptions) -> Scalar:
         image = _denested(atoms.atom(index).arg, sense) if atoms.atom(index).kind == "root" else None
         if image is not None:
             return neat(with_image(value.num, index, image) / with_image(value.den, index, image), given)
-    return shorter(value)
+    return in_one_angle(shorter(value))
 
 
 def rationalised(value: Scalar) -> Scalar:

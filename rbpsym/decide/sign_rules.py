@@ -14,7 +14,7 @@ from rbpsym.decide.factoring import ANY, DECIDED, MINUS, NONZERO, PLUS, ZERO, fl
 from rbpsym.decide.points import Point, names_of
 from rbpsym.field import ONE, Poly, Scalar, atoms, generator, inverse, is_exponential, quotient
 from rbpsym.field import ZERO as ZERO_POLY
-from rbpsym.field.normal import normal, partner, substitute, without_squares
+from rbpsym.field.normal import bases_of, in_bases, normal, partner, substitute, without_squares
 from rbpsym.field.ring import factors
 from rbpsym.field.roots import without_even_roots
 
@@ -115,6 +115,12 @@ def _by_double_angle(study: Study, poly: Poly) -> int:
                 ends = study.poly(mean + swing) | study.poly(mean - swing)
                 return ANY if ends & NONZERO == NONZERO else ends  # between ends of both signs it may vanish
     return ANY
+
+
+def _by_one_angle(study: Study, poly: Poly) -> int:
+    """The same with cos 2x, sin 3x … in the angle x."""
+    image = in_bases(poly, bases_of(poly))
+    return ANY if image == poly else study.poly(image)
 
 
 def _by_bounds(study: Study, poly: Poly) -> int:
@@ -238,4 +244,5 @@ RULES: tuple[Rule, ...] = (
     (_by_squares, "by sin² + cos² = 1"),
     (_by_factors, "the signs of its factors"),
     (_by_double_angle, "by |sin 2x| ≤ 1"),
+    (_by_one_angle, "all angles are multiples of one"),
 )

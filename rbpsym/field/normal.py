@@ -206,6 +206,12 @@ def short(value: Scalar) -> Scalar:
     return value if num is value.num else Scalar(num) if value.den is ONE else quotient(num, value.den)
 
 
+def in_one_angle(value: Scalar) -> Scalar:
+    """The value with sines and cosines of multiples in those of the angle itself, where that is shorter."""
+    num = shorten(in_bases(value.num, bases_of(value.num)))
+    return quotient(num, value.den) if len(num) < len(value.num) else value
+
+
 @remembered
 def shorten(poly: Poly) -> Poly:
     """The shortest of: as it is, without sin², without cos² (angle by angle); without squares of numbers' roots."""

@@ -137,20 +137,22 @@ def solve_explicitly(
     L sin φ = 0, holds that one where it is.
     """
     solved: dict[str, Scalar] = {}
-    implicit: list[Condition] = []
-    for condition in conditions:
-        value = substitute(condition.value, solved)
-        if is_zero(value):
-            continue
-        name = next((n for n in reversed(names) if n not in solved and _is_linear(value, n, names)), None)
-        image = _held(value, names, problem) if name is None else _linear_zero(value, name)
-        if image is None:
-            implicit.append(Condition(condition.constraint, value, condition.what))
-            continue
-        name = name or _names_in(value, names)[0]
-        solved = {n: substitute(old, {name: image}) for n, old in solved.items()} | {name: image}
-    left = tuple(Condition(c.constraint, substitute(c.value, solved), c.what) for c in implicit)
-    return solved, tuple(c for c in left if not is_zero(c.value))
+    waiting, before = list(conditions), None
+    while waiting and len(waiting) != before:  # what is solved may leave one coordinate in a condition that stood before it
+        before, left = len(waiting), []
+        for condition in waiting:
+            value = substitute(condition.value, solved)
+            if is_zero(value):
+                continue
+            name = next((n for n in reversed(names) if n not in solved and _is_linear(value, n, names)), None)
+            image = _held(value, names, problem) if name is None else _linear_zero(value, name)
+            if image is None:
+                left.append(Condition(condition.constraint, value, condition.what))
+                continue
+            name = name or _names_in(value, names)[0]
+            solved = {n: substitute(old, {name: image}) for n, old in solved.items()} | {name: image}
+        waiting = left
+    return solved, tuple(waiting)
 
 
 def _is_linear(value: Scalar, name: str, names: tuple[str, ...]) -> bool:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from math import gcd
 
 from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.inverses import angle_of_sine, angle_of_tangent
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
@@ -203,7 +204,7 @@ def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
             return [NOTHING, PI]
         if not b:
             return [PI * HALF, PI * -HALF]
-        base = function("atan", -(a / b))
+        base = _angle("atan", -(a / b))
         return [base, base + PI]
     if not b:
         base = _angle("acos", -(d / a))
@@ -221,13 +222,11 @@ def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
 
 
 def _angle(kind: str, value: Scalar) -> Scalar:
-    """An angle with a cosine (acos) or sine (asin): the one whose cosine or sine the value is, or its opposite."""
+    """An angle with a cosine (acos), sine (asin) or, up to π, a tangent (atan): the one whose that is, or its opposite."""
     for way in (1, -1):
-        index = next(iter((value * way).num.atoms()), None)
-        found = None if index is None else atoms.atom(index)
-        if found and found.kind == kind[1:] and is_zero(value * way - Scalar(generator(index))):
-            base = Scalar(found.arg)
-            return base if way > 0 else PI - base if kind == "acos" else -base
+        found = (angle_of_tangent if kind == "atan" else angle_of_sine)(value * way)
+        if found is not None:
+            return PI * HALF - found * way if kind == "acos" else found * way
     return function(kind, value)
 
 

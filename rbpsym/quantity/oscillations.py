@@ -16,6 +16,7 @@ from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.orbit import swing_of
 from rbpsym.mechanics.oscillation import Equilibrium, amplitudes, decaying, where_stable
 from rbpsym.quantity.bound import Bound, Phrase, number
+from rbpsym.statement.source import did_you_mean
 
 if TYPE_CHECKING:
     from rbpsym.quantity.problem import ProblemWorld
@@ -23,24 +24,27 @@ if TYPE_CHECKING:
 ORDINALS = {None: None, "lowest": 0, "second": 1, "third": 2, "highest": -1, "longest": 0, "shortest": -1}
 
 
-def _equilibria(world: ProblemWorld, name: str, stable: bool) -> list[Equilibrium]:
-    """Those that are (un)stable; else those that are stable under a condition on the parameters."""
+def _equilibria(world: ProblemWorld, name: str, kind: str | None = "stable") -> list[Equilibrium]:
+    """Those that are stable (under a condition, if need be), or unstable; of no stated kind: the one or the other."""
+    if name not in world.coordinates:
+        raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, world.coordinates, "coordinates"))
     if orbit.turns(world.study, name):
         raise StatementError(
             f"“{name}” has no rest in this motion: a speed that is kept going drives it, and no steady motion was found",
             instead="give values: “… with NAME = VALUE”; or let the motion start without that speed.",
         )
     known = [item for item in world.study.equilibria if name in item.at]
-    found = [item for item in known if bool(item.stable) is stable and (stable or item.where is None)]
-    found = found or [item for item in map(where_stable, known) if stable and item.stable]
+    stable = [item for item in known if item.stable] or [item for item in map(where_stable, known) if item.stable]
+    unstable = [item for item in known if not item.stable and item.where is None]
+    found = unstable if kind == "unstable" else stable or (unstable if kind is None else [])
     if not found:
-        raise StatementError(f"no {'' if stable else 'un'}stable equilibrium of “{name}” is known")
+        raise StatementError(f"no {kind or 'stable'} equilibrium of “{name}” is known")
     return found
 
 
 def _about(world: ProblemWorld, name: str, text: str | None) -> Equilibrium:
     """The stable equilibrium about which it swings. Raises StatementError where several have unlike frequencies."""
-    found = _equilibria(world, name, True)
+    found = _equilibria(world, name)
     if text is not None:
         value = scalar(read_infix(text, world.names))
         known = [item for item in map(where_stable, world.study.equilibria) if item.stable and name in item.at]
@@ -205,11 +209,11 @@ def whole_period(world: ProblemWorld, name: str | None, other: str | None = None
     return number(swing_of(world.study, name).time(world.study, 4), f"swing {name} 4")
 
 
-def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
-    """The places of the stable (unstable) equilibria."""
-    if not unstable and (found := _orbit(world, name, None)):
+def equilibrium(world: ProblemWorld, kind: str | None, name: str) -> Bound:
+    """The places of the stable (unstable) equilibria; of the unstable ones where no kind is said and none is stable."""
+    if kind != "unstable" and (found := _orbit(world, name, None)):
         return number(found[1].place, f"orbit {name} {found[0]}")
-    places = tuple(item.at[name] for item in _equilibria(world, name, not unstable))
+    places = tuple(item.at[name] for item in _equilibria(world, name, kind))
     return number(*places, "oscillations") if len(places) == 1 else Bound(told="oscillations", values=places)
 
 
@@ -244,5 +248,5 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (rf"(?:(longest|shortest) )?period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
     (r"(?:exact|whole|true) period of (\w+)|period of large swings of (\w+)", whole_period, "exact period of COORDINATE"),
-    (r"(?:stable |(unstable ))?equilibri(?:um|a) of (\w+)", equilibrium, "equilibrium of COORDINATE"),
+    (r"(?:((?:un)?stable) )?equilibri(?:um|a) of (\w+)", equilibrium, "equilibrium of COORDINATE"),
 )  # fmt: skip
