@@ -12,9 +12,11 @@ from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest
 from rbpsym.ask.in_time import at_time, time_of_swing
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, moment_of
 from rbpsym.ask.question import Question, When, is_jump
+from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.verdict import Verdict
-from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
+from rbpsym.errors import NotApplicable, RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.expr import tree as t
+from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol, time_derivative
 from rbpsym.field.exponentials import with_squares
 from rbpsym.field.roots import without_even_roots
@@ -63,7 +65,8 @@ class Answer(Frozen):
 
     Of a parameter: the `symbol` that was asked for, its `relation` to the values, `each` with conditions of its own; a
     sentence, yes or no (`holds_so`), the `equation` that it solves where that has no closed solution; `at`: where an
-    extremum lies; the `conclusion`, and the `grounds` on which rules have checked it."""
+    extremum lies; what is `given` for letters of the question itself; the `conclusion`, and the `grounds` on which rules
+    have checked it."""
 
     question: Question
     study: Study
@@ -80,6 +83,7 @@ class Answer(Frozen):
     each: tuple[tuple[t.Node, ...], ...] = ()
     equation: t.Node | None = None
     at: tuple[str, t.Node] | None = None
+    given: Mapping[str, str] = field(default_factory=dict)
     conclusion: Step | None = None
     grounds: tuple[Step, ...] = ()
 
@@ -153,6 +157,8 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
 def _meant(world: ProblemWorld, question: Question) -> Bound:
     """What the words mean; the direction of a force is that of its vector, where its name alone is its magnitude."""
     found = world.bound(question.quantity)
+    with suppress(ReadError):  # a formula in the names of the problem
+        dimension_of(read_infix(question.quantity, world.names), world.dimensions)
     return plane(world.vector(question.quantity)) if question.is_direction and len(parts(found)) == 1 else found
 
 

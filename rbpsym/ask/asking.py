@@ -17,6 +17,7 @@ from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import whichever
 from rbpsym.ask.special import special_problem
+from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
 from rbpsym.field import granted
 from rbpsym.frozen import Frozen, replace
@@ -115,7 +116,9 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     """The answer to one question, called by the letter. Raises as `ask`, and WorkSpent where it takes too much work."""
     try:
         with granted(MOST_PRODUCTS):
-            return _whole(asked, text, letter)
+            other, plain, given = in_letters(asked, text)
+            found = _whole(other, plain, letter)
+            return found if plain == text else replace(found, question=replace(found.question, text=text), given=given)
     except WorkSpent as error:
         raise WorkSpent(f"“{text}”: {error.what}", instead=LESS) from None
 

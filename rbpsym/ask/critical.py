@@ -30,6 +30,7 @@ SUPERLATIVES = LEAST | GREATEST
 _BEFORE = r"((?: (?:until|before) .+)?)"
 OPPOSITE = re.compile(rf"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip|move)s?(?: off| over)?{_BEFORE}")
 NEVER = re.compile(r"(\w+) (?:(?:does not|never) (?:reach(?:es)?|gets? to|comes? to)|(?:stays|remains) (?:below|above)) (.+)")
+STILL = re.compile(r"(\w+) (?:does not|never) (?:begin to |start to )?(?:slip|move)s?")
 KEPT = {"slip": "does not slip", "move": "does not move", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
 VANISHES = re.compile(rf"(\w+) vanishes{_BEFORE}")
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
@@ -44,6 +45,8 @@ def which(world: Scene, superlative: str | None, name: str, text: str, opposite:
         return _opposite(world, superlative, name, text, f"{turned[1]} {KEPT[turned[2]]}{turned[3]}")
     if (never := NEVER.fullmatch(text)) and (never[1] in world.coordinates or "never" in text or "does" in text):
         return _opposite(world, superlative, name, text, f"{never[1]} reaches {never[2]}")
+    if (still := STILL.fullmatch(text)) and begins_to_slip(world, still[1]) is not None:
+        return _opposite(world, superlative, name, text, f"{still[1]} slips")
     vanishing = VANISHES.fullmatch(text) if superlative and name not in world.coordinates else None
     if vanishing and vanishing[1] in world.study.system.unknowns and moving(world, (seen(world, vanishing[1]),)):
         return _opposite(world, superlative, name, text, f"{vanishing[1]} stays positive{vanishing[2]}")  # somewhere on the way
@@ -226,7 +229,9 @@ def _never(
 
 def _own_demands(world: Scene, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:
     """What is asked of the symbol itself, what is known without that, and with it: it is a premise of the rest only."""
-    asked = [*condition.asked, *(demand for demand in world.demands if demand.op != "!=")]
+    said = {essential(value, condition.given) for value in condition.values}
+    there = (demand for demand in world.demands if demand.op != "!=" and essential(demand.value, condition.given) not in said)
+    asked = [*condition.asked, *there]
     own, firm = ([demand for demand in asked if depends_on(demand.value, name) is is_own] for is_own in (True, False))
     given = premise = where_met(assuming(condition.given, firm, tighter=True, whole=True), own)
     if own:

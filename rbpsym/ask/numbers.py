@@ -46,6 +46,11 @@ class Given(Frozen):
         """The names with several values."""
         return [name for name, values in self.values.items() if len(values) > 1]
 
+    def beside(self, problem: Problem, more: Mapping[str, str]) -> Given:
+        """With what a question itself gives for its letters."""
+        own = read_numbers(", ".join(f"{name} = {value}" for name, value in more.items()), problem) if more else self
+        return Given({**self.values, **own.values}, self.digits)
+
     def rows(self) -> list[dict[str, float]]:
         """One set of numbers for each place of the range; the ranges go on together."""
         count = max(map(len, self.values.values()), default=1)
@@ -56,7 +61,7 @@ def read_numbers(text: str, problem: Problem) -> Given:
     """The numbers of “M = 10 kg, theta = 10..60 deg step 5 deg”; “example” stands for those of the problem. Raises
     ReadError for what can't be read, StatementError for what contradicts the declared signs and ranges."""
     known = {**dimensions_with_unknowns(problem), "t": TIME}
-    found, digits = {}, []
+    found, digits, own = {}, [], set[str]()
     for part in filter(None, (part.strip() for part in re.split(r"[,;](?!\d)", text))):
         if part == "example":
             rows = problem.example.items()
@@ -65,6 +70,9 @@ def read_numbers(text: str, problem: Problem) -> Given:
             if not is_given:
                 raise ReadError(f"“{part}” gives no number", instead="write it as in “M = 10 kg, theta_0 = 70 deg”.")
             rows = [(name, value)]
+            if name in own:
+                raise ReadError(f"“{name}” is given two numbers", instead="leave one out, or give a range.")
+            own.add(name)
         for name, value in rows:
             if name not in known:
                 raise ReadError(f"“{name}” is no letter of this problem", instead=did_you_mean(name, list(known), "letters"))

@@ -29,9 +29,11 @@ def record(found: Answer, given: Given | None = None) -> dict[str, Any]:
     """The answer as keys of JSON: question, answer (text for sympy, a vector as "(x, y)"), latex, verdict, valid_where, steps,
     symbols; with numbers their value and unit, or a table of them over a range."""
     notation = Notation(found.study.problem.notation)
+    given = given and given.beside(found.study.problem, found.given)
     names = sorted({name for node in (*found.nodes, *found.valid) for name in t.names(node)} - {"pi"})
     return {
         "question": found.question.text,
+        **({"given": dict(found.given)} if found.given else {}),
         "answer": _answer(found),
         "latex": latex_of(found) or None,
         **(_of_parameter(found) if is_of_parameter(found) else {}),

@@ -70,13 +70,16 @@ def _told(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None
     from rbpsym.ask.moments import NoClosedForm
     from rbpsym.ask.question import read_question
     from rbpsym.ask.telling import record, record_integrated
+    from rbpsym.ask.units import in_letters
 
     try:
         answer = answered(asked, text)
     except NoClosedForm:
         if numbers is None:
             raise
-        return None, record_integrated(asked, read_question(text), numbers)
+        asked, plain, given = in_letters(asked, text)
+        told = record_integrated(asked, read_question(plain), numbers.beside(asked.problem, given))
+        return None, {**told, "question": text}
     return answer, record(answer, numbers)
 
 
@@ -144,6 +147,8 @@ def _beside(found: Answer, notation: Notation) -> Iterator[str]:
     from rbpsym.expr import tree as t
     from rbpsym.typeset.text import to_text
 
+    if found.given:
+        yield ", ".join(f"{name} = {value}" for name, value in found.given.items())
     if found.equation is not None:
         yield f"{found.symbol} solves {to_text(t.equation(found.equation, t.ZERO), notation)}"
     if found.at is not None and found.at[0] != found.symbol:

@@ -176,13 +176,90 @@ type = "contact"
 point = "cabinet.bottom_right"
 line = "y = 0"
 """
-NAMES = ("a", "b", "g", "l", "L", "m", "v", "alpha", "beta", "Omega", "theta", "theta_0")
+# a cylinder in a corner that a couple turns, with kinetic friction at both contacts
+CORNER = """
+[parameters]
+r = "length"
+m = "mass"
+mu = "number"
+M = "torque"
+g = "acceleration"
+[coordinates.phi]
+start = "0"
+[bodies.cylinder]
+shape = "cylinder"
+mass = "m"
+radius = "r"
+center = ["r", "r"]
+angle = "phi"
+[interactions.W]
+type = "gravity"
+[interactions.C]
+type = "couple"
+on = "cylinder"
+couple = "M"
+[constraints.A]
+type = "touch"
+body = "cylinder"
+line = "y = 0"
+coefficient = "mu"
+slip = "forward"
+[constraints.B]
+type = "touch"
+body = "cylinder"
+line = "x = 0"
+coefficient = "mu"
+slip = "forward"
+"""
+# a bar that falls flat upon a peg
+PEG = """
+[parameters]
+m = "mass"
+L = "length"
+d = "length < L/2"
+e = "number < 1"
+h = "length"
+g = "acceleration"
+[coordinates.x]
+dimension = "length"
+start = "0"
+[coordinates.y]
+dimension = "length"
+start = "h"
+[coordinates.phi]
+start = "0"
+[points]
+Q = ["d", "0"]
+[bodies.bar]
+shape = "rod"
+mass = "m"
+length = "L"
+center = ["x", "y"]
+angle = "phi"
+points = { hit = ["d", "0"] }
+[interactions.W]
+type = "gravity"
+[[phases]]
+name = "hit"
+event = "reaches"
+of = "y"
+at = "0"
+[phases.impulses.J]
+type = "collision"
+points = ["Q", "bar.hit"]
+along = ["0", "1"]
+restitution = "e"
+"""
+NAMES = ("a", "b", "g", "l", "L", "m", "mu", "r", "v", "alpha", "beta", "Omega", "theta", "theta_0")
 ASKED = (
     (CRANK, "beta at the start", "asin(b/l*sin(theta_0))"),
     (CRANK, "angular velocity of rod at the start", "-b*Omega*cos(theta_0)/sqrt(l^2 - b^2*sin(theta_0)^2)"),
     (PLANES, "equilibrium of theta", "alpha"),
     (PLANES, "A in the unstable equilibrium", "m*g*cos(alpha)"),
     (PLANES, "B in the unstable equilibrium", "m*g*sin(alpha)"),
+    (CORNER, "smallest M for which it slips", "mu*m*g*r*(1 + mu)/(1 + mu^2)"),
+    (CORNER, "largest M for which it does not slip", "mu*m*g*r*(1 + mu)/(1 + mu^2)"),
+    (PEG, "d for which speed of phi is greatest when hit begins", "L*sqrt(3)/6"),
     (LEDGE, "magnitude of impulse of B when caught begins", "m*v*sqrt(34)/8"),
 )
 
@@ -199,6 +276,9 @@ VALUED = (
     (INVERTED, "is theta = 0 stable", "m = 1 kg, L = 1 m, g = 10 m/s^2, kappa = 6 N*m", True),
     (INVERTED, "is theta = 0 stable", "m = 1 kg, L = 1 m, g = 10 m/s^2, kappa = 4 N*m", False),
     (CABINET, "largest P for which it does not tip", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 1.1 m, g = 10 m/s^2", 300.0),
+    (CABINET, "time until speed of x = 10 km/h", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 1.1 m, g = 10 m/s^2, P = 40 N", 25 / 18),
+    (CABINET, "speed of x where x = 4 m", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 1.1 m, g = 10 m/s^2, P = 40 N", 4.0),
+    (CRANK, "speed of beta where theta = 180 deg", "b = 1 m, l = 2 m, Omega = 3 rad/s, theta_0 = 0, m = 1 kg", -1.5),
     (CABINET, "largest P for which it does not tip", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 0.7 m, g = 10 m/s^2", 300.0),
 )
 
@@ -217,3 +297,18 @@ def test_a_function_of_the_place_is_told_though_the_place_has_no_number(tmp_path
     run = CliRunner().invoke(main, ["ask", str(path), "beta as a function of theta", "--json", "--with", given])
     found = json.loads(run.stdout)
     assert run.exit_code == 0 and found["answer"] and "value" not in found
+
+
+WRONG = (
+    ("x + m", "", "a mass is added to a length"),
+    ("speed of x where t = 3 m", "", "must be a time, but this is a length"),
+    ("acceleration of x", "m = 1 kg, m = 2 kg, P = 1 N", "given two numbers"),
+    ("frequency of z", "", "is no coordinate"),
+)
+
+
+@pytest.mark.parametrize(("question", "given", "said"), WRONG)
+def test_what_does_not_fit_gets_its_sentence(question: str, given: str, said: str, tmp_path) -> None:
+    (path := tmp_path / "problem.toml").write_text(CABINET)
+    run = CliRunner().invoke(main, ["ask", str(path), question, *(("--with", given) if given else ())])
+    assert run.exit_code == 2 and said in run.output, run.output

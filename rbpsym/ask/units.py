@@ -1,0 +1,72 @@
+"""Values with units in a question, “until speed of phi = 600 rpm”: each gets a letter, which the answer is told in."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+
+from rbpsym.ask.moments import Asked
+from rbpsym.decide.dimensions import dimension_of
+from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.expr.infix import read_infix
+from rbpsym.frozen import replace
+from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity
+from rbpsym.statement.checks import dimensions_with_unknowns
+from rbpsym.statement.units import UnitOf, read_unit
+
+VALUE = re.compile(
+    r"(?:\b(?P<of>\w+) )?(?P<is>=|[<>]=?|reaches|is) (?P<sign>[-+−]?)(?P<number>\d+(?:\.\d+)?) ?(?P<unit>[^\W\d][\w^*/ ]*?)"
+    r"(?=$|,| (?:in|with|for|as|at|and|to|until|from|before|after)\b)"
+)
+LETTER = "q"
+
+
+def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
+    """The question with a letter for each value that has a unit, asked of the problem that has these letters too, and the
+    values by letter. An angle becomes a multiple of π. Raises ReadError for a value of no dimension that is no angle."""
+    known, given = {**dimensions_with_unknowns(asked.problem), "t": TIME}, dict[str, str]()
+    added: list[Quantity] = []
+
+    def put(said: re.Match[str]) -> str:
+        unit = _unit(said["unit"], known.get(said["of"] or ""), known)
+        if unit is None:
+            return said[0]
+        lead = f"{said['of']} {said['is']}" if said["of"] else said["is"]
+        sign = "-" if said["sign"] in ("-", "−") else ""
+        if unit.of_mechanics == NUMBER:
+            return f"{lead} {sign}{said['number']}{_of_angle(unit)}"
+        name = next(n for k in range(1, 100) if (n := f"{LETTER}_{k}") not in known and n not in given)
+        given[name] = f"{said['number']} {said['unit']}"
+        added.append(Quantity(name, unit.of_mechanics, f"{said['number']} {said['unit']}"))
+        return f"{lead} {sign}{name}"
+
+    plain = VALUE.sub(put, whole := " ".join(text.split()).rstrip(" ?."))
+    if not added:
+        return asked, text if plain == whole else plain, given
+    problem = asked.problem
+    return Asked(replace(problem, parameters=(*problem.parameters, *added), example={**problem.example, **given})), plain, given
+
+
+def _unit(text: str, of: Dimension | None, known: Mapping[str, Dimension]) -> UnitOf | None:
+    """The unit that is meant; None for names of the problem (3 m where m is a mass), unless these do not fit."""
+    try:
+        unit = read_unit(text)
+    except ReadError:
+        return None
+    try:
+        named = dimension_of(read_infix(text.replace("^", "**"), known), known)
+    except RbpsymError:
+        return unit
+    return unit if of not in (None, named) else None
+
+
+def _of_angle(unit: UnitOf) -> str:
+    """What a number of degrees, turns or radians is multiplied by. Raises ReadError for another unit."""
+    if unit.counts_cycles:
+        return "*2*pi"
+    if math.isclose(unit.factor, math.pi / 180):
+        return "*pi/180"
+    if unit.factor == 1:
+        return ""
+    raise ReadError("an angle is told in deg, rad or turns here")
