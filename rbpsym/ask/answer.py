@@ -128,9 +128,6 @@ def found_of(asked: Asked, question: Question) -> Found:
     return _along(asked, question) if question.when is None else _then(asked, question)
 
 
-# --- what it is about
-
-
 def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bound]:
     """The phase in which the quantity is known, and what it is there."""
     if question.manner == SMALL and not question.of and question.when is None:

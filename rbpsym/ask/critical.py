@@ -13,7 +13,7 @@ from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, seen, told, way_to
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
-from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises
+from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises, unsaid
 from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat, rooted
@@ -166,9 +166,6 @@ def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: s
     raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, value))
 
 
-# --- regions
-
-
 def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int, opposite: str = "") -> Finding:
     """For which values of a parameter what is wanted is positive; `sense`: of which bound it is asked; `opposite`: the text of
     what is asked for instead, where that is the contrary."""
@@ -229,9 +226,7 @@ def _never(
 
 def _own_demands(world: Scene, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:
     """What is asked of the symbol itself, what is known without that, and with it: it is a premise of the rest only."""
-    said = {essential(value, condition.given) for value in condition.values}
-    there = (demand for demand in world.demands if demand.op != "!=" and essential(demand.value, condition.given) not in said)
-    asked = [*condition.asked, *there]
+    asked = [*condition.asked, *unsaid((demand for demand in world.demands if demand.op != "!="), condition)]
     own, firm = ([demand for demand in asked if depends_on(demand.value, name) is is_own] for is_own in (True, False))
     given = premise = where_met(assuming(condition.given, firm, tighter=True, whole=True), own)
     if own:

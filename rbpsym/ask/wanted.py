@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from types import MappingProxyType
 
@@ -58,10 +58,15 @@ def arrives(condition: Wanted, place: Scalar | None, at: Mapping[str, Scalar] = 
 def premises(world: Scene, condition: Wanted) -> list[Demand]:
     """What contacts, friction and the start ask of the parameters for the motion to be the one that is stated, beside what
     the condition itself says."""
-    said = {essential(value, condition.given) for value in condition.values}
     standing = [demand for demand in dict.fromkeys(world.standing) if not moving(world, (demand.value,))]
     standing = [_without_divisor(demand, standing, condition.given) for demand in standing]
-    return [demand for demand in dict.fromkeys(standing) if essential(demand.value, condition.given) not in said]
+    return unsaid(dict.fromkeys(standing), condition)
+
+
+def unsaid(demands: Iterable[Demand], condition: Wanted) -> list[Demand]:
+    """Those that the condition itself does not say."""
+    said = {essential(value, condition.given) for value in condition.values}
+    return [demand for demand in demands if essential(demand.value, condition.given) not in said]
 
 
 def _without_divisor(demand: Demand, standing: list[Demand], given: Assumptions) -> Demand:
