@@ -311,7 +311,7 @@ def _valid(
     moment, parts = found.moment, (before, [s for s in steps if s.rule != "solution"], [s for s in steps if s.rule == "solution"])
     duties = [duty for part in parts for duty in _duties(part)]
     first, asked, solved = (_asked(draft, _duties(part)) for part in parts)
-    if moment is not None and moment.how in ("start", "event", "rest") and not found.study.at_start:
+    if moment is not None and moment.how in ("start", "event", "rest"):
         with suppress(ZeroDivisionError):  # the laws are asked for their solution there only
             solved = [_there(found.study, one, moment) for one in solved]
             asked = [_there(found.study, one, moment) for one in asked] if moment.how != "event" else asked
@@ -339,7 +339,7 @@ def _there(study: Study, demand: Demand, moment: Moment) -> Demand:
     """A demand at that moment. What the way of solving divides by may vanish there alone: the value is that of its
     neighbours, to which it is bound where the mass matrix is regular."""
     there = Demand(value_in(study, demand.value, moment.state), demand.op)
-    if demand.op != "!=" or not is_zero(there.value):
+    if demand.op != "!=" or study.at_start or not is_zero(there.value):
         return there
     inertia = [[value_in(study, entry, moment.state) for entry in row] for row in study.dynamics.mass_matrix]
     return there if is_zero(determinant(inertia)) else Demand(UNITY)

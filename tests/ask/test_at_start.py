@@ -2,12 +2,13 @@
 
 import pytest
 
-from rbpsym.ask.asking import ask
+from rbpsym.ask.asking import answered, ask
 from rbpsym.decide.equal import equal
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.statement.loader import load_text
 from rbpsym.typeset.machine import to_machine
+from tests.ask.test_answers import asked
 
 CORD = """
 [parameters]
@@ -49,3 +50,8 @@ def test_the_laws_are_solved_at_the_start_where_their_solution_for_every_place_i
     assert found.verdict.is_proved and equal(*(read_infix(text, NAMES) for text in (found.text, ASKED[question]))).is_proved
     assert not found.valid, [to_machine(node) for node in found.valid]
     assert all(len(list(t.walk(step.statement))) < 80 for step in found.steps)
+
+
+def test_no_speed_is_left_in_the_conditions_of_a_linkage() -> None:
+    found = answered(asked("four-bar-linkage"), "instantaneous centre of rocker at the start")
+    assert found.verdict.is_proved and not any(name.endswith("_dot") for node in found.valid for name in t.names(node))
