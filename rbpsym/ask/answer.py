@@ -171,9 +171,6 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[S
     return found
 
 
-# --- at a moment
-
-
 def _then(asked: Asked, question: Question) -> Found:
     """The value at a moment; what is counted since another moment, from there."""
     if question.of:
