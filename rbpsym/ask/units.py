@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from fractions import Fraction
 
 from rbpsym.ask.moments import Asked
 from rbpsym.decide.dimensions import dimension_of
@@ -19,7 +20,7 @@ VALUE = re.compile(
     r"(?:\b(?P<of>\w+) )?(?P<is>=|[<>]=?|reaches|is) (?P<sign>[-+−]?)(?P<number>\d+(?:\.\d+)?) ?(?P<unit>[^\W\d][\w^*/ ]*?)"
     r"(?=$|,| (?:in|with|for|as|at|and|to|until|from|before|after)\b)"
 )
-LETTER = "q"
+LETTER, FINEST = "q", 100_000
 
 
 def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
@@ -63,10 +64,10 @@ def _unit(text: str, of: Dimension | None, known: Mapping[str, Dimension]) -> Un
 
 def _of_angle(unit: UnitOf) -> str:
     """What a number of degrees, turns or radians is multiplied by. Raises ReadError for another unit."""
-    if unit.counts_cycles:
-        return "*2*pi"
-    if math.isclose(unit.factor, math.pi / 180):
-        return "*pi/180"
-    if unit.factor == 1:
+    size = unit.factor * (2 * math.pi if unit.counts_cycles else 1)
+    if size == 1:
         return ""
+    part = Fraction(size / math.pi).limit_denominator(FINEST)
+    if part and math.isclose(part * math.pi, size):
+        return f"*{part}*pi"
     raise ReadError("an angle is told in deg, rad or turns here")

@@ -278,7 +278,7 @@ VALUED = (
     (CABINET, "largest P for which it does not tip", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 1.1 m, g = 10 m/s^2", 300.0),
     (CABINET, "time until speed of x = 10 km/h", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 1.1 m, g = 10 m/s^2, P = 40 N", 25 / 18),
     (CABINET, "speed of x where x = 4 m", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 1.1 m, g = 10 m/s^2, P = 40 N", 4.0),
-    (CRANK, "speed of beta where theta = 180 deg", "b = 1 m, l = 2 m, Omega = 3 rad/s, theta_0 = 0, m = 1 kg", -1.5),
+    (CRANK, "speed of beta where theta = 0.5 rev", "b = 1 m, l = 2 m, Omega = 3 rad/s, theta_0 = 0, m = 1 kg", -1.5),
     (CABINET, "largest P for which it does not tip", "m = 20 kg, b = 0.6 m, c = 0.9 m, h = 0.7 m, g = 10 m/s^2", 300.0),
 )
 
