@@ -12,7 +12,21 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber, StatementError
-from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, has_roots, is_zero, short, substitute, symbol
+from rbpsym.field import (
+    NOTHING,
+    ONE,
+    UNITY,
+    Scalar,
+    Vector,
+    atoms,
+    depends_on,
+    derivative,
+    has_roots,
+    is_zero,
+    short,
+    substitute,
+    symbol,
+)
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.integration import antiderivative
 from rbpsym.mechanics.constraints import JOINTS
@@ -187,14 +201,15 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
 
 def _driven(value: Scalar, coordinate: Coordinate, given: Assumptions) -> Scalar | None:
     """Where a condition that runs with the time puts a coordinate: the only zero that may lie in its range. None if that
-    is not decided."""
+    is not decided, and where it is an angle of a quotient with a sum below: its rates grow too long, it stays tied."""
     ends = [(scalar(end), side) for end, side in ((coordinate.lower, 1), (coordinate.upper, -1)) if end is not None]
     is_length = bool(coordinate.quantity.dimension.length)  # an angle comes back after each turn: both ends tell which is meant
     found = zeros(value, coordinate.name) if len(ends) == 2 or (ends and is_length) else []
     gaps = [[sign((zero - end) * side, given) for end, side in ends] for zero in found]
     inside = [zero for zero, signs in zip(found, gaps, strict=True) if all(one.is_nonnegative for one in signs)]
     outside = [signs for signs in gaps if any(one.kind in ("negative", "zero", "nonpositive") for one in signs)]
-    return inside[0] if len(inside) == 1 == len(found) - len(outside) else None
+    is_short = all(getattr(atoms.atom(index).arg, "den", ONE) is ONE for zero in inside for index in zero.atoms())
+    return inside[0] if len(inside) == 1 == len(found) - len(outside) and is_short else None
 
 
 def _held_at_start(value: Scalar, coordinate: Coordinate) -> Scalar | None:
