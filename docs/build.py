@@ -13,14 +13,15 @@ from pathlib import Path
 
 from rbpsym import errors
 from rbpsym.ask.question import CLAUSES
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.impulses import IMPULSES
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import ElementKind, Field, ShapeKind
 from rbpsym.errors import RbpsymError
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.quantity.phrases import PHRASES
 from rbpsym.statement import SHAPES, load_problem, load_text
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import ElementKind, Field, ShapeKind
-from rbpsym.statement.phases import EVENTS, IMPULSES, PHASE_KEYS
+from rbpsym.statement.phases import EVENTS, PHASE_KEYS
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE / "examples"

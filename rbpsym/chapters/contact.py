@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.decide.signs import sign
+from rbpsym.elements.interactions import LETTERS
 from rbpsym.expr import tree as t
 from rbpsym.field import UNITY, Scalar, cosine, depends_on, generator, is_zero, short, sine, substitute, symbol
 from rbpsym.mechanics.events import Loss
 from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.pushing import asked, start_valid
-from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.mechanics.sides import Side
 from rbpsym.mechanics.stability import essential
 from rbpsym.present.forms import atom_node

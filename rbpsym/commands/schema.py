@@ -52,8 +52,8 @@ def schema() -> Schema:
 
 def _kinds(section: str) -> Iterable[Schema]:
     """The tables that an element of a section may be, one for each kind."""
+    from rbpsym.elements.kinds import ShapeKind
     from rbpsym.statement.bodies import keys_of
-    from rbpsym.statement.kinds import ShapeKind
     from rbpsym.studio.completing import COMMON, KINDS
 
     key, kinds = KINDS[section]

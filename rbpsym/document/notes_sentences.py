@@ -3,82 +3,95 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 from rbpsym.document.model import Inlines
 from rbpsym.document.places import line_in_words, point_in_words
 from rbpsym.document.words import Words, capital
+from rbpsym.elements.interactions import LETTERS
 from rbpsym.expr import tree as t
-from rbpsym.field import depends_on
-from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.impulse import is_holding
-from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.pictures.pose import DrawnPose
-from rbpsym.present.forms import present
 from rbpsym.proof.assertions import Said
 from rbpsym.proof.step import BodyRef
-from rbpsym.statement.model import Element, PointRef
+from rbpsym.statement.model import Element, PointRef, Turn
 from rbpsym.statement.paths import tensions
-from rbpsym.statement.scope import CLOCK
+from rbpsym.statement.slots import ALL
 
 Slots = dict[str, object]
-DOWN = (t.ZERO, t.Neg(t.ONE))
-DRIVEN = {(t.ONE, t.ZERO): "driven_right", (t.ZERO, t.ONE): "driven_up"}
 
 
 def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
-    """The sentence of one constraint or interaction."""
-    write = SENTENCES.get(element.kind, _other)
-    slots = write(element, pose, said)
-    key = slots.pop("key", f"statement.{element.kind}")
-    if not said.has(key):
-        key, slots = "statement.other", _other(element, pose, said)
-    ground = Said(pose.study)
-    return capital(said.say(key, ground=ground, force=t.Vec(element.name), letter=t.Sym(element.name), **slots))
+    """The sentence of one constraint, interaction or impulse."""
+    key = f"statement.{element.kind}{ALL[element.kind].told(element, pose.study.problem)}"
+    slots = in_words(element, pose, said) | {"force": t.Vec(element.name), "letter": t.Sym(element.name)}
+    key = key if said.has(key) else "statement.other"
+    return capital(said.say(key, ground=Said(pose.study), kind=element.kind.replace("-", " "), **slots))
 
 
-def _pivot(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    ends = {"ground", element["point"].body}
-    rough = any(ends == {*each["between"]} for each in pose.study.problem.of_kind("resisting-couple"))
-    slots: Slots = {"point": point_in_words(element["point"], pose, said)}
-    where = pose.where(element["point"])
-    is_moved = any(depends_on(part, CLOCK) for part in (where.x, where.y))
-    slots["key"] = f"statement.pivot{'_rough' if rough else ''}{'_moved' if is_moved else ''}"
-    if is_moved:
-        slots |= {"x": present(where.x, pose.study.style), "y": present(where.y, pose.study.style)}
-    return slots
-
-
-def _pair(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    first, second = element["points"]
-    if second.body is None:
-        first, second = second, first
-    slots: Slots = {"first": point_in_words(first, pose, said), "second": point_in_words(second, pose, said)}
-    if element.kind == "weld":
-        slots["couple"] = t.Sym(element["couple"])
-    if first.body is None:
-        return slots | {"key": f"statement.{element.kind}_ground", "body": BodyRef(second.body)}
-    return slots | {"one": BodyRef(first.body), "other": BodyRef(second.body)}
-
-
-def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    """A point or a round body on a line; other curves are named by what they are."""
-    what = element.values.get("point") or element.values.get("body")
-    if what is None:
-        return _other(element, pose, said) | {"key": "statement.other"}
-    toucher = point_in_words(what, pose, said) if isinstance(what, PointRef) else said.the(str(what))
-    slots: Slots = {"point": toucher, "line": _curve(element, pose, said)}
-    if element.values.get("friction"):
-        slots["friction"] = t.Vec(str(element["friction"]))
+def in_words(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    """What the keys of an element say, as slots of a phrase: formulas by their key, points and bodies by their part in it."""
+    found: Slots = {}
+    for field in ALL[element.kind].fields:
+        if (value := element.values.get(field.name)) is not None:
+            found |= SLOTS.get(field.kind, _as_it_is)(field.name, value, pose, said)
+    if element.kind in LETTERS:
+        found["speed"] = t.Sym(LETTERS[element.kind])
+    if "path" in found:
+        found["letters"] = [t.Sym(name) for name in tensions(element)]
+    if found.keys() & {"line", "circle", "curve"}:
+        found["line"] = _curve(element, pose, said)
     for other in pose.study.problem.constraints:
         if other.values.get("beside") == element.name:
-            slots |= {"friction": t.Vec(str(other["friction"])), "key": "statement.contact_beside"}
-    if element.values.get("coefficient") is not None:
-        slots |= {"coefficient": element["coefficient"], "key": f"statement.{element.kind}_rough"}
-    if isinstance(what, PointRef) and what.body is None and element.values.get("of"):
-        slots["key"] = f"{slots.get('key', f'statement.{element.kind}')}_on_point"
-    if element.values.get("couple"):
-        slots["couple"] = t.Sym(str(element["couple"]))
-    return slots
+            found["friction"] = t.Vec(other["friction"])
+    return found
+
+
+def _as_it_is(name: str, value: Any, pose: DrawnPose, said: Words) -> Slots:
+    return {name: value}
+
+
+def _name(name: str, value: str, pose: DrawnPose, said: Words) -> Slots:
+    return {name: t.Vec(value) if name == "friction" else t.Sym(value)}
+
+
+def _point(name: str, value: PointRef, pose: DrawnPose, said: Words) -> Slots:
+    return {name if name == "circle" else "point": point_in_words(value, pose, said)}
+
+
+def _points(name: str, value: tuple[PointRef, PointRef], pose: DrawnPose, said: Words) -> Slots:
+    """The place on the ground first."""
+    first, second = value if value[1].body or name == "between" else value[::-1]
+    bodies = zip(("one", "body", "other"), (first, second, second), strict=True)
+    words = {"first": point_in_words(first, pose, said), "second": point_in_words(second, pose, said)}
+    return words | {slot: BodyRef(ref.body) for slot, ref in bodies if ref.body}
+
+
+def _body(name: str, value: str, pose: DrawnPose, said: Words) -> Slots:
+    slots = ("other",) if name in ("of", "reaction_on") else ("body", "point")
+    return dict.fromkeys(slots, BodyRef(value))
+
+
+def _bodies(name: str, value: tuple[str, ...], pose: DrawnPose, said: Words) -> Slots:
+    """Two bodies, or a body and the ground, that are turned against each other."""
+    names = [name for name in value if name in pose.study.system.bodies]
+    return {"bodies": [BodyRef(name) for name in names], "count": len(names)}
+
+
+def _pair(name: str, value: tuple[t.Node, t.Node], pose: DrawnPose, said: Words) -> Slots:
+    return {"x": value[0], "y": value[1]}
+
+
+def _path(name: str, value: tuple[Turn, ...], pose: DrawnPose, said: Words) -> Slots:
+    """What is wound on it comes last."""
+    turns = value if value[-1].sense or not value[0].sense else value[::-1]
+    told = [said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said) for turn in turns]
+    return {"path": told[1:-1] or told, "first": told[0], "last": told[-1], "whole": told}
+
+
+SLOTS: Mapping[str, Callable[[str, Any, DrawnPose, Words], Slots]] = {
+    "name": _name, "point": _point, "points": _points, "body": _body, "two bodies": _bodies, "pair": _pair, "path": _path,
+}  # fmt: skip
 
 
 def _curve(element: Element, pose: DrawnPose, said: Words) -> Inlines:
@@ -104,144 +117,10 @@ def _is_round_itself(element: Element, pose: DrawnPose) -> bool:
     return element["radius"] in pose.study.problem.body(element["circle"].body).shape.sizes.values()
 
 
-def _spring(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    natural = element["natural_length"]
-    more: Slots = {"natural": natural} if natural not in (None, t.ZERO) else {"key": "statement.spring_short"}
-    return {"stiffness": element["stiffness"], **_ends(element, pose, said), **more}
-
-
-def _ends(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    first, second = element["between"]
-    return {"first": point_in_words(first, pose, said), "second": point_in_words(second, pose, said)}
-
-
-def _twisting(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    """Two bodies, or a body and the ground, that are turned against each other."""
-    names = [name for name in element["between"] if name in pose.study.system.bodies]
-    size = element["stiffness"] if "stiffness" in element.values else element["coefficient"]
-    return {"size": size, "bodies": [BodyRef(name) for name in names], "count": len(names)}
-
-
-def _applied(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    x, y = element["force"]
-    turns = {"key": "statement.force_turning"} if element["frame"] == "body" else {}
-    return {"point": point_in_words(element["on"], pose, said), "x": x, "y": y, **turns}
-
-
-def _falling(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    x, y = element["direction"]
-    return {"g": element["g"], "x": x, "y": y, **({} if (x, y) == DOWN else {"key": "statement.gravity_along"})}
-
-
-def _resisting(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    """A force or couple against a motion, its size with or without the speed in it."""
-    speed = t.Sym(LETTERS[element.kind])
-    slots: Slots = {"size": element["size"], "speed": speed}
-    moves = "on" in element.values and any(map(scalar, element["medium"]))
-    if "on" in element.values:
-        slots["point"] = point_in_words(element["on"], pose, said)
-    else:
-        names = [name for name in element["between"] if name in pose.study.system.bodies]
-        slots |= {"bodies": [BodyRef(name) for name in names], "count": len(names)}
-    if moves:
-        return slots | {"x": element["medium"][0], "y": element["medium"][1], "key": "statement.resistance_in"}
-    return slots if speed.name in t.names(element["size"]) else slots | {"key": f"statement.{element.kind}_dry"}
-
-
-def _couple(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    return {"couple": element["couple"], "body": BodyRef(element["on"])}
-
-
-def _driven(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    x, y = element["along"]
-    slots: Slots = {"point": point_in_words(element["point"], pose, said), "distance": element["distance"], "x": x, "y": y}
-    if element["of"]:
-        return {**slots, "other": BodyRef(element["of"]), "key": "statement.driven_along"}
-    return {**slots, "key": f"statement.{DRIVEN.get((x, y), 'prescribed')}"}
-
-
-def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    slots = {"body": BodyRef(element["body"]), "angle": element["angle"]}
-    return {**slots, "other": BodyRef(element["of"]), "key": "statement.turned_against"} if element["of"] else slots
-
-
 def touched(element: Element, pose: DrawnPose, said: Words) -> Slots:
     """What touches (`point`) and what is touched (`line`), or what a string joins (`path`)."""
-    if "path" not in element.values:
-        found = _touching(element, pose, said)
-        return {slot: found[slot] for slot in ("point", "line") if slot in found}
-    found = _string(element, pose, said)
-    return {"path": [found["first"], *found["path"], found["last"]] if "first" in found else found["path"]}
-
-
-def _bouncing(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    kind = "bounce_taut" if "path" in element.values else "bounce"
-    return {**touched(element, pose, said), "restitution": element["restitution"], "key": f"statement.{kind}"}
-
-
-def _colliding(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    x, y = element["along"]
-    first, second = (point_in_words(point, pose, said) for point in element["points"])
-    return {"first": first, "second": second, "x": x, "y": y, "restitution": element["restitution"]}
-
-
-def _struck(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    x, y = element["impulse"]
-    return {"point": point_in_words(element["on"], pose, said), "x": x, "y": y}
-
-
-def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    turns = element["path"]
-    turns = turns if turns[-1].sense or not turns[0].sense else turns[::-1]
-    told = [
-        said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said) for turn in turns
-    ]
-    if element.values.get("rigid"):
-        return {"path": told, "key": "statement.link"}
-    if len(turns) == 2 and not turns[-1].sense:
-        return {"path": told, "key": "statement.string_straight"}
-    over = "over_" if len(turns) > 2 else ""
-    key = f"statement.string_{over}wound" if turns[-1].sense else "statement.string"
-    pulls = tensions(element)
-    turned = {"key": "statement.string_turning", "letters": [t.Sym(name) for name in pulls]} if len(pulls) > 1 else {}
-    return {"first": told[0], "path": told[1:-1], "last": told[-1], "key": key, **turned}
-
-
-def _other(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    return {"kind": element.kind.replace("-", " ")}
-
-
-Writer = Callable[[Element, DrawnPose, Words], Slots]
-
-SENTENCES: Mapping[str, Writer] = {
-    "blow": _struck,
-    "bounce": _bouncing,
-    "collision": _colliding,
-    "pivot": _pivot,
-    "pin": _pair,
-    "weld": _pair,
-    "contact": _touching,
-    "guide": _touching,
-    "slider": _touching,
-    "touch": _touching,
-    "rolling": _touching,
-    "gear": _touching,
-    "sticking": _touching,
-    "string": _string,
-    "link": _string,
-    "prescribed": _driven,
-    "prescribed-angle": _turned,
-    "gravity": _falling,
-    "spring": _spring,
-    "pull": lambda e, p, w: {"size": e["size"], **_ends(e, p, w)},
-    "damper": lambda e, p, w: {"coefficient": e["coefficient"], **_ends(e, p, w)},
-    "torsion-spring": _twisting,
-    "rotary-damper": _twisting,
-    "force": _applied,
-    "couple": _couple,
-    "resistance": _resisting,
-    "resisting-couple": _resisting,
-}
+    found = in_words(element, pose, said)
+    return {"path": found["whole"]} if "whole" in found else {slot: found[slot] for slot in ("point", "line") if slot in found}
 
 
 def element_sentences(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
@@ -262,7 +141,7 @@ def sentences_of(element: Element, pose: DrawnPose, said: Words) -> Iterator[Inl
     for key in ("limit", "length", "rest_angle", "rim"):
         if element.values.get(key) not in (None, t.ZERO, *own):
             yield said.say(f"statement.{key}", value=element[key])
-    if element.kind == "gravity" and {*element["bodies"]} != {*pose.study.problem.body_names}:
+    if "bodies" in element.values and {*element["bodies"]} != {*pose.study.problem.body_names}:
         yield said.say("statement.bodies", bodies=[BodyRef(name) for name in element["bodies"]], count=len(element["bodies"]))
     if element.kind == "bounce" and "path" not in element.values:
         yield from _friction_of(element, said)

@@ -35,6 +35,7 @@ from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.figures.scene import COLORS
 from rbpsym.quantities import NUMBER, TIME
+from rbpsym.statement.curves import is_slot
 from rbpsym.statement.model import Element, Problem
 
 # --- a problem as the explorer has it: data for JSON, and the functions of its phases as JavaScript
@@ -142,7 +143,7 @@ def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
     struck = (e for part in parts[1:] for e in part.began.phase.impulses)
     found = chain((e for part in parts for e in part.study.problem.constraints), struck)
     return tuple(
-        e for e in found if e.values.get("line") is not None and e.values.get("of") is None and e.kind != "guide"
+        e for e in found if e.values.get("line") is not None and e.values.get("of") is None and not is_slot(e)
     )
 
 

@@ -20,8 +20,10 @@ from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.pose import touched_radii
+from rbpsym.statement.curves import is_slot
 from rbpsym.statement.model import Element, PlacedShape, Shape
 from rbpsym.statement.paths import runs
+from rbpsym.statement.slots import drawn_as
 from rbpsym.statement.solids import copies, leaves
 
 Part = dict[str, Any]
@@ -94,26 +96,24 @@ def part(seen: SeenStudy, placed) -> Part:
 def points(seen: SeenStudy) -> Iterator[Part]:
     """Pivots, pins, welds, slots, edges and the fixed ends of springs and strings."""
     where = seen.geometry.where
-    for element in seen.study.problem.of_kind("pivot"):
-        yield {"kind": "pivot", "at": seen.at(where(element["point"])), "of": element["point"].body}
-    for element in seen.study.problem.of_kind("pin", "weld"):
-        first, second = element["points"]
-        ground = first.body is None or second.body is None
+    for element in drawn_as(seen.study.problem, "pivot", "pin", "weld", "guide", "slider", "driven"):
+        refs = element.values.get("points") or (element["point"],)
+        bodies = [ref for ref in refs if ref.body]
+        ground = len(bodies) < 2
         kind = "pivot" if ground and element.kind == "pin" else element.kind
-        body = second if second.body else first
-        yield {"kind": kind, "at": seen.at(where(body)), "of": body.body, "ground": ground}
-    for element in seen.study.problem.of_kind("guide", "slider", "prescribed"):
-        yield {"kind": element.kind, "at": seen.at(where(element["point"])), "of": element["point"].body}
-    for element in seen.study.problem.of_kind("contact", "sticking"):
-        if element["point"].body is None and element["of"]:
-            yield {"kind": "edge", "at": seen.at(where(element["point"])), "of": None}
+        body = bodies[-1]
+        yield {"kind": kind, "at": seen.at(where(body)), "of": body.body, **({"ground": ground} if len(refs) > 1 else {})}
+    for element in seen.study.problem.constraints:
+        ref = element.values.get("point")
+        if ref and ref.body is None and element.values.get("of"):
+            yield {"kind": "edge", "at": seen.at(where(ref)), "of": None}
     for ref in fixed_ends(seen):
         yield {"kind": "fixed", "at": seen.at(where(ref)), "of": None}
 
 
 def fixed_ends(seen: SeenStudy) -> Iterator[Any]:
     """Points of the ground to which springs, dampers and strings are tied."""
-    for element in seen.study.problem.of_kind("spring", "damper", "pull"):
+    for element in drawn_as(seen.study.problem, "link", "cord"):
         yield from (ref for ref in element["between"] if ref.body is None)
     for element in seen.study.problem.of_kind("string"):
         yield from (turn.center for turn in element["path"] if turn.body is None and not turn.sense)
@@ -128,7 +128,7 @@ def lines(seen: SeenStudy) -> Iterator[Part]:
             continue
         done.add((line.label, of))
         values = {key: seen.node(getattr(line, key)) for key in "abc"}
-        normal = None if element.kind == "guide" else seen.at(meeting(element, seen.geometry).normal)
+        normal = None if is_slot(element) else seen.at(meeting(element, seen.geometry).normal)
         yield {**values, "of": of, "normal": normal, "through": touched(seen, element)}
 
 
@@ -144,7 +144,7 @@ def circles(seen: SeenStudy) -> Iterator[Part]:
         centre = element.values.get("circle")
         if centre is not None and centre.body is None:
             radius, at = seen.node(element["radius"]), seen.at(seen.geometry.where(centre))
-            normal = None if element.kind == "guide" else seen.at(meeting(element, seen.geometry).normal)
+            normal = None if is_slot(element) else seen.at(meeting(element, seen.geometry).normal)
             yield {"at": at, "r": radius, "through": touched(seen, element), "normal": normal}
     for element in seen.study.problem.of_kind("string"):
         for turn in element["path"]:
@@ -154,17 +154,17 @@ def circles(seen: SeenStudy) -> Iterator[Part]:
 
 def links(seen: SeenStudy) -> Iterator[Part]:
     """Springs and dampers."""
-    for element in seen.study.problem.of_kind("spring", "damper"):
+    for element in drawn_as(seen.study.problem, "link"):
         ends = [seen.at(seen.geometry.where(ref)) for ref in element["between"]]
         yield {"kind": element.kind, "ends": ends}
 
 
 def cords(seen: SeenStudy) -> Iterator[Part]:
     """Curves; the straight pieces of each string, and the circles round which it runs between them."""
-    for element in seen.study.problem.of_kind("guide", "contact"):
-        if element["curve"] is not None:
+    for element in seen.study.problem.constraints:
+        if element.values.get("curve") is not None:
             yield from bent(seen, element)
-    for element in seen.study.problem.of_kind("pull"):
+    for element in drawn_as(seen.study.problem, "cord"):
         yield {"ends": [seen.at(seen.geometry.where(ref)) for ref in element["between"]], "turn": None}
     for element in seen.study.problem.of_kind("string"):
         for run in runs(element["path"]):
@@ -191,16 +191,15 @@ def turn(seen: SeenStudy, found) -> Part | None:
 
 def coils(seen: SeenStudy) -> Iterator[Part]:
     """Torsion springs and rotary dampers, at the hinge of the second body."""
-    for element in seen.study.problem.of_kind("torsion-spring", "rotary-damper"):
+    for element in drawn_as(seen.study.problem, "coil"):
         names = [name for name in reversed(element["between"]) if name in seen.study.system.bodies]
         yield {"kind": element.kind, "at": seen.at(hinge(seen, names[0]))}
 
 
 def hinge(seen: SeenStudy, body: str) -> Vector:
     """Where a body is hinged, else its centre of mass."""
-    for element in seen.study.problem.of_kind("pivot", "pin", "weld"):
-        refs = element["points"] if element.kind != "pivot" else (element["point"],)
-        for ref in refs:
+    for element in drawn_as(seen.study.problem, "pivot", "pin", "weld"):
+        for ref in element.values.get("points") or (element["point"],):
             if ref.body == body:
                 return seen.geometry.where(ref)
     return seen.geometry.center(body)

@@ -9,10 +9,12 @@ Kleppner & Kolenkow 2.5 and 7.6; Meriam & Kraige, Dynamics, 6/4.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 from rbpsym.errors import StatementError
 from rbpsym.field import (
     NOTHING,
-    ORIGIN,
     UNITY,
     Poly,
     Scalar,
@@ -28,6 +30,7 @@ from rbpsym.field import (
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import tidy
 from rbpsym.frozen import Frozen
+from rbpsym.mechanics.constraints import Joint, Touch, couples
 from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, opposed, rotated
 from rbpsym.statement.curves import curve_body, toucher
@@ -215,15 +218,6 @@ def _pair(element: Element, name: str, met: Meeting, vector: Vector, unknowns: t
     return opposed(name, ((body, met.place, label) for body in (met.on, met.by)), vector, unknowns=unknowns)
 
 
-def couples(name: str, on: str | None, by: str | None, outer: str, geometry: Geometry) -> tuple[Force, ...]:
-    """The unknown couple `name` on a body and the opposite one on the other; `outer` exerts it where that is none.
-
-    It is an entry of its own: the force that acts beside it has its torque, and its work, for itself.
-    """
-    ends = ((body, ORIGIN if body is None else geometry.center(body), f"{body}.cm") for body in (on, by))
-    return opposed(name, ends, couple=symbol(name), outside=outer, unknowns=(name,))
-
-
 def normal_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """N along the normal; with kinetic friction against the slip if there is a coefficient."""
     met, name = meeting(element, geometry), element.name
@@ -280,3 +274,29 @@ def _uphill(element: Element, geometry: Geometry, met: Meeting) -> int:
         return 1
     rise = met.forward.y
     return -1 if not is_zero(rise) and geometry.sign(rise) < 0 else 1
+
+
+# --- what contacts ask for
+
+
+def touching(forces: Callable[[Element, Geometry], tuple[Force, ...]], **more: Any) -> Joint:
+    """What touches a line, a circle or a curve: `forces` are those by which it does."""
+    return Joint(forces, touches=_touches, gaps=_gaps, taken=taken, **more)
+
+
+def _touches(element: Element) -> tuple[Touch, ...]:
+    """A point of a body on a fixed line."""
+    if "point" not in element.values or element["line"] is None or element["of"] is not None:
+        return ()
+    return (Touch(element["point"], element["line"], element.values.get("side", "auto")),)
+
+
+def _gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, str], ...]:
+    if element.values.get("curve") is not None:
+        return tuple((gap, "gap") for gap in curve_gaps(element, geometry))
+    return () if _touches(element) else ((meeting(element, geometry).gap, "gap"),)
+
+
+def no_slip(element: Element, geometry: Geometry) -> tuple[tuple[str, Scalar], ...]:
+    """What friction or teeth hold does not slip: the power of that force vanishes."""
+    return ((element.values.get("friction", element.name), UNITY),)

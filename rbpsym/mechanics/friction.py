@@ -7,6 +7,7 @@ from contextlib import suppress
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
+from rbpsym.elements.interactions import LETTERS
 from rbpsym.field import NOTHING, Scalar, short, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
@@ -15,7 +16,7 @@ from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.interactions import resisted_by
 from rbpsym.mechanics.placing import where_in
-from rbpsym.mechanics.resistance import LETTERS, Resisted
+from rbpsym.mechanics.resistance import Resisted
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
 

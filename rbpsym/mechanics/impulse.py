@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.errors import StatementError
 from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces, slip_speed
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.dynamics import torque_about_center
@@ -78,7 +78,7 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
 def _asked(moment: Moment, element: Element, values: Values) -> Iterator[Demand]:
     """A contact pushes, a string pulls; friction that holds stays within its limit, what slips goes on in its sense."""
     is_bounce = element.kind == "bounce"
-    for name in restitutions(element) if is_bounce else pushes(element) if element.kind in JOINTS else ():
+    for name in restitutions(element) if is_bounce else pushes(element) if element.kind in CONSTRAINTS else ():
         if name in values and name != element.values.get("friction"):
             yield Demand(values[name], ">=")
     limit = element.values.get("limit") or (element.values.get("coefficient") if is_holding(element) else None)

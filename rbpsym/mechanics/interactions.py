@@ -1,6 +1,6 @@
-"""The force law of each kind of interaction, and its potential energy where it has one.
+"""What the law of an interaction says: its forces, and its potential energy where it has one.
 
-A new kind is a new entry of `LAWS`. Laws get the element, the positions of points and the
+The law of a kind is the `LAW` of the module `law` in its folder. Laws get the element, the positions of points and the
 states of the bodies; they return the forces on each body.
 """
 
@@ -9,14 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import Parts
 from rbpsym.errors import StatementError
 from rbpsym.expr.tree import ONE
 from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root, tidy
 from rbpsym.field.evaluate import scalar
-from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.geometry import no_direction, pair
+from rbpsym.frozen import Frozen
+from rbpsym.mechanics.geometry import no_direction
 from rbpsym.mechanics.resistance import Resisted, resisted
-from rbpsym.mechanics.system import BodyState, Force, opposed, rotated
+from rbpsym.mechanics.system import BodyState, Force, opposed
 from rbpsym.statement.model import Element, PointRef
 
 HALF = Fraction(1, 2)
@@ -40,30 +42,11 @@ class Law(Frozen):
     where the formula of the force holds."""
 
     forces: Callable[[Element, Setting], tuple[Force, ...]]
-    potential: Callable[[Element, Setting], Scalar | None]
+    potential: Callable[[Element, Setting], Scalar | None] = lambda element, setting: None
     taken: Callable[[Element, Setting], tuple[Scalar, ...]] = lambda element, setting: ()
 
 
-def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:
-    down, g = pair(element["direction"]), scalar(element["g"])
-    return tuple(
-        Force(
-            element.name,
-            name,
-            "earth",
-            setting.states[name].center,
-            down * (setting.states[name].mass * g),
-            law=element.kind,
-            where=f"{name}.cm",
-        )
-        for name in element["bodies"]
-    )
-
-
-def _height_energy(element: Element, setting: Setting) -> Scalar:
-    down, g = pair(element["direction"]), scalar(element["g"])
-    states = [setting.states[name] for name in element["bodies"]]
-    return sum((-(state.mass * g * down.dot(state.center)) for state in states), NOTHING)
+LAWS: Parts[Law] = Parts(INTERACTIONS, "law", "LAW")
 
 
 def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
@@ -80,49 +63,21 @@ def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
     return apart * distance.inverse(), distance
 
 
-def _ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]:
+def ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]:
     """The pull on the first end (towards the second) and its opposite on the second."""
-    ends = ((ref.body, setting.where(ref), ref.label) for ref in element["between"])
-    return opposed(element.name, ends, pull, law=element.kind)
+    both = ((ref.body, setting.where(ref), ref.label) for ref in element["between"])
+    return opposed(element.name, both, pull, law=element.kind)
 
 
-def _spring(element: Element, setting: Setting) -> tuple[Force, ...]:
-    k, natural = scalar(element["stiffness"]), scalar(element["natural_length"])
-    if not natural:
-        first, second = element["between"]
-        return _ends(element, setting, (setting.where(second) - setting.where(first)) * k)
-    unit, distance = stretch(element, setting)
-    return _ends(element, setting, unit * (k * (distance - natural)))
-
-
-def _apart(element: Element, setting: Setting) -> tuple[Scalar, ...]:
+def sure_distance(element: Element, setting: Setting) -> tuple[Scalar, ...]:
     """The distance of the ends, if it is no root and the force hangs on its sign."""
     first, second = element["between"]
     is_line = len((setting.where(second) - setting.where(first)).settled().parts) == 1
     return (stretch(element, setting)[1],) if is_line and scalar(element.values.get("natural_length", ONE)) else ()
 
 
-def _spring_energy(element: Element, setting: Setting) -> Scalar:
-    k, natural = scalar(element["stiffness"]), scalar(element["natural_length"])
-    if not natural:
-        first, second = element["between"]
-        apart = setting.where(second) - setting.where(first)
-        return k * apart.dot(apart) * HALF
-    _, distance = stretch(element, setting)
-    return k * (distance - natural) ** 2 * HALF
-
-
-def _pull(element: Element, setting: Setting) -> tuple[Force, ...]:
-    return _ends(element, setting, stretch(element, setting)[0] * scalar(element["size"]))
-
-
-def _pull_energy(element: Element, setting: Setting) -> Scalar | None:
-    """F d for a constant force."""
-    size = scalar(element["size"])
-    return size * stretch(element, setting)[1] if setting.is_constant(size) else None
-
-
-def _couples(element: Element, first: str, second: str, on_second: Scalar, setting: Setting) -> tuple[Force, ...]:
+def couples(element: Element, first: str, second: str, on_second: Scalar, setting: Setting) -> tuple[Force, ...]:
+    """A couple on the second body, and its opposite on the first."""
     pairs = ((second, first, on_second), (first, second, -on_second))
     return tuple(
         Force(element.name, name, other, setting.states[name].center, ORIGIN, couple, law=element.kind, where=f"{name}.cm")
@@ -131,91 +86,22 @@ def _couples(element: Element, first: str, second: str, on_second: Scalar, setti
     )
 
 
-def _angle(name: str, setting: Setting) -> Scalar:
+def angle(name: str, setting: Setting) -> Scalar:
+    """Angle of a body, 0 for the ground."""
     return setting.states[name].pose.angle if name in setting.states else NOTHING
 
 
-def _twist(element: Element, setting: Setting) -> Scalar:
-    first, second = element["between"]
-    return _angle(second, setting) - _angle(first, setting) - scalar(element["rest_angle"])
-
-
-def _torsion(element: Element, setting: Setting) -> tuple[Force, ...]:
-    first, second = element["between"]
-    return _couples(element, first, second, -(scalar(element["stiffness"]) * _twist(element, setting)), setting)
-
-
-def _damper(element: Element, setting: Setting) -> tuple[Force, ...]:
-    unit, _ = stretch(element, setting)
-    first, second = element["between"]
-    rate = unit.dot(setting.velocity(second) - setting.velocity(first))
-    return _ends(element, setting, unit * (scalar(element["coefficient"]) * rate))
-
-
-def _rotary_damper(element: Element, setting: Setting) -> tuple[Force, ...]:
-    first, second = element["between"]
-    spin = _spin(second, setting) - _spin(first, setting)
-    return _couples(element, first, second, -(scalar(element["coefficient"]) * spin), setting)
-
-
-def _spin(name: str, setting: Setting) -> Scalar:
+def spin(name: str, setting: Setting) -> Scalar:
+    """Angular velocity of a body, 0 for the ground."""
     return setting.states[name].omega if name in setting.states else NOTHING
-
-
-def _applied(element: Element, setting: Setting) -> Vector:
-    vector = pair(element["force"])
-    if element["frame"] == "space":
-        return vector
-    return rotated(vector.x, vector.y, setting.states[element["on"].body].pose.angle)
-
-
-def _applied_force(element: Element, setting: Setting) -> tuple[Force, ...]:
-    ref = element["on"]
-    return (
-        Force(element.name, ref.body, "agent", setting.where(ref), _applied(element, setting), law=element.kind, where=ref.label),
-    )
-
-
-def _applied_energy(element: Element, setting: Setting) -> Scalar | None:
-    """-F·r for a force that is constant in space."""
-    vector = _applied(element, setting)
-    if element["frame"] != "space" or not all(map(setting.is_constant, (vector.x, vector.y))):
-        return None
-    return -vector.dot(setting.where(element["on"]))
-
-
-def _applied_couple(element: Element, setting: Setting) -> tuple[Force, ...]:
-    return _couples(element, element["reaction_on"] or "agent", element["on"], scalar(element["couple"]), setting)
-
-
-def _couple_energy(element: Element, setting: Setting) -> Scalar | None:
-    """-τ φ for a constant couple."""
-    couple = scalar(element["couple"])
-    if not setting.is_constant(couple):
-        return None
-    other = element["reaction_on"]
-    return -(couple * (_angle(element["on"], setting) - (_angle(other, setting) if other else NOTHING)))
 
 
 def resisted_by(element: Element, setting: Setting) -> Resisted:
     """What a resistance is against. Raises StatementError as `resisted`."""
-    return resisted(element, setting.velocity, lambda name: _spin(name, setting), setting.sign)
+    return resisted(element, setting.velocity, lambda name: spin(name, setting), setting.sign)
 
 
-def _resistance(element: Element, setting: Setting) -> tuple[Force, ...]:
-    found, ref = resisted_by(element, setting), element["on"]
-    where, vector = setting.where(ref), found.way * found.push
-    unknowns = _unknown(element, found.push, setting)
-    return (Force(element.name, ref.body, "medium", where, vector, unknowns=unknowns, law=element.kind, where=ref.label),)
-
-
-def _resisting_couple(element: Element, setting: Setting) -> tuple[Force, ...]:
-    push = resisted_by(element, setting).push
-    pairs = _couples(element, *element["between"], push, setting)
-    return tuple(replace(force, unknowns=_unknown(element, push, setting)) for force in pairs)
-
-
-def _unknown(element: Element, push: Scalar, setting: Setting) -> tuple[str, ...]:
+def unknowns_in(element: Element, push: Scalar, setting: Setting) -> tuple[str, ...]:
     """The unknown forces in a size. Raises StatementError where it is not linear in them."""
     found = tuple(sorted(names_in(push) & setting.unknowns))
     if any(names_in(derivative(push, name)) & setting.unknowns for name in found):
@@ -225,21 +111,3 @@ def _unknown(element: Element, push: Scalar, setting: Setting) -> tuple[str, ...
             place=element.place,
         )
     return found
-
-
-def _no_potential(element: Element, setting: Setting) -> None:
-    return None
-
-
-LAWS: Mapping[str, Law] = {
-    "gravity": Law(_weights, _height_energy),
-    "spring": Law(_spring, _spring_energy, _apart),
-    "torsion-spring": Law(_torsion, lambda e, s: scalar(e["stiffness"]) * _twist(e, s) ** 2 * HALF),
-    "pull": Law(_pull, _pull_energy, _apart),
-    "damper": Law(_damper, _no_potential),
-    "rotary-damper": Law(_rotary_damper, _no_potential),
-    "force": Law(_applied_force, _applied_energy),
-    "couple": Law(_applied_couple, _couple_energy),
-    "resistance": Law(_resistance, _no_potential),
-    "resisting-couple": Law(_resisting_couple, _no_potential),
-}

@@ -9,13 +9,13 @@ from collections.abc import Iterator, Mapping
 
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
+from rbpsym.elements.interactions import LETTERS
 from rbpsym.errors import LimitError, StatementError
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import resistances, slips, spare
 from rbpsym.mechanics.numbers import floating, sample, samples
-from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.ways import taken
 from rbpsym.present.forms import present

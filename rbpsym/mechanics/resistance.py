@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from rbpsym.elements.interactions import LETTERS
 from rbpsym.errors import StatementError
 from rbpsym.field import UNITY, Scalar, Vector, depends_on, is_zero, root, substitute, symbol, tidy
 from rbpsym.field.evaluate import scalar
@@ -17,7 +18,6 @@ from rbpsym.mechanics.geometry import pair
 from rbpsym.statement.model import Element, PointRef
 
 SENSES = {"ccw": 1, "cw": -1}
-LETTERS = {"resistance": "v", "resisting-couple": "omega"}
 
 
 class Resisted(Frozen):

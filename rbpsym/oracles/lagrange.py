@@ -2,7 +2,7 @@
 
 The oracle takes the equations of motion from kinetic and potential energy, without forces: from the poses alone
 T(q, q̇) = Σ ½ M V² + ½ I_cm φ̇² and U(q) are built, and d/dt ∂T/∂q̇ - ∂T/∂q + ∂U/∂q - Q = 0 must hold identically with the
-derived accelerations. Q is the virtual work of what has no potential, from the definition of each interaction. Where
+derived accelerations. Q is the virtual work of what has no potential: the `work` in the folder of each interaction. Where
 conditions tie the speeds, Lagrange's expressions are taken along the variations that they allow (Goldstein, Classical
 Mechanics, 1.4 and 2.4).
 """
@@ -15,24 +15,22 @@ from fractions import Fraction
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.decide.verdict import PROVED, Verdict, all_of, proved, undecided
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import Parts
 from rbpsym.errors import LimitError, NotApplicable
-from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, at_most, derivative, names_in, root, substitute, symbol, total
+from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, at_most, derivative, names_in, substitute, symbol, total
 from rbpsym.field.division import vanishes_on
 from rbpsym.field.evaluate import Scope, scalar, time_derivative
 from rbpsym.field.modular import PRIME, NoImage
-from rbpsym.field.normal import tidy
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import residue, solve_linear
 from rbpsym.mechanics.energy import potentials
-from rbpsym.mechanics.friction import geometry_of, resistances
-from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.interactions import stretch
+from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.placing import where_in
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import System, by_letters, rotated
+from rbpsym.mechanics.system import System, by_letters
 from rbpsym.statement.model import Element, PointRef
 
 
@@ -167,83 +165,16 @@ def kinetic_energy(motion: Motion) -> Scalar:
 
 # --- what has no potential: Q(q), the virtual work for a variation of q
 
-
-def _damper_work(element: Element, motion: Motion, name: str) -> Scalar:
-    """-c ḋ ∂d/∂q with the distance d = √(Δ·Δ)."""
-    first, second = element["between"]
-    apart = motion.where(second) - motion.where(first)
-    rates = apart.dot(motion.velocity(apart)) * apart.dot(apart.derivative(name))
-    return -(scalar(element["coefficient"]) * rates / apart.dot(apart))
-
-
-def _pull_work(element: Element, motion: Motion, name: str) -> Scalar:
-    """-F ∂d/∂q with the distance d."""
-    distance = stretch(element, setting_of(motion.system, motion.where))[1]
-    return -(motion.own(scalar(element["size"])) * derivative(distance, name))
-
-
-def _rotary_damper_work(element: Element, motion: Motion, name: str) -> Scalar:
-    first, second = element["between"]
-    twist = motion.angle(second) - motion.angle(first)
-    return -(scalar(element["coefficient"]) * motion.rate(twist) * derivative(twist, name))
-
-
-def _force_work(element: Element, motion: Motion, name: str) -> Scalar:
-    """F·∂r/∂q."""
-    ref, vector = element["on"], pair(element["force"])
-    x, y = motion.own(vector.x), motion.own(vector.y)
-    turned = rotated(x, y, motion.angle(ref.body) if element["frame"] == "body" else NOTHING)
-    return turned.dot(motion.where(ref).derivative(name))
-
-
-def _couple_work(element: Element, motion: Motion, name: str) -> Scalar:
-    turn = motion.angle(element["on"]) - motion.angle(element["reaction_on"])
-    return motion.own(scalar(element["couple"])) * derivative(turn, name)
-
-
-def _resistance_work(element: Element, motion: Motion, name: str) -> Scalar:
-    """-size(v) ∂ds/∂q: the force is against the path of the point through the medium."""
-    place = motion.where(element["on"])
-    relative = (motion.velocity(place) - pair(element["medium"])).settled()
-    if len(relative.parts) == 1:  # along one direction, in its sense
-        speed = next(iter(relative.parts.values())) * (resistances(motion.system)[element.name].sense or 1)
-    else:
-        speed = root(tidy(relative.dot(relative)))
-    return -(motion.own(substitute(scalar(element["size"]), {"v": speed})) * relative.dot(place.derivative(name)) / speed)
-
-
-def _resisting_work(element: Element, motion: Motion, name: str) -> Scalar:
-    """-size(ω) σ ∂φ/∂q with the angle φ of the second body seen from the first, and the sense σ of its rate."""
-    first, second = element["between"]
-    twist, sense = motion.angle(second) - motion.angle(first), resistances(motion.system)[element.name].sense or 1
-    size = substitute(scalar(element["size"]), {"omega": motion.rate(twist) * sense})
-    return -(motion.own(size) * derivative(twist, name) * sense)
-
-
-VIRTUAL_WORKS: Mapping[str, Callable[[Element, Motion, str], Scalar]] = {
-    "pull": _pull_work,
-    "damper": _damper_work,
-    "rotary-damper": _rotary_damper_work,
-    "force": _force_work,
-    "couple": _couple_work,
-    "resistance": _resistance_work,
-    "resisting-couple": _resisting_work,
-}
+VIRTUAL_WORKS: Parts[Callable[[Element, Motion, str], Scalar]] = Parts(INTERACTIONS, "work", "work")
 
 
 def generalized_force(motion: Motion, name: str) -> Scalar:
-    """-∂U/∂q + Q. Raises NotApplicable for an interaction with neither a potential nor a virtual work."""
+    """-∂U/∂q + Q, by the virtual works of what has no potential."""
     energies, total = potentials(motion.system), NOTHING
     for element in motion.system.problem.interactions:
         energy = energies[element.name]
-        total = total + (_virtual(element, motion, name) if energy is None else -derivative(energy, name))
+        total = total + (VIRTUAL_WORKS[element.kind](element, motion, name) if energy is None else -derivative(energy, name))
     return total
-
-
-def _virtual(element: Element, motion: Motion, name: str) -> Scalar:
-    if element.kind not in VIRTUAL_WORKS:
-        raise NotApplicable(f"Lagrange's equations know neither a potential nor a virtual work of a {element.kind}")
-    return VIRTUAL_WORKS[element.kind](element, motion, name)
 
 
 # --- Lagrange's equations

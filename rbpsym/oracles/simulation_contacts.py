@@ -1,28 +1,27 @@
-"""Contacts and strings in maximal coordinates, from the directions of their unit forces; and all that is simulated.
+"""Contacts in maximal coordinates, from the directions of their unit forces; and all that is simulated.
 
 Of a constraint force per unit (pushes at places on bodies) the row of the condition is its
 generalized force in X: an ideal force does no work, so that row times V vanishes. Its rate along V
 is taken by a complex step, exact to rounding (Squire & Trapp, SIAM Review 40 (1998) 110).
-Written apart from `mechanics`: numbers only, no formulas are shared. A new kind is a new entry of `KINDS`.
+Written apart from `mechanics`: numbers only, no formulas are shared. The `rows` of a kind stand in its folder.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 import numpy as np
 
-from rbpsym.errors import NotApplicable
-from rbpsym.expr.tree import neg
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.kinds import Parts
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import FUNCTIONS, Values
 from rbpsym.oracles.simulation_bodies import Mechanism, Spot, State
-from rbpsym.oracles.simulation_joints import Drag, Entries, Kept, Row, driven, driven_angle, pin, pivot, turn, turning, weld
-from rbpsym.statement.model import Element, PointRef, Turn
-from rbpsym.statement.paths import runs, tensions
+from rbpsym.oracles.simulation_joints import Drag, Entries, Kept, Row
+from rbpsym.statement.model import Element, PointRef
 
 STEP = 1e-30
 H = 1e-3  # of differences of fourth order
@@ -164,7 +163,7 @@ def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:
     line, bearer = element["line"], mechanism.body_number(element["of"])
     a, b, c = (mechanism.number(node) for node in (line.a, line.b, line.c))
     a, b, c = (part / math.hypot(a, b) for part in (a, b, c))
-    frame = _frame(bearer, mechanism)
+    frame = frame_of(bearer, mechanism)
 
     def across(where: Complex) -> Point:
         angle = where[3 * bearer + 2] if bearer >= 0 else 0.0
@@ -255,13 +254,6 @@ def _real(pushes: Pushes, where: State, share: float) -> Entries:
     return [(column, share * entry.real) for column, entry in _entries(pushes(place), place)]
 
 
-def slider(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """N, and the couple that keeps the angle as it is in the poses."""
-    first, second = mechanism.body_number(element["of"]), mechanism.spot(element["point"]).body
-    offset = turn(first, second)(start, start).value
-    return [*sliding(element, mechanism, start), turning(first, second, offset, element)]
-
-
 def holding(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     """N and static friction, positive uphill on a fixed line that slopes, else forward."""
     bend = curve(element, mechanism, start)
@@ -281,102 +273,14 @@ def slipping(element: Element, mechanism: Mechanism, start: State) -> Kept:
     return kept_by(element.name, element.name, _forward(curve(element, mechanism, start)))
 
 
-def string(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A tension for each run of the string: for the speeds along it, or the length of a straight piece."""
-    found = zip(tensions(element), runs(element["path"]), strict=True)
-    return [_along_run(element, name, run, mechanism) for name, run in found]
-
-
-def _along_run(element: Element, name: str, run: tuple[Turn, ...], mechanism: Mechanism) -> Kept:
-    pushes, length = _pulls(run, mechanism), element["length"]
-    if length is None:
-        return kept_by(element.name, name, pushes)
-    first, second = (mechanism.spot(turn.center) for turn in run)
-
-    def shrunk(where: Complex) -> complex:
-        (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
-        return -cmath.sqrt((bx - ax) ** 2 + (by - ay) ** 2)
-
-    return driven(element.name, name, kept_by(element.name, name, pushes, shrunk).at, neg(length), mechanism)
-
-
-def _pulls(run: tuple[Turn, ...], mechanism: Mechanism) -> Pushes:
-    circles = [(mechanism.spot(turn.center), turn.sense * mechanism.number(turn.radius)) for turn in run]
-
-    def pushes(where: Complex) -> list[Push]:
-        found = []
-        for (first, r1), (second, r2) in zip(circles, circles[1:], strict=False):
-            (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
-            ux, uy = _along(bx - ax, by - ay, r2 - r1)
-            found += [
-                Push(first.body, (ax + r1 * uy, ay - r1 * ux), ux, uy),
-                Push(second.body, (bx + r2 * uy, by - r2 * ux), -ux, -uy),
-            ]
-        return found
-
-    return pushes
-
-
-def _along(dx: complex, dy: complex, offset: complex) -> Point:
-    """u with d = L u + offset k×u; none where the two are at one place."""
-    square = dx * dx + dy * dy
-    if not square:
-        return 0j, 0j
-    length = cmath.sqrt(square - offset * offset)
-    return (dx * length + dy * offset) / square, (dy * length - dx * offset) / square
-
-
-def driven_point(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A point driven along a direction of space or of a body; the force is along it."""
-    spot, (ax, ay) = mechanism.spot(element["point"]), mechanism.pair(element["along"])
-    bearer = mechanism.body_number(element["of"])
-    frame = _frame(bearer, mechanism)
-
-    def along(where: Complex) -> Point:
-        angle = where[3 * bearer + 2] if bearer >= 0 else 0.0
-        cos, sin = cmath.cos(angle), cmath.sin(angle)
-        return cos * ax - sin * ay, sin * ax + cos * ay
-
-    def pushes(where: Complex) -> list[Push]:
-        here, (x, y) = spot_at(spot, where), along(where)
-        return [Push(spot.body, here, x, y), Push(bearer, here, -x, -y)]
-
-    def place(where: Complex) -> complex:
-        here, origin, way = spot_at(spot, where), spot_at(frame, where), along(where)
-        return sum((a - b) * c for a, b, c in zip(here, origin, way, strict=True))
-
-    own = kept_by(element.name, element.name, pushes, place)
-    return [driven(element.name, element.name, own.at, element["distance"], mechanism)]
-
-
-def _frame(bearer: int, mechanism: Mechanism) -> Spot:
+def frame_of(bearer: int, mechanism: Mechanism) -> Spot:
     """The origin of the frame of a body, or of space."""
     return Spot(bearer, *(-part for part in mechanism.centers[bearer])) if bearer >= 0 else GROUND_SPOT
 
 
-KINDS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
-    "pivot": pivot,
-    "pin": pin,
-    "weld": weld,
-    "contact": sliding,
-    "guide": sliding,
-    "slider": slider,
-    "touch": sliding,
-    "rolling": holding,
-    "gear": meshing,
-    "sticking": holding,
-    "string": string,
-    "link": string,
-    "prescribed": driven_point,
-    "prescribed-angle": driven_angle,
-}
+ROWS: Parts[Callable[[Element, Mechanism, State], list[Kept]]] = Parts(CONSTRAINTS, "row", "rows")
 
 
 def conditions(mechanism: Mechanism, start: State) -> list[Kept]:
     """All conditions of a statement; `start` says where a pivot without a place holds its point."""
-    found = []
-    for element in mechanism.problem.constraints:
-        if element.kind not in KINDS:
-            raise NotApplicable(f"the simulation does not know the constraint {element.kind}")
-        found += KINDS[element.kind](element, mechanism, start)
-    return found
+    return [kept for element in mechanism.problem.constraints for kept in ROWS[element.kind](element, mechanism, start)]

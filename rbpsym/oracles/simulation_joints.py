@@ -1,4 +1,4 @@
-"""Constraints in maximal coordinates: joints of points, and what is driven; each a list of scalar conditions.
+"""Constraints in maximal coordinates, each a list of scalar conditions: what the rows of joints and of what is driven share.
 
 A multiplier is the unknown force (or couple) of the statement itself: the row of a condition is
 the force's direction on the body that the statement means.
@@ -72,7 +72,8 @@ def turn(first: int, second: int) -> Condition:
     return lambda where, speed: Row(sum(sign * where[column] for column, sign in ends), ends, 0.0)
 
 
-def _difference(first: Condition, second: Condition) -> Condition:
+def difference(first: Condition, second: Condition) -> Condition:
+    """The second less the first."""
     def row(where: State, speed: State) -> Row:
         a, b = first(where, speed), second(where, speed)
         return Row(b.value - a.value, b.entries + [(k, -entry) for k, entry in a.entries], b.bias - a.bias)
@@ -80,10 +81,10 @@ def _difference(first: Condition, second: Condition) -> Condition:
     return row
 
 
-def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
+def together(first: Spot, second: Spot, name: str) -> list[Kept]:
     """second - first = 0; the force is on the body of the second."""
     ways = (("x", 1.0, 0.0), ("y", 0.0, 1.0))
-    rows = ((axis, _difference(component(first, *way), component(second, *way))) for axis, *way in ways)
+    rows = ((axis, difference(component(first, *way), component(second, *way))) for axis, *way in ways)
     return [Kept(name, f"{name}_{axis}", row) for axis, row in rows]
 
 
@@ -98,43 +99,10 @@ def turning(first: int, second: int, offset: float, element: Element) -> Kept:
     return Kept(element["couple"], element["couple"], row)
 
 
-def pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A point that stays where it is, or where its support moves; `start` says where if the statement does not."""
-    held, at = mechanism.spot(element["point"]), element["at"]
-    if at is not None and not mechanism.is_constant(*at):
-        ways = (("x", 1.0, 0.0, at[0]), ("y", 0.0, 1.0, at[1]))
-        return [driven(element.name, f"{element.name}_{a}", component(held, *d), n, mechanism) for a, *d, n in ways]
-    here = placed(held, start, [0.0] * len(start)).place if at is None else mechanism.pair(at)
-    return _meeting(Spot(-1, *here), held, element.name)
-
-
-def _ends(element: Element, mechanism: Mechanism) -> tuple[Spot, Spot]:
+def ends_of(element: Element, mechanism: Mechanism) -> tuple[Spot, Spot]:
     """The two ends, the one on a body second."""
     first, second = (mechanism.spot(ref) for ref in element["points"])
     return (first, second) if second.body >= 0 else (second, first)
-
-
-def pin(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """Two points that stay together."""
-    return _meeting(*_ends(element, mechanism), element.name)
-
-
-def weld(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """The same, and the angle between the bodies."""
-    first, second = _ends(element, mechanism)
-    offset = _weld_angle(element, mechanism, first, second, start)
-    return [*_meeting(first, second, element.name), turning(first.body, second.body, offset, element)]
-
-
-def _weld_angle(element: Element, mechanism: Mechanism, first: Spot, second: Spot, start: State) -> float:
-    """As stated; else as in the poses if they have all angles; else 0."""
-    if element["angle"] is not None:
-        stated = mechanism.number(element["angle"])
-        return stated if element["points"][1].body is not None else -stated
-    joined = [spot.body for spot in (first, second) if spot.body >= 0]
-    if any(mechanism.problem.bodies[k].angle is None for k in joined):
-        return 0.0
-    return turn(first.body, second.body)(start, start).value
 
 
 def driven(name: str, multiplier: str, quantity: Condition, node: Node, mechanism: Mechanism) -> Kept:
@@ -149,9 +117,3 @@ def driven(name: str, multiplier: str, quantity: Condition, node: Node, mechanis
         return Row(own.value - at, own.entries, own.bias - gain, -rate)
 
     return Kept(name, multiplier, row)
-
-
-def driven_angle(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A body that is turned; the couple is the multiplier."""
-    angle = turn(mechanism.body_number(element["of"]), mechanism.body_number(element["body"]))
-    return [driven(element.name, element.name, angle, element["angle"], mechanism)]

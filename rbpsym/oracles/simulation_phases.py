@@ -22,7 +22,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.numeric import integration
 from rbpsym.oracles.simulation import Bench, Derived, Errors, SimulationReport, simulate_study, told
 from rbpsym.oracles.simulation_bodies import Mechanism, placed
-from rbpsym.oracles.simulation_contacts import KINDS, slipping
+from rbpsym.oracles.simulation_contacts import ROWS, slipping
 from rbpsym.oracles.simulation_joints import Kept
 from rbpsym.oracles.simulation_placement import dotted
 from rbpsym.statement.model import Element, Phase, Problem
@@ -272,7 +272,7 @@ def _meets(element: Element, mechanism: Mechanism, start: list[float]) -> list[K
     """The conditions of a bounce, or of a constraint that begins, as those of a constraint that lasts."""
     values = element.values
     way = "string" if "path" in values else "rolling" if values.get("slip") == "none" else "contact"
-    return KINDS[way if element.kind == "bounce" else element.kind](element, mechanism, start)
+    return ROWS[way if element.kind == "bounce" else element.kind](element, mechanism, start)
 
 
 def _bounces(bench: Bench, element: Element, end: _End) -> list[tuple[Kept, float]]:

@@ -6,61 +6,29 @@ out from the statement.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 
+from rbpsym.elements.interactions import INTERACTIONS, LETTERS
+from rbpsym.elements.kinds import Parts
 from rbpsym.field import names_in
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.numbers import Values
-from rbpsym.oracles.simulation_bodies import Coordinates, Law, Load, Mechanism, State, difference, load_at, placed
+from rbpsym.oracles.simulation_bodies import Coordinates, Law, Load, Mechanism, State
 from rbpsym.oracles.simulation_joints import Drag, Entries, Kept
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Element
 
-RESTING = 1e-12
 Sizes = Callable[[State, State, float], list[float]]
-Against = Callable[[State, State], tuple[float, list[Load]]]
+Against = Callable[[State, State], tuple[float, list[Load]]]  # what the letter for the speed is, and the loads of size 1
 
 
-def _against(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Against:
-    """(what the letter for the speed is, the loads of a force or couple of size 1)."""
-    return (_of_bodies if element.kind == "resisting-couple" else _of_point)(element, mechanism, coordinates)
-
-
-def _of_bodies(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Against:
-    first, second = map(mechanism.body_number, element["between"])
-    sense = float(mechanism.slips.get(element.name, 1))
-
-    def against(where: State, speed: State) -> tuple[float, list[Load]]:
-        rate = difference(speed, first, second)
-        ends = ((second, -sense), (first, sense))
-        return rate * sense, [Load(element.name, k, 0.0, 0.0, couple) for k, couple in ends if k >= 0]
-
-    return against
-
-
-def _of_point(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Against:
-    spot, drift = mechanism.spot(element["on"]), mechanism.pair(element["medium"])
-    toward = (1.0, 0.0) if element["toward"] is None else mechanism.pair(element["toward"])
-
-    def against(where: State, speed: State) -> tuple[float, list[Load]]:
-        at = placed(spot, where, speed)
-        x, y = (v - u for v, u in zip(at.velocity, drift, strict=True))
-        size = math.hypot(x, y)
-        if size < RESTING:
-            (x, y), size = toward, math.hypot(*toward)
-            return 0.0, [load_at(element.name, at, -x / size, -y / size)]
-        slip = mechanism.slips.get(element.name)
-        sense = 1.0 if slip is None else math.copysign(1.0, Values(coordinates(where, speed)).of(slip))
-        return size * sense, [load_at(element.name, at, -sense * x / size, -sense * y / size)]
-
-    return against
+AGAINST: Parts[Callable[[Element, Mechanism, Coordinates], Against]] = Parts(INTERACTIONS, "row", "against")
 
 
 def _sizes(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> tuple[tuple[str, ...], Sizes]:
     """(unknown forces, what gives the size without them and the share of each)."""
-    size, letter = scalar(element["size"]), "omega" if element.kind == "resisting-couple" else "v"
+    size, letter = scalar(element["size"]), LETTERS[element.kind]
     unknown = {name for each in mechanism.problem.constraints for name in unknowns_of(each)}
     used = tuple(sorted(names_in(size) & unknown))
 
@@ -74,7 +42,7 @@ def _sizes(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> 
 
 def law(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
     """The part of it that no unknown force has to do with."""
-    against, (_, sizes) = _against(element, mechanism, coordinates), _sizes(element, mechanism, coordinates)
+    against, (_, sizes) = AGAINST[element.kind](element, mechanism, coordinates), _sizes(element, mechanism, coordinates)
 
     def loads(where: State, speed: State) -> list[Load]:
         rate, found = against(where, speed)
@@ -86,8 +54,8 @@ def law(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law
 
 def with_shares(kept: list[Kept], mechanism: Mechanism, coordinates: Coordinates) -> list[Kept]:
     """The conditions with what resists in proportion to the unknown forces that keep them."""
-    for element in mechanism.problem.of_kind("resistance", "resisting-couple"):
-        against, (used, sizes) = _against(element, mechanism, coordinates), _sizes(element, mechanism, coordinates)
+    for element in mechanism.problem.of_kind(*LETTERS):
+        against, (used, sizes) = AGAINST[element.kind](element, mechanism, coordinates), _sizes(element, mechanism, coordinates)
         for place, name in enumerate(used, 1):
             drag = Drag(element.name, _share(against, sizes, place), strikes=False)
             kept = [replace(one, drags=(*one.drags, drag)) if one.multiplier == name else one for one in kept]

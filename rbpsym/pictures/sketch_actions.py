@@ -7,11 +7,13 @@ from collections.abc import Iterator, Mapping
 
 from rbpsym.errors import NoNumber
 from rbpsym.expr import tree as t
+from rbpsym.field import Scalar
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.numbers import number
 from rbpsym.pictures.figures.sketch import Point, SketchArrow
 from rbpsym.pictures.pose import DrawnPose
 from rbpsym.statement.model import Element
+from rbpsym.statement.slots import drawn_as
 
 SMALL = 1e-9
 
@@ -35,14 +37,18 @@ def _letter(element: Element, parts: tuple[t.Node, ...]) -> t.Node:
 
 
 def _forces(pose: DrawnPose) -> Iterator[SketchArrow]:
-    for element in pose.study.problem.of_kind("force", "resistance"):
+    for element in drawn_as(pose.study.problem, "arrow"):
         acting = pose.study.system.named(element.name)[0]
-        moving = dict.fromkeys(pose.study.system.speeds, 1.0)  # what vanishes at rest is drawn as in motion
-        ways = (_unit(*(_value(pose, part, more) for part in (acting.vector.x, acting.vector.y))) for more in ({}, moving))
-        way = next(filter(None, ways), None)
+        way = next(filter(None, (_unit(x, y) for x, y in _acting(pose, acting.vector.x, acting.vector.y))), None)
         if way:
-            letter = _letter(element, element["force"]) if element.kind == "force" else t.Vec(element.name)
+            letter = _letter(element, element["force"]) if "force" in element.values else t.Vec(element.name)
             yield SketchArrow("force", pose.point(acting.point), way, letter)
+
+
+def _acting(pose: DrawnPose, *values: Scalar) -> Iterator[list[float]]:
+    """The numbers in the pose, and as if all moved: what vanishes at rest is drawn as in motion."""
+    for more in ({}, dict.fromkeys(pose.study.system.speeds, 1.0)):
+        yield [_value(pose, value, more) for value in values]
 
 
 def _value(pose: DrawnPose, value, more: Mapping[str, float]) -> float:
@@ -53,14 +59,11 @@ def _value(pose: DrawnPose, value, more: Mapping[str, float]) -> float:
 
 
 def _couples(pose: DrawnPose) -> Iterator[SketchArrow]:
-    for element in pose.study.problem.of_kind("couple"):
-        sense = math.copysign(1.0, pose.node(element["couple"]))
-        yield SketchArrow("couple", pose.center(element["on"]), (sense, 0.0), _sized(element["couple"], element.name))
-    for element in pose.study.problem.of_kind("resisting-couple"):
+    for element in drawn_as(pose.study.problem, "turn"):
         acting = pose.study.system.named(element.name)[0]
-        found = (_value(pose, acting.couple, more) for more in ({}, dict.fromkeys(pose.study.system.speeds, 1.0)))
-        sense = math.copysign(1.0, next(filter(None, found), 1.0))
-        yield SketchArrow("couple", pose.center(acting.on), (sense, 0.0), _sized(element["size"], element.name))
+        sense = math.copysign(1.0, next(filter(None, (value for value, in _acting(pose, acting.couple))), 1.0))
+        letter = _sized(element.values.get("couple") or element["size"], element.name)
+        yield SketchArrow("couple", pose.center(acting.on), (sense, 0.0), letter)
 
 
 def _sized(node: t.Node, name: str) -> t.Node:
@@ -69,12 +72,12 @@ def _sized(node: t.Node, name: str) -> t.Node:
 
 
 def _driven(pose: DrawnPose) -> Iterator[SketchArrow]:
-    for element in pose.study.problem.of_kind("prescribed"):
+    for element in drawn_as(pose.study.problem, "driven"):
         push = pose.study.system.named(element.name)[0].vector.derivative(element.name)
         way = _unit(*(_value(pose, part, {}) for part in (push.x, push.y)))
         if way:
             yield SketchArrow("driven", pose.ref(element["point"]), way, element["distance"])
-    for element in pose.study.problem.of_kind("prescribed-angle"):
+    for element in drawn_as(pose.study.problem, "spin"):
         yield SketchArrow("spin", pose.center(element["body"]), (1.0, 0.0), element["angle"])
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
 from rbpsym.field import derivative
 from rbpsym.pictures.figures.sketch import AngleMark, Point
 from rbpsym.pictures.pose import DrawnPose, other_numbers
 from rbpsym.pictures.sketch_supports import lines, points
 from rbpsym.quantities import NUMBER
-from rbpsym.statement.shapes import PARTLY_ROUND
 
 ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
 CLOSE = 1e-9

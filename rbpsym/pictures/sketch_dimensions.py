@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
+from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
 from rbpsym.pictures.figures.outlines import turned
 from rbpsym.pictures.figures.sketch import LengthMark, Point, RadiusMark
@@ -14,7 +15,6 @@ from rbpsym.pictures.sketch_angles import CLOSE, is_parameter, parameters
 from rbpsym.pictures.sketch_supports import circles, cords, lines, points
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import PlacedShape, PointRef
-from rbpsym.statement.shapes import PARTLY_ROUND
 
 
 def lengths(pose: DrawnPose) -> Iterator[LengthMark]:

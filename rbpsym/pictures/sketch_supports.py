@@ -14,8 +14,10 @@ from rbpsym.mechanics.strings import segments
 from rbpsym.pictures.figures import sketch as sk
 from rbpsym.pictures.pose import DrawnPose
 from rbpsym.quantities import NUMBER
+from rbpsym.statement.curves import is_slot
 from rbpsym.statement.model import Element, PointRef, Problem, Turn
 from rbpsym.statement.paths import runs
+from rbpsym.statement.slots import ALL, drawn_as
 
 NEAR = 1e-9
 
@@ -33,28 +35,24 @@ def met_later(problem: Problem) -> list[Element]:
 
 def points(pose: DrawnPose) -> Iterator[sk.SketchPoint]:
     """Pivots, pins, welds, led points, edges, and the fixed ends of springs and strings."""
-    for element in pose.study.problem.of_kind("pivot"):
-        ref = element["point"]
-        yield sk.SketchPoint("pivot", pose.ref(ref), origin_label(pose.ref(ref)), (ref.body,))
-    for element in pose.study.problem.of_kind("pin", "weld"):
+    problem = pose.study.problem
+    for element in drawn_as(problem, "pivot", "pin", "weld"):
         yield _joined(pose, element)
     for element in touching(pose):
         yield from _led_or_edge(pose, element)
-    for element in pose.study.problem.of_kind("spring", "damper", "pull"):
+    for element in drawn_as(problem, "link", "cord"):
         yield from _anchors(pose, *element["between"])
-    for element in pose.study.problem.of_kind("string"):
-        yield from _string_ends(pose, element["path"])
-    for element in met_later(pose.study.problem):
+    for element in (*problem.constraints, *met_later(problem)):
         if "path" in element.values:
             yield from _string_ends(pose, element["path"])
 
 
 def _joined(pose: DrawnPose, element: Element) -> sk.SketchPoint:
-    refs = element["points"]
-    bodies = tuple(ref.body for ref in refs if ref.body)
-    ground = any(ref.body is None for ref in refs)
-    kind = {("pin", True): "pivot", ("weld", False): "point"}.get((element.kind, ground), element.kind)
-    at = pose.ref(next(ref for ref in reversed(refs) if ref.body))
+    refs = element.values.get("points") or (None, element["point"])
+    bodies = tuple(ref.body for ref in refs if ref and ref.body)
+    ground, mark = len(bodies) < 2, ALL[element.kind].drawn
+    kind = {("pin", True): "pivot", ("weld", False): "point"}.get((mark, ground), mark)
+    at = pose.ref(next(ref for ref in reversed(refs) if ref and ref.body))
     return sk.SketchPoint(kind, at, origin_label(at) if ground else None, bodies)
 
 
@@ -63,7 +61,7 @@ def _led_or_edge(pose: DrawnPose, element: Element) -> Iterator[sk.SketchPoint]:
     ref = element.values.get("point")
     if ref is None:
         return
-    if element.kind == "guide":
+    if is_slot(element):
         yield sk.SketchPoint("guide", pose.ref(ref), None, (ref.body,) if ref.body else ())
     elif ref.body is None and element.values.get("of"):
         angle = pose.value(pose.study.system.bodies[element["of"]].pose.angle)
@@ -105,7 +103,7 @@ def lines(pose: DrawnPose) -> Iterator[sk.SketchLine]:
             continue
         seen.add(line.label)
         a, b, c = (pose.node(part) for part in (line.a, line.b, line.c))
-        if element.kind == "guide":
+        if is_slot(element):
             yield sk.SketchLine(a, b, c, kind="rail")
             continue
         met = meeting(element, geometry)
@@ -152,7 +150,7 @@ def _touched(pose: DrawnPose, element: Element) -> sk.SketchCircle:
     at, radius = pose.ref(element["circle"]), pose.node(element["radius"])
     body = element.values.get("body") or element["point"].body
     inside = body is not None and math.dist(pose.center(body), at) < radius
-    kind = "rail" if element.kind == "guide" else _hollow(pose, element, at) if inside else "convex"
+    kind = "rail" if is_slot(element) else _hollow(pose, element, at) if inside else "convex"
     return sk.SketchCircle(at, radius, kind, element["radius"] if radius else None)  # a corner has no size to tell
 
 
@@ -170,7 +168,7 @@ def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
     """Curves, and each string as a line of points, with arcs round its pulleys."""
     geometry = geometry_of(pose.study.system)
     yield from (_bent(pose, element) for element in touching(pose) if element.values.get("curve") is not None)
-    for element in pose.study.problem.of_kind("pull"):
+    for element in drawn_as(pose.study.problem, "cord"):
         yield sk.SketchCord(tuple(pose.ref(ref) for ref in element["between"]), element["size"], "string")
     for element in pose.study.problem.of_kind("string"):
         pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
@@ -220,18 +218,22 @@ def _round(start: sk.Point, end: sk.Point, middle: sk.Point, sense: int) -> list
 
 def links(pose: DrawnPose) -> Iterator[sk.SketchLink]:
     """Springs and dampers."""
-    for element in pose.study.problem.of_kind("spring", "damper"):
-        key = "stiffness" if element.kind == "spring" else "coefficient"
+    for element in drawn_as(pose.study.problem, "link"):
         start, end = (pose.ref(ref) for ref in element["between"])
-        yield sk.SketchLink(element.kind, start, end, element[key])
+        yield sk.SketchLink(element.kind, start, end, strength(element))
 
 
 def coils(pose: DrawnPose) -> Iterator[sk.SketchCoil]:
     """Torsion springs and rotary dampers, at a hinge."""
-    for element in pose.study.problem.of_kind("torsion-spring", "rotary-damper"):
-        key = "stiffness" if element.kind == "torsion-spring" else "coefficient"
+    for element in drawn_as(pose.study.problem, "coil"):
         name = next(n for n in reversed(element["between"]) if n in pose.study.system.bodies)
-        yield sk.SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))
+        yield sk.SketchCoil(_hinge(pose, name), strength(element), element.kind.replace("-", "_"))
+
+
+def strength(element: Element) -> t.Node:
+    """That by which a spring or a damper is told."""
+    found: t.Node = element.values.get("stiffness") or element["coefficient"]
+    return found
 
 
 def _hinge(pose: DrawnPose, body: str) -> sk.Point:

@@ -8,18 +8,19 @@ _HOMES = {
     "load_problem": "loader",
     "load_text": "loader",
     "Problem": "model",
-    "SHAPES": "shapes",
-    "INTERACTIONS": "interactions",
-    "CONSTRAINTS": "constraints",
     "unknowns_of": "checks",
     "problem_files": "library",
     "find_problem": "library",
     "starter_text": "starter",
 }
 
+_KINDS = ("SHAPES", "INTERACTIONS", "CONSTRAINTS")
+
 
 def __getattr__(name: str) -> object:
     """What the package offers, imported when it is asked for."""
+    if name in _KINDS:
+        return getattr(import_module(f"rbpsym.elements.{name.lower()}"), name)
     if name in _HOMES:
         return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
     build = import_module(f"{__name__}.build")
@@ -29,4 +30,4 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    return sorted([*_HOMES, *import_module(f"{__name__}.build").__all__])
+    return sorted([*_HOMES, *_KINDS, *import_module(f"{__name__}.build").__all__])

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from rbpsym.elements.kinds import ShapeKind
+from rbpsym.elements.shapes import DENSITY_DIMENSIONS, SHAPES
 from rbpsym.expr.tree import ONE, ZERO, Fn, Node, Num, add, mul, neg
 from rbpsym.frozen import Frozen, replace
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
-from rbpsym.statement.kinds import ShapeKind
 from rbpsym.statement.model import Body, Pair, PlacedShape, Shape
 from rbpsym.statement.premises import LEFT_OPEN, contradicts
 from rbpsym.statement.references import CM, check_name
 from rbpsym.statement.scope import Scope, read_expression, read_pair
-from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
 from rbpsym.statement.solids import Material, compose, shape_of, shares, size_of, total_mass, weight
 from rbpsym.statement.source import SourceItem, Table
 

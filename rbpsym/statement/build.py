@@ -22,13 +22,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from inspect import Parameter, Signature
 
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import ElementKind, known_names
+from rbpsym.elements.shapes import SHAPES
 from rbpsym.errors import StatementError
 from rbpsym.statement.assemble import assemble
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import ElementKind, known_names
 from rbpsym.statement.model import Problem
-from rbpsym.statement.shapes import SHAPES
 from rbpsym.statement.source import Source, Table, check_characters, kind_of
 
 Stated = dict[str, object]

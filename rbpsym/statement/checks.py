@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.errors import StatementError
 from rbpsym.expr.glyphs import MARKS
 from rbpsym.expr.tree import Node, Num, names
 from rbpsym.quantities import FORCE, Dimension
-from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.example import check_example
 from rbpsym.statement.hints import in_radians
 from rbpsym.statement.model import Body, Coordinate, Element, Problem

@@ -1,17 +1,45 @@
-"""What a constraint on a curve must say: one curve, a body that can touch it, and a way to touch it."""
+"""What constraints on curves share: their keys, and what they must say: one curve, a body that can touch it, and a way to."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import replace
-from typing import Any
-
-from rbpsym.expr.tree import ZERO
-from rbpsym.statement.model import Body, Element
+from rbpsym.elements.shapes import PARTLY_ROUND
+from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.paths import round_size, runs
 from rbpsym.statement.premises import sign_of, surely_above
+from rbpsym.statement.rules import Bodies, Rule
 from rbpsym.statement.scope import Scope
-from rbpsym.statement.shapes import PARTLY_ROUND
+
+NORMAL = {"{name}": "force"}
+ROUGH = {**NORMAL, "{friction}": "force"}
+OF = {"of": "body, optional: the body to which the line belongs, x and y being its own; absent: it is fixed"}
+LINE = {"line": "line, optional: the line that is touched, as an equation in x and y: “y = 0”"}
+SIDE = {
+    "side": "one of auto | positive | negative | outside | inside = auto: side to which the force pushes: of a line, positive is "
+    "where the left side of the equation is the greater one; of a circle, outside or inside; auto: where the body is"
+}
+CURVE = {
+    **OF,
+    "circle": "point, optional: instead of a line: the centre of the circle that is touched",
+    "radius": "length, nonnegative, optional: radius of that circle; absent: that of the round body whose centre it is; 0 for a "
+    "corner that a round body touches",
+}
+BENT = {
+    "curve": "curve, optional: instead of a line: a smooth fixed curve, “y = x**2/(2*p)”, or two functions of a coordinate, "
+    '["R*cos(q)", "b*sin(q)"]; its positive side is above it (to the left, as the coordinate grows)'
+}
+FRICTION = {"friction": "name = f_{name}: name of the force of friction"}
+SLIDING = {
+    "coefficient": "number, nonnegative, optional: coefficient of kinetic friction; absent: smooth",
+    "slip": "one of auto | forward | backward = auto: the sense in which it slips, seen with the normal upwards: forward is to "
+    "the right; auto: as at the start",
+    **FRICTION,
+}
+LIMIT = {"limit": "number, nonnegative, optional: coefficient of static friction; absent: as much as is needed"}
+POINT = {"point": "point: the point that touches"}
+ROUND = {"body": "body: the round body that touches"}
+RIM = {"rim": "length, positive, optional: radius at which it touches; absent: its own"}
+
+TOUCHED = LINE | SIDE | CURVE
 
 _ALONG = ("auto", "positive", "negative")
 _SIDES = {"curve": _ALONG, "line": _ALONG, "circle": ("auto", "outside", "inside")}
@@ -31,7 +59,12 @@ def curve_body(element: Element) -> str | None:
     return found
 
 
-def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def is_slot(element: Element) -> bool:
+    """Whether a point is led in it: a slot has no side to which it pushes."""
+    return "side" not in element.values
+
+
+def one_curve(element: Element, scope: Scope, bodies: Bodies) -> Element:
     """A line, a circle or a curve, only one, and the words that go with it."""
     found = [what for what in _SIDES if element.values.get(what) is not None]
     if len(found) != 1:
@@ -52,7 +85,7 @@ def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
     return element
 
 
-def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def circle_size(element: Element, scope: Scope, bodies: Bodies) -> Element:
     """The radius of the circle: stated, or that of the round body whose centre it is."""
     circle = element.values.get("circle")
     if circle is None:
@@ -72,7 +105,7 @@ def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     return element if element["radius"] is not None else element.with_values(radius=own)
 
 
-def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
+def two_bodies(element: Element, scope: Scope, bodies: Bodies) -> None:
     """What touches must be able to move against the curve."""
     first, second = toucher(element), curve_body(element)
     if first == second:
@@ -80,7 +113,7 @@ def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> No
         raise element.error(what, "name the point of one body, and a curve that is fixed or belongs to another.")
 
 
-def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def rim_size(element: Element, scope: Scope, bodies: Bodies) -> Element:
     """The radius at which a round body touches; a half disk or half ring does so with its round side."""
     body = bodies[element["body"]]
     own = round_size(body) or (body.shape.sizes["radius"] if body.shape.kind in PARTLY_ROUND else None)
@@ -98,7 +131,7 @@ def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Elem
     return element if element["rim"] is not None else element.with_values(rim=own)
 
 
-def apart(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def apart(element: Element, scope: Scope, bodies: Bodies) -> Element:
     """Two solid bodies are never one inside the other: they touch from outside unless another radius is meant."""
     circle = element.values.get("circle")
     if circle is None or circle.body is None or element["side"] != "auto":
@@ -108,7 +141,7 @@ def apart(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element
     return element.with_values(side="outside") if solid and circle.point in ("center", "cm") else element
 
 
-def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
+def room(element: Element, scope: Scope, bodies: Bodies) -> None:
     """Inside a circle there is room for smaller bodies only."""
     if element.values.get("circle") is None or element["side"] != "inside":
         return
@@ -118,22 +151,13 @@ def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
         )
 
 
-def slides(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
+def slides(element: Element, scope: Scope, bodies: Bodies) -> None:
     """A sense of slip goes with friction."""
     if element["slip"] != "auto" and element["coefficient"] is None:
         raise element.error("says which way it slips, but has no friction", 'add coefficient = "mu"')
 
 
-def has_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
-    """A slider keeps the angle of a body: a particle has none."""
-    name = element["point"].body
-    if name is None or bodies[name].shape.kind == "particle":
-        raise element.error(
-            "must lead a point of a body that has an angle", 'a particle needs type = "contact" or "guide".'
-        )
-
-
-def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
+def string_path(element: Element, scope: Scope, bodies: Bodies) -> None:
     """Two neighbours on the path are different things; something can move; a length is between points."""
     path = element["path"]
     for first, second in zip(path, path[1:], strict=False):
@@ -152,64 +176,13 @@ def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> N
             )
 
 
-def light_rod(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
-    """A link is a straight string that may push as well."""
-    ends = element["points"]
-    if len(ends) != 2 or any(turn.sense for turn in ends):
-        raise element.error("must join two points", 'write points = ["O", "bob.center"].')
-    values = {"path": ends, "length": element["length"], "rigid": True}
-    string_path(replace(element, values=values), scope, bodies)
-    return replace(element, kind="string", values=values)
+def as_touching(element: Element, problem: Problem) -> str:
+    """How it is told that something touches: what has another contact beside it, friction, a fixed edge on which a body lies."""
+    beside = any(other.values.get("beside") == element.name for other in problem.constraints)
+    edge = "point" in element.values and element["point"].body is None and element["of"]
+    rough = element.values.get("coefficient") is not None
+    return ("_rough" if rough else "_beside" if beside else "") + "_on_point" * bool(edge)
 
 
-def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
-    """The driven point belongs to a body."""
-    if element["point"].body is None:
-        raise element.error(f"drives “{element['point'].label}”, a fixed place", "name a point of a body.")
-
-
-def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
-    """The driven body has an angle, and is not driven against itself."""
-    if element["of"] == element["body"]:
-        raise element.error(f"turns “{element['body']}” against itself", "name another body under “of”, or none.")
-    if bodies[element["body"]].shape.kind == "particle":
-        raise element.error(f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn.")
-
-
-def bounces(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
-    """A point or a round body that touches a line or a circle, or a string: read as such a constraint is."""
-    ways = [key for key in ("point", "body", "path") if element[key] is not None]
-    if len(ways) != 1:
-        raise element.error("must say what meets: a point, a round body or a path, one of them", 'write body = "ball".')
-    others = {"point", "body", "path", *(("line", "side", "of", "circle", "radius", "rim") if ways == ["path"] else ("length",))}
-    found = replace(element, values={key: value for key, value in element.values.items() if key not in others - {*ways}})
-    if ways == ["path"]:
-        if element["length"] is None:
-            raise element.error("does not say how long the string is", 'add length = "L".')
-        if element["coefficient"] is not None or element["slip"] != "auto":
-            raise element.error("is that of a string, which has no friction", "leave coefficient and slip out.")
-        string_path(found, scope, bodies)
-        return found
-    if element["tangential"] != ZERO and element["slip"] != "none":
-        raise element.error("slips, and has a tangential restitution", 'write slip = "none", or leave “tangential” out.')
-    for rule in CURVE_RULES["rolling" if ways == ["body"] else "sticking"] + (slides,) * (element["slip"] != "none"):
-        found = rule(found, scope, bodies) or found
-    return found
-
-
-_ON_CURVE: tuple[Any, ...] = (one_curve, circle_size, two_bodies)
-Rule = Callable[[Element, Scope, Mapping[str, Body]], Element | None]
-CURVE_RULES: Mapping[str, tuple[Rule, ...]] = {
-    "contact": (*_ON_CURVE, slides),
-    "guide": _ON_CURVE,
-    "slider": (has_angle, one_curve, two_bodies, slides),
-    "touch": (*_ON_CURVE, rim_size, apart, room, slides),
-    "rolling": (*_ON_CURVE, rim_size, apart, room),
-    "gear": (*_ON_CURVE, rim_size, apart, room),
-    "sticking": _ON_CURVE,
-    "string": (string_path,),
-    "link": (light_rod,),
-    "prescribed": (unit_direction,),
-    "prescribed-angle": (can_turn,),
-    "bounce": (bounces,),
-}
+ON_CURVE: tuple[Rule, ...] = (one_curve, circle_size, two_bodies)
+ROUND_ON_CURVE = (*ON_CURVE, rim_size, apart, room)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from rbpsym.elements.kinds import ElementKind, Field, K, known_names
 from rbpsym.frozen import Frozen
-from rbpsym.statement.kinds import ElementKind, Field, K, known_names
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
 from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_curve, read_line, read_point
@@ -26,13 +26,16 @@ def read_elements(section: str, table: Table, kinds: Mapping[str, ElementKind], 
 
 
 def read_element(table: Table, name: str, kinds: Mapping[str, ElementKind], around: Surroundings) -> Element:
-    """One element: its kind, then the fields of the kind."""
+    """One element: its kind, then the fields of the kind, then what the kind makes of them together."""
     check_name(name, table)
     kind = kind_of_element(table, kinds, "type")
     where = f"{kind.name} “{name}”"
     table.check_keys(["type", *(field.name for field in kind.fields)], where)
     values = {field.name: _field(field, table, name, where, around) for field in kind.fields}
-    return Element(name, kind.name, values, table.source.key(table.path))
+    element = Element(name, kind.name, values, table.source.key(table.path))
+    for rule in kind.rules:
+        element = rule(element, around.scope, around.bodies) or element  # most rules only refuse
+    return element
 
 
 def kind_of_element(table: Table, kinds: Mapping[str, K], key: str) -> K:

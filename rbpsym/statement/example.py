@@ -6,22 +6,20 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from decimal import Decimal, InvalidOperation
 
+from rbpsym.elements.shapes import SHAPES
 from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
 from rbpsym.quantities import Dimension, Quantity
-from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.hints import unit_example
-from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.model import Coordinate, Problem, Shape
 from rbpsym.statement.premises import OPS
-from rbpsym.statement.shapes import SHAPES
+from rbpsym.statement.slots import ALL
 from rbpsym.statement.source import Table
 from rbpsym.statement.units import unit_named
 
 MOST = 30  # no number is as large as 10^30 or as small as 10^-30 in SI units
 NEAR = 1e-9  # how exactly an end of a range is told in degrees
-KINDS = {**INTERACTIONS, **CONSTRAINTS}
 
 
 def check_example(problem: Problem, section: Table) -> None:
@@ -88,7 +86,7 @@ def needed_signs(problem: Problem) -> Iterator[tuple[str, Node, str]]:
             yield f"“mass” of the body “{body.name}”", body.mass, "nonnegative"
         yield from _sizes(body.shape, f"the body “{body.name}”")
     for element in problem.elements:
-        for field in KINDS[element.kind].fields:
+        for field in ALL[element.kind].fields:
             if field.sign and isinstance(element.values.get(field.name), Node):
                 yield f"“{field.name}” of {element.kind} “{element.name}”", element[field.name], field.sign
 

@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr.tree import ZERO, Node
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Element, PointRef, Turn
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import Scope, read_expression
-from rbpsym.statement.shapes import PARTLY_ROUND
 from rbpsym.statement.source import SourceItem, did_you_mean, kind_of
 
 SENSES = {"cw": -1, "ccw": 1}

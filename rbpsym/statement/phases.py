@@ -15,20 +15,18 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.expr.tree import ONE, Node
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.impulses import IMPULSES
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import ElementKind
+from rbpsym.expr.tree import Node
 from rbpsym.quantities import TIME
 from rbpsym.statement.checks import unknowns_of
-from rbpsym.statement.constraints import CONSTRAINTS, MEETING
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
-from rbpsym.statement.finish import finish
-from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import ElementKind, element, registry
 from rbpsym.statement.model import Element, Phase, Problem
-from rbpsym.statement.premises import Declared, sign_of, surely_above
+from rbpsym.statement.premises import surely_above
 from rbpsym.statement.scope import read_expression
 from rbpsym.statement.source import Table, did_you_mean, kind_of
-
-RESTITUTION = {"restitution": "number = 1: speed of parting over speed of approach"}
 
 EVENTS: dict[str, str] = {
     "at once": "the phase begins at the start of the one before: a blow, a point suddenly held",
@@ -40,34 +38,6 @@ EVENTS: dict[str, str] = {
     "time": "the time “at” has gone since the phase before began",
     "begins": "the contact, string or bounce “of”, which the phase brings, begins: a body lands, a string goes taut",
 }
-
-IMPULSES = registry(
-    blow=element(
-        "a given impulse at a point",
-        on="point: the point of a body that is struck",
-        impulse="pair of impulse: its components in space",
-    ),
-    collision=element(
-        "two points of two bodies collide without friction; the unknown impulse pushes the second along the direction",
-        unknowns={"{name}": "impulse"},
-        points="points: the two points that meet; of a round body its center will do",
-        along="pair of number: unit vector of the normal, from the first to the second body",
-        **RESTITUTION,
-    ),
-    bounce=element(
-        "a body meets a line or a circle, or a string between two points goes taut, for an instant; with friction, if there "
-        "is some",
-        unknowns={"{name}": "impulse"},
-        **MEETING,
-        **RESTITUTION,
-        coefficient="number, nonnegative, optional: coefficient of friction: that of its impulse over the normal one; absent: "
-        "smooth, or as much as is needed",
-        slip="one of auto | forward | backward | none = auto: the sense in which it slips as long as they touch, seen with the "
-        "normal upwards: forward is to the right; auto: as just before; none: it does not slip as they part",
-        tangential="number = 0: where it does not slip: speed of slip just after over that just before, which is opposite",
-        friction="name = f_{name}: name of the impulse of friction",
-    ),
-)
 
 KINDS = {"interactions": INTERACTIONS, "constraints": CONSTRAINTS}
 PHASE_KEYS = {
@@ -97,8 +67,7 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
         current = _changed(row, name, current)
         interactions, constraints = read_both(Table(row.source, row.path, current), around)
         impulses = tuple(
-            _checked(finish(e, around.scope, around.bodies), row, names, around.scope.given)
-            for e in read_elements("impulses", row, IMPULSES, around)
+            _checked(e, row, names) for e in read_elements("impulses", row, IMPULSES, around)
         )
         then = replace(problem, interactions=interactions, constraints=constraints)
         found.append(Phase(name, event, subject, impulses, then, value))
@@ -166,7 +135,7 @@ def read_both(table: Table, around: Surroundings) -> tuple[tuple[Element, ...], 
     for section, kinds in reversed(KINDS.items()):
         forces = {name: unit for each in found.get("constraints", ()) for name, unit in unknowns_of(each).items()}
         seen = replace(around, scope=replace(around.scope, forces=forces))
-        found[section] = tuple(finish(e, seen.scope, around.bodies) for e in read_elements(section, table, kinds, seen))
+        found[section] = read_elements(section, table, kinds, seen)
     return found["interactions"], found["constraints"]
 
 
@@ -200,8 +169,7 @@ def _merged(old: Mapping[str, object], new: Table, kinds: Mapping[str, ElementKi
     return {**{key: value for key, value in old.items() if key in keys}, **new.data}
 
 
-def _checked(element: Element, row: Table, names: Mapping[str, str], given: Declared) -> Element:
-    _IMPULSE_CHECKS[element.kind](element, row, given)
+def _checked(element: Element, row: Table, names: Mapping[str, str]) -> Element:
     if element.name in names:
         raise row.error(f"“{element.name}” is {names[element.name]} and an impulse", "rename one.", "impulses")
     return element
@@ -215,31 +183,3 @@ def _check_begins(row: Table, phase: Phase) -> None:
             f"the phase “{phase.name}”: nothing closes where “{phase.subject}” begins",
             "name a contact, or a string or link with a length.",
         )
-
-
-def _check_blow(element: Element, row: Table, given: Declared) -> None:
-    if element["on"].body is None:
-        raise row.error(f"the blow “{element.name}” strikes a fixed place", "name a point of a body.", "impulses")
-    if all(sign_of(part) == "zero" for part in element["impulse"]):
-        raise row.error(f"the blow “{element.name}” has no impulse at all", 'write impulse = ["J", "0"]', "impulses")
-
-
-def _check_collision(element: Element, row: Table, given: Declared) -> None:
-    first, second = (ref.body for ref in element["points"])
-    if first == second:
-        raise row.error(f"the collision “{element.name}” is between points of one body", "name two bodies.", "impulses")
-    _check_restitution(element, row, given)
-
-
-def _check_restitution(element: Element, row: Table, given: Declared) -> None:
-    for key in ("restitution", "tangential"):
-        value = element.values.get(key, ONE)
-        if sign_of(value, given) == "negative" or surely_above(value, ONE, given):
-            raise row.error(
-                f"the restitution of the {element.kind} “{element.name}” must be between 0 and 1",
-                "0: they part with one speed, 1: no energy is lost.",
-                "impulses",
-            )
-
-
-_IMPULSE_CHECKS = {"blow": _check_blow, "collision": _check_collision, "bounce": _check_restitution}

@@ -5,20 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.impulses import IMPULSES
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import ElementKind, ShapeKind, known_names
+from rbpsym.elements.shapes import DENSITY_DIMENSIONS, SHAPES
 from rbpsym.frozen import Frozen, field
 from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.statement.bodies import VARIABLE_DIMENSIONS
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import ElementKind, ShapeKind, known_names
-from rbpsym.statement.phases import IMPULSES
-from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
+from rbpsym.statement.model import Element, Problem
 
 ALL: Mapping[str, ElementKind] = {**SHAPES, **INTERACTIONS, **CONSTRAINTS, **IMPULSES}
 KINDS = {word: ALL[name] for word, name in known_names(ALL).items()}
 USUAL = {"mass": MASS, "angle": NUMBER}  # of keys that are no fields of a kind; the others are places
 AXES = {"x": LENGTH, "y": LENGTH}
 QUANTITIES = ("coordinates", "parameters")
+
+
+def drawn_as(problem: Problem, *marks: str) -> list[Element]:
+    """The constraints, then the interactions, that are drawn with one of these marks."""
+    return [element for element in (*problem.constraints, *problem.interactions) if ALL[element.kind].drawn in marks]
 
 
 class Slot(Frozen):

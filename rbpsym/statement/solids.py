@@ -9,12 +9,12 @@ from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from rbpsym.elements.kinds import ElementText, ShapeKind
 from rbpsym.errors import StatementError
 from rbpsym.expr import tree
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.tree import ZERO, Fn, Node, Num, Sym, add, div, mul, neg
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.statement.kinds import ElementText, ShapeKind
 from rbpsym.statement.model import MassElement, Pair, PlacedShape, Range, Shape
 
 if TYPE_CHECKING:

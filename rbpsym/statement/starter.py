@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import ElementKind, Field, ShapeKind
+from rbpsym.elements.shapes import SHAPES
 from rbpsym.errors import StatementError
 from rbpsym.quantities import DIMENSIONS
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import ElementKind, Field, ShapeKind
 from rbpsym.statement.references import fault_of_name
-from rbpsym.statement.shapes import SHAPES
 
 _TEXT = """\
 # {name}: a uniform rod that swings about its upper end. Change it into your own problem.

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from rbpsym.ask.question import CLAUSES
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.impulses import IMPULSES
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.kinds import ElementKind, Field, ShapeKind
+from rbpsym.elements.shapes import SHAPES
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.quantity.phrases import PHRASES
 from rbpsym.statement.assemble import SECTIONS
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import ElementKind, Field, ShapeKind
-from rbpsym.statement.phases import EVENTS, IMPULSES, PHASE_KEYS
-from rbpsym.statement.shapes import SHAPES
+from rbpsym.statement.phases import EVENTS, PHASE_KEYS
 
 Words = Mapping[str, str]  # what can be written, and what it means
 KINDS: Mapping[str, tuple[str, Mapping[str, ElementKind]]] = {

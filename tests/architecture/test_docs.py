@@ -12,9 +12,10 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.derive import derive
+from rbpsym.elements.impulses import IMPULSES
 from rbpsym.solve import solve
 from rbpsym.statement import CONSTRAINTS, INTERACTIONS, SHAPES, load_problem, load_text
-from rbpsym.statement.phases import EVENTS, IMPULSES
+from rbpsym.statement.phases import EVENTS
 from tests.architecture.source import ROOT
 from tests.library.derived import derived_from, stated
 

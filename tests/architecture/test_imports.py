@@ -17,8 +17,13 @@ HEAVY = {"sympy", "matplotlib", "scipy", "typst", "jinja2", "rich", "docx", "nbf
 SYMPY_LIVES_IN = ("rbpsym.field.sympy_bridge", "rbpsym.face.late")
 
 
+PARTS = {"law": "mechanics", "work": "oracles", "row": "oracles"}  # of the folder of a kind, whose data are part of the statement
+
+
 def room(dotted: str) -> str:
-    return [*dotted.split("."), ""][1]
+    """The room in which a module stands; the modules of a kind stand where their work is done."""
+    own, last = [*dotted.split("."), ""][1], dotted.rpartition(".")[2]
+    return PARTS.get(last, "statement") if own == "elements" else own
 
 
 @of_every_module

@@ -43,6 +43,20 @@ def test_makers_take_nothing_from_checkers(module) -> None:
     assert not [name for _, name in module.imports() if _is_checker(name)]
 
 
+KINDS = [m for m in MODULES if m.name.startswith("rbpsym.elements.")]
+SEEN = {  # what virtual works and rows take from the mechanics: places, signs and numbers of what is stated
+    "rbpsym.mechanics.assemble", "rbpsym.mechanics.friction", "rbpsym.mechanics.geometry", "rbpsym.mechanics.interactions",
+    "rbpsym.mechanics.numbers", "rbpsym.mechanics.system",
+}  # fmt: skip
+
+
+def test_the_roads_of_a_kind_are_apart() -> None:
+    """Its virtual work and its row in the simulation take nothing from laws, those of other kinds neither."""
+    for module in (m for m in KINDS if m.parts[-1] in ("work", "row")):
+        taken = {name for _, name in module.imports() if name.startswith(("rbpsym.mechanics", "rbpsym.elements"))}
+        assert taken <= (SEEN if module.parts[-1] == "work" else {"rbpsym.mechanics.numbers"}), f"{module.name}: {taken}"
+
+
 def test_what_is_shared_is_still_there() -> None:
     found = {(m.name, name) for m in MODULES for _, name in m.imports() if _is_checker(m.name)}
     assert SHARED.keys() <= found

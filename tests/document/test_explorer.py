@@ -16,11 +16,11 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.document.files import data_folder
+from rbpsym.elements.shapes import SHAPES
 from rbpsym.explorer.page import explorer, model, problem_stages
 from rbpsym.mechanics.numbers import number
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
-from rbpsym.statement.shapes import SHAPES
 from tests.architecture.source import ROOT
 from tests.document import explored
 from tests.library.derived import AT_START, NAMES

@@ -10,6 +10,7 @@ from types import SimpleNamespace as Told
 import pytest
 
 from rbpsym.document.notes_figures import describe, describe_free_body
+from rbpsym.elements.shapes import SHAPES
 from rbpsym.pictures.figures import placing
 from rbpsym.pictures.figures.dimensions import solid_line
 from rbpsym.pictures.figures.free_body import free_body
@@ -20,7 +21,6 @@ from rbpsym.pictures.figures.sketch import Sketch, SketchBody, SketchLine, Sketc
 from rbpsym.pictures.figures.svg import SCALE, label_svg, number, to_svg
 from rbpsym.pictures.figures.tikz import to_tikz
 from rbpsym.pictures.figures.typst import to_typst_drawing
-from rbpsym.statement.shapes import SHAPES
 from tests.document.collisions import collisions
 from tests.document.gallery import GALLERY
 from tests.document.samples import SKETCHES, ladder, pendulum

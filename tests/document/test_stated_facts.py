@@ -11,6 +11,7 @@ from rbpsym.document.notes_statement import _bodies, _phases
 from rbpsym.document.phrases import phrases
 from rbpsym.document.words import Words
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.elements.impulses import IMPULSES
 from rbpsym.expr import tree as t
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.study import Study
@@ -19,7 +20,7 @@ from rbpsym.proof.assertions import Said
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.phases import EVENTS, IMPULSES, KINDS
+from rbpsym.statement.phases import EVENTS, KINDS
 from tests.library.derived import derived
 from tests.proof.test_assertions import said_in
 

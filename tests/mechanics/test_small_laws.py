@@ -7,6 +7,7 @@ import pytest
 
 from rbpsym.chapters.methods import known_works
 from rbpsym.decide.assumptions import Assumptions
+from rbpsym.elements.constraints.weld.law import _angles
 from rbpsym.errors import LimitError
 from rbpsym.expr import tree as t
 from rbpsym.field.calculus import root
@@ -15,7 +16,6 @@ from rbpsym.field.scalar import NOTHING, UNITY, symbol
 from rbpsym.field.trig import cosine, sine
 from rbpsym.field.vector import cartesian
 from rbpsym.mechanics import oscillation
-from rbpsym.mechanics.constraints import _weld_angles
 from rbpsym.mechanics.contacts import slip_speed
 from rbpsym.mechanics.dynamics import LARGEST_TRIED, _solved_block
 from rbpsym.mechanics.energy import effective_potential
@@ -161,7 +161,7 @@ def test_at_the_terminal_speed_the_resistance_balances_what_is_constant():
 def test_a_weld_turns_the_second_against_the_first():
     beta, rod, ground = t.Sym("beta"), PointRef("rod.start", "rod", "start"), PointRef("O", at=(t.ZERO, t.ZERO))
     for points, angle in (((ground, rod), symbol("beta")), ((rod, ground), -symbol("beta"))):
-        [join], known = _weld_angles({"points": points, "angle": beta}), {}
+        [join], known = _angles({"points": points, "angle": beta}), {}
         assert _join_angle(join, known) and same(known["rod"], angle)
 
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 import pytest
 
+from rbpsym.elements.kinds import ElementKind, Field, known_names
 from rbpsym.errors import RbpsymError
 from rbpsym.statement import CONSTRAINTS, INTERACTIONS, SHAPES, build, load_text, unknowns_of
-from rbpsym.statement.kinds import ElementKind, Field, known_names
 from rbpsym.statement.model import Element, Problem
 
 REGISTRIES: Mapping[str, Mapping[str, ElementKind]] = {"interactions": INTERACTIONS, "constraints": CONSTRAINTS}
@@ -33,6 +33,7 @@ OWN = {
     "touch": {"body": "disk", "of": "rod"},
     "rolling": {"body": "disk", "of": "rod"},
     "gear": {"body": "disk", "of": "rod"},
+    "prescribed": {"of": "disk"},
     "prescribed-angle": {"of": "disk"},
     **{name: {"of": "disk"} for name in ("contact", "guide", "slider", "sticking")},
 }
@@ -119,7 +120,7 @@ def test_defaults(section: str, kind: ElementKind) -> None:
 
 
 AT = {"pivot": {"at": ["0", "0"]}} | {
-    name: {"line": "x = ell", **OWN[name]} for name in OWN if name != "prescribed-angle"
+    name: {"line": "x = ell", **OWN[name]} for name in OWN if not name.startswith("prescribed")
 }
 
 

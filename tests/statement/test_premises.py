@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 
+from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.interactions import INTERACTIONS
+from rbpsym.elements.shapes import SHAPES
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import read_infix
 from rbpsym.statement import load_text
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.premises import LEFT_OPEN, Declared, contradicts, sign_of, surely_above, without_value
-from rbpsym.statement.shapes import SHAPES
 from tests.statement.sound import SOUND
 
 SIGNS = {"a": "positive", "b": "positive", "c": "real", "n": "nonnegative"}

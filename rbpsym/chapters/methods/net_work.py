@@ -11,13 +11,13 @@ from collections.abc import Iterator
 from rbpsym.chapters.forces import force_node, name_node
 from rbpsym.chapters.methods.known_works import over_coordinates
 from rbpsym.decide.signs import sign
+from rbpsym.elements.interactions import LETTERS
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, short, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import motion
 from rbpsym.mechanics.motion import ForceWork
 from rbpsym.mechanics.pushing import kept_sense
-from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Element

@@ -86,8 +86,8 @@ ROWS = [
         rb.prescribed("bob.center", "g*t**2"),
         {"bob": rb.particle(mass="M", center=("R*cos(x/R)", "R*sin(x/R)"))},
     ),
-    row("drives “O”, a fixed place", "point of a body", rb.prescribed("O", "R"), {"disk": TURNED}),
-    row("turns “bob”, a particle", "can turn", rb.prescribed_angle("bob", "sqrt(g/R)*t"), {"bob": BOB}),
+    row("acts on “O”, a fixed place", "point of a body", rb.prescribed("O", "R"), {"disk": TURNED}),
+    row("acts on “bob”, a particle", "can turn", rb.prescribed_angle("bob", "sqrt(g/R)*t"), {"bob": BOB}),
     row("must not depend on “x”", "parameters and the time t", rb.prescribed("disk.center", "x + R"), {"disk": TURNED}),
     row("must not depend on “x_dot”", "made of", rb.string(["O", "disk.center"], "R*x_dot"), {"disk": TURNED}),
     row(
@@ -104,7 +104,7 @@ ROWS = [
         phases=[{"name": "late", "event": "no slip"}],
     ),
     row(
-        "the blow “B” strikes a fixed place",
+        "blow “B” strikes a fixed place",
         "name a point",
         rb.rolling("disk", "y = 0"),
         phases=[{"impulses": {"B": {"type": "blow", "on": "O", "impulse": ["J", "0"]}}}],

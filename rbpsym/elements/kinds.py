@@ -1,14 +1,15 @@
-"""The vocabulary of a statement: what a kind of shape, interaction or constraint is made of.
+"""The vocabulary of a statement: what a kind of shape, interaction, constraint, impulse or event is made of.
 
-The loader, the Python functions, the error messages, the reference pages and `rbpsym new`
-all read these tables; the mechanics of a kind stands in `mechanics` under the same name.
+The loader, the Python functions, the error messages, the reference pages and `rbpsym new` read what a kind says here. What
+else it has (its law, its virtual work, its row in the simulation) are modules of its folder, loaded when they are asked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
+from importlib import import_module
 from itertools import starmap
-from types import MappingProxyType
+from pkgutil import iter_modules
 from typing import Any, TypeVar
 
 from rbpsym.frozen import Frozen, replace
@@ -43,7 +44,10 @@ class ElementKind(Frozen):
     """A kind of shape, interaction or constraint: name, meaning, keys, other names for it.
 
     `unknowns` are the forces and couples that a constraint brings in: templates over the
-    element's `name` and its fields ("{name}_x", "{couple}") with their dimensions.
+    element's `name` and its fields ("{name}_x", "{couple}") with their dimensions. `rules` refuse fields that contradict
+    each other, or complete an element by what follows from the poses. `drawn` is the mark with which it stands in figures;
+    `told` of an element and its problem is the tail of the phrase that tells it, "_rough" for `statement.contact_rough`.
+    `folder` is the package that holds the rest of it.
     """
 
     name: str
@@ -51,6 +55,10 @@ class ElementKind(Frozen):
     fields: tuple[Field, ...] = ()
     aliases: tuple[str, ...] = ()
     unknowns: tuple[tuple[str, Dimension], ...] = ()
+    rules: tuple[Callable[..., Any], ...] = ()
+    drawn: str = ""
+    told: Callable[..., str] = lambda element, problem: ""
+    folder: str = ""
 
 
 class ElementText(Frozen):
@@ -115,10 +123,13 @@ def field(name: str, text: str) -> Field:
 SIGNS = ("positive", "nonnegative")
 
 
-def element(meaning: str, *aliases: str, unknowns: Any = MappingProxyType({}), **fields: str) -> ElementKind:
-    """A kind of interaction or constraint; `fields` and the dimensions of `unknowns` as texts."""
-    own = tuple((name, DIMENSIONS[dimension]) for name, dimension in unknowns.items())
-    return ElementKind("", meaning, tuple(starmap(field, fields.items())), aliases, own)
+def element(folder: str, meaning: str, *aliases: str, unknowns: Any = (), **more: Any) -> ElementKind:
+    """The kind of interaction, constraint or impulse that a folder holds: `rules`, `drawn` and `told` as they are, the
+    dimensions of `unknowns` and all other keys, the fields, as texts."""
+    own = {name: more.pop(name) for name in ("rules", "drawn", "told") if name in more}
+    unknown = tuple((name, DIMENSIONS[dimension]) for name, dimension in dict(unknowns).items())
+    name = folder.rpartition(".")[2].replace("_", "-")
+    return ElementKind(name, meaning, tuple(starmap(field, more.items())), aliases, unknown, folder=folder, **own)
 
 
 def shape(
@@ -134,13 +145,35 @@ def shape(
     """A kind of shape; `points` as a text: “center 0 0, end length/2 0”, `spread` its mass element."""
     places = tuple((name, x, y) for name, x, y in map(str.split, points.split(", ")))
     own = tuple(starmap(field, fields.items()))
-    return ShapeKind("", meaning, own, aliases, (), spread, size, places, density, has_angle)
+    return ShapeKind("", meaning, own, aliases, element=spread, size=size, points=places, density=density, has_angle=has_angle)
 
 
 def registry(**kinds: K) -> dict[str, K]:
     """The kinds by name, in order; "_" stands for the "-" of a name."""
     names = {name: name.replace("_", "-") for name in kinds}
     return {names[name]: replace(kind, name=names[name]) for name, kind in kinds.items()}
+
+
+def in_folders(package: str, path: Iterable[str]) -> dict[str, Any]:
+    """The kinds of a package by name: each folder in it holds one, its `KIND`."""
+    found = [import_module(f"{package}.{folder.name}").KIND for folder in iter_modules(path) if folder.ispkg]
+    return {kind.name: kind for kind in found}
+
+
+T = TypeVar("T")
+
+
+class Parts(dict[str, T]):
+    """What the folders of some kinds hold under one name of one module, by kind: loaded where it is asked for."""
+
+    def __init__(self, kinds: Mapping[str, Any], module: str, name: str) -> None:
+        super().__init__()
+        self.told = kinds, module, name
+
+    def __missing__(self, kind: str) -> T:
+        kinds, module, name = self.told
+        found: T = getattr(import_module(f"{kinds[kind].folder}.{module}"), name)
+        return self.setdefault(kind, found)
 
 
 def known_names(kinds: Mapping[str, K]) -> dict[str, str]:

@@ -7,8 +7,8 @@ ranges stand from the outermost variable to the innermost. Text in `spread`, `si
 
 from __future__ import annotations
 
+from rbpsym.elements.kinds import ElementText, registry, shape
 from rbpsym.quantities import DIMENSIONS
-from rbpsym.statement.kinds import ElementText, registry, shape
 
 _RADIUS = {"radius": "length, positive: radius"}
 _OPENING = {"opening": "angle, positive: angle between its two ends, seen from the centre"}

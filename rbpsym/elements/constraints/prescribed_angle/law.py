@@ -1,0 +1,18 @@
+"""The couple that turns a body; the opposite one on the body against which it is turned, if there is one."""
+
+from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.constraints import AngleJoin, Joint, couples
+from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.system import Force
+from rbpsym.statement.model import Element
+
+
+def _couple(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    return couples(element.name, element["body"], element["of"], "agent", geometry)
+
+
+def _angles(element: Element) -> tuple[AngleJoin, ...]:
+    return (AngleJoin(element["of"], element["body"], scalar(element["angle"])),)
+
+
+JOINT = Joint(_couple, angles=_angles)

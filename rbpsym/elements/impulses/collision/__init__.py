@@ -1,0 +1,23 @@
+"""Two bodies that collide."""
+
+from rbpsym.elements.kinds import element
+from rbpsym.statement.model import Element
+from rbpsym.statement.rules import RESTITUTION, Bodies, bodies_joined, restitution
+from rbpsym.statement.scope import Scope
+
+
+def _two_bodies(element: Element, scope: Scope, bodies: Bodies) -> None:
+    first, second = bodies_joined(element, "points")
+    if first == second:
+        raise element.error("is between points of one body", "name two bodies.")
+
+
+KIND = element(
+    __name__,
+    "two points of two bodies collide without friction; the unknown impulse pushes the second along the direction",
+    unknowns={"{name}": "impulse"},
+    rules=(_two_bodies, restitution),
+    points="points: the two points that meet; of a round body its center will do",
+    along="pair of number: unit vector of the normal, from the first to the second body",
+    **RESTITUTION,
+)

@@ -1,0 +1,22 @@
+"""An applied couple."""
+
+from rbpsym.elements.kinds import element
+from rbpsym.statement.model import Element
+from rbpsym.statement.rules import Bodies, turns
+from rbpsym.statement.scope import Scope
+
+
+def _other_body(element: Element, scope: Scope, bodies: Bodies) -> None:
+    if element["on"] == element["reaction_on"]:
+        raise element.error(f"acts on “{element['on']}” and reacts on it as well", "name another body.")
+
+
+KIND = element(
+    __name__,
+    "an applied couple, counter-clockwise positive",
+    rules=(turns("on"), turns("reaction_on"), _other_body),
+    drawn="turn",
+    on="body: the body that it acts on",
+    couple="torque, of speeds: its torque",
+    reaction_on="body, optional: the body that feels the opposite couple; absent: an outside agent",
+)

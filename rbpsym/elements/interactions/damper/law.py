@@ -1,0 +1,16 @@
+"""c times the rate of the distance, against it."""
+
+from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.interactions import Law, Setting, ends, stretch
+from rbpsym.mechanics.system import Force
+from rbpsym.statement.model import Element
+
+
+def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:
+    unit, _ = stretch(element, setting)
+    first, second = element["between"]
+    rate = unit.dot(setting.velocity(second) - setting.velocity(first))
+    return ends(element, setting, unit * (scalar(element["coefficient"]) * rate))
+
+
+LAW = Law(_forces)

@@ -1,0 +1,11 @@
+"""The pull of a dashpot."""
+
+from rbpsym.oracles.simulation_bodies import Coordinates, Law, Mechanism
+from rbpsym.oracles.simulation_laws import between
+from rbpsym.statement.model import Element
+
+
+def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
+    """c (Δ·V)/d² times the vector between the ends."""
+    c = mechanism.number(element["coefficient"])
+    return between(element, mechanism, lambda d, rate: c * rate / (d * d))

@@ -1,0 +1,14 @@
+"""−c ḋ ∂d/∂q with the distance d."""
+
+from rbpsym.field import Scalar
+from rbpsym.field.evaluate import scalar
+from rbpsym.oracles.lagrange import Motion
+from rbpsym.statement.model import Element
+
+
+def work(element: Element, motion: Motion, name: str) -> Scalar:
+    """With d = √(Δ·Δ)."""
+    first, second = element["between"]
+    apart = motion.where(second) - motion.where(first)
+    rates = apart.dot(motion.velocity(apart)) * apart.dot(apart.derivative(name))
+    return -(scalar(element["coefficient"]) * rates / apart.dot(apart))

@@ -1,0 +1,15 @@
+"""F·∂r/∂q."""
+
+from rbpsym.field import NOTHING, Scalar
+from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.system import rotated
+from rbpsym.oracles.lagrange import Motion
+from rbpsym.statement.model import Element
+
+
+def work(element: Element, motion: Motion, name: str) -> Scalar:
+    """F may turn with the body."""
+    ref, vector = element["on"], pair(element["force"])
+    x, y = motion.own(vector.x), motion.own(vector.y)
+    turned = rotated(x, y, motion.angle(ref.body) if element["frame"] == "body" else NOTHING)
+    return turned.dot(motion.where(ref).derivative(name))

@@ -1,0 +1,25 @@
+"""The weight of each body at its centre of mass: m g downwards, with the potential energy m g h."""
+
+from rbpsym.field import NOTHING, Scalar
+from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.interactions import Law, Setting
+from rbpsym.mechanics.system import Force
+from rbpsym.statement.model import Element
+
+
+def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:
+    down, g, states = pair(element["direction"]), scalar(element["g"]), (setting.states[name] for name in element["bodies"])
+    return tuple(
+        Force(element.name, body.name, "earth", body.center, down * (body.mass * g), law=element.kind, where=f"{body.name}.cm")
+        for body in states
+    )
+
+
+def _height_energy(element: Element, setting: Setting) -> Scalar:
+    down, g = pair(element["direction"]), scalar(element["g"])
+    states = [setting.states[name] for name in element["bodies"]]
+    return sum((-(state.mass * g * down.dot(state.center)) for state in states), NOTHING)
+
+
+LAW = Law(_weights, _height_energy)

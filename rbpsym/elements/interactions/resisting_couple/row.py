@@ -1,0 +1,19 @@
+"""A couple against the turning of two bodies."""
+
+from rbpsym.oracles.simulation_bodies import Coordinates, Load, Mechanism, State, difference
+from rbpsym.oracles.simulation_laws import couples
+from rbpsym.oracles.simulation_resistance import Against, law
+from rbpsym.statement.model import Element
+
+row = law
+
+
+def against(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Against:
+    """The rate at which the second turns, in its sense, and the couple of size 1."""
+    first, second = map(mechanism.body_number, element["between"])
+    sense = float(mechanism.slips.get(element.name, 1))
+
+    def found(where: State, speed: State) -> tuple[float, list[Load]]:
+        return difference(speed, first, second) * sense, couples(element.name, first, second, -sense)
+
+    return found
