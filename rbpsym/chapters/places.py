@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, Scope, Vector, depends_on, time_derivative
 from rbpsym.field.evaluate import scalar
@@ -224,6 +225,4 @@ def _solved_already(statement: t.Node) -> list[str]:
 
 def _from_rate(draft: Draft, name: str) -> bool:
     """Was it found by integrating a condition on the speeds?"""
-    kinds = {"rolling", "gear", "sticking", "string"}
-    named = {c.constraint for c in draft.study.system.conditions if depends_on(c.value, name) and c.what in kinds}
-    return bool(named)
+    return any(depends_on(c.value, name) for c in draft.study.system.conditions if c.what in CONSTRAINTS)

@@ -28,8 +28,6 @@ STRENGTHS: Mapping[str, str] = {
     "torsion-spring": "stiffness",
     "damper": "coefficient",
     "rotary-damper": "coefficient",
-    "resistance": "coefficient",
-    "resisting-couple": "coefficient",
     "pull": "size",
     "contact": "coefficient",
 }  # of interactions, and of the friction of a contact: the value with which they disappear

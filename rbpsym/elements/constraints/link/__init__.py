@@ -4,9 +4,7 @@ from dataclasses import replace
 
 from rbpsym.elements.kinds import element
 from rbpsym.statement.curves import string_path
-from rbpsym.statement.model import Element
-from rbpsym.statement.rules import Bodies
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.rules import Bodies, Element, Scope
 
 
 def _as_string(element: Element, scope: Scope, bodies: Bodies) -> Element:

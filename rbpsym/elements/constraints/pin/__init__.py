@@ -1,9 +1,7 @@
 """Points of two bodies joined so that these can turn against each other."""
 
 from rbpsym.elements.kinds import element
-from rbpsym.statement.model import Element
-from rbpsym.statement.rules import COMPONENTS, Bodies, joins_two
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.rules import COMPONENTS, Bodies, Element, Scope, joins_two
 
 
 def _no_fixed_place(element: Element, scope: Scope, bodies: Bodies) -> None:

@@ -1,8 +1,6 @@
 """Two points that stay together."""
 
-from rbpsym.oracles.simulation_bodies import Mechanism, State
-from rbpsym.oracles.simulation_joints import Kept, ends_of, together
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_joints import Element, Kept, Mechanism, State, ends_of, together
 
 
 def rows(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:

@@ -2,9 +2,8 @@
 
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import names
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import COMPONENTS, Bodies, on_a_body
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import COMPONENTS, Bodies, Element, Scope, on_a_body
 
 
 def _place(element: Element, scope: Scope, bodies: Bodies) -> Element:

@@ -1,10 +1,6 @@
 """The unknown force at a point that is held."""
 
-from rbpsym.field import ORIGIN
-from rbpsym.mechanics.constraints import Joint, joining
-from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element, PointRef
+from rbpsym.mechanics.constraints import ORIGIN, Element, Force, Geometry, Joint, PointRef, joining
 
 
 def _force(element: Element, geometry: Geometry) -> tuple[Force, ...]:

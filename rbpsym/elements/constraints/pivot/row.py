@@ -1,8 +1,6 @@
 """A point that stays where it is, or where its support moves."""
 
-from rbpsym.oracles.simulation_bodies import Mechanism, Spot, State, placed
-from rbpsym.oracles.simulation_joints import Kept, component, driven, together
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_joints import Element, Kept, Mechanism, Spot, State, component, driven, placed, together
 
 
 def rows(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:

@@ -3,9 +3,8 @@
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import ONE, ZERO
 from rbpsym.statement.curves import NORMAL
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import Bodies, on_a_body
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import Bodies, Element, Scope, on_a_body
 
 
 def _along_another(element: Element, scope: Scope, bodies: Bodies) -> None:

@@ -1,11 +1,10 @@
 """The force that drives a point along a direction."""
 
-from rbpsym.field import Scalar, Vector, symbol
+from rbpsym.field import Vector
 from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.constraints import Joint
-from rbpsym.mechanics.geometry import Geometry, pair
-from rbpsym.mechanics.system import Force, opposed, rotated
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.constraints import Element, Force, Geometry, Joint, Scalar, opposed, symbol
+from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.system import rotated
 
 
 def _along(element: Element, geometry: Geometry) -> Vector:

@@ -2,10 +2,8 @@
 
 import cmath
 
-from rbpsym.oracles.simulation_bodies import Mechanism, State
 from rbpsym.oracles.simulation_contacts import Complex, Point, Push, frame_of, kept_by, spot_at
-from rbpsym.oracles.simulation_joints import Kept, driven
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_joints import Element, Kept, Mechanism, State, driven
 
 
 def rows(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:

@@ -1,9 +1,8 @@
 """A body whose angle is a given function of time."""
 
 from rbpsym.elements.kinds import element
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import Bodies, turns
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import Bodies, Element, Scope, turns
 
 
 def _against_another(element: Element, scope: Scope, bodies: Bodies) -> None:

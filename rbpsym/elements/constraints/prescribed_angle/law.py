@@ -1,10 +1,7 @@
 """The couple that turns a body; the opposite one on the body against which it is turned, if there is one."""
 
 from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.constraints import AngleJoin, Joint, couples
-from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.constraints import AngleJoin, Element, Force, Geometry, Joint, couples
 
 
 def _couple(element: Element, geometry: Geometry) -> tuple[Force, ...]:

@@ -1,8 +1,6 @@
 """A body that is turned; the couple is the multiplier."""
 
-from rbpsym.oracles.simulation_bodies import Mechanism, State
-from rbpsym.oracles.simulation_joints import Kept, driven, turn
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_joints import Element, Kept, Mechanism, State, driven, turn
 
 
 def rows(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:

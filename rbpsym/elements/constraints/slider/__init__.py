@@ -2,9 +2,7 @@
 
 from rbpsym.elements.kinds import element
 from rbpsym.statement.curves import LINE, NORMAL, OF, SIDE, SLIDING, as_touching, one_curve, slides, two_bodies
-from rbpsym.statement.model import Element
-from rbpsym.statement.rules import COUPLE, COUPLE_NAME, Bodies
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.rules import COUPLE, COUPLE_NAME, Bodies, Element, Scope
 
 
 def _has_angle(element: Element, scope: Scope, bodies: Bodies) -> None:

@@ -1,8 +1,7 @@
 """The force normal to the line, and the couple that keeps the angle."""
 
-from rbpsym.mechanics.constraints import AngleJoin
+from rbpsym.mechanics.constraints import AngleJoin, Element
 from rbpsym.mechanics.contacts import normal_forces, touching
-from rbpsym.statement.model import Element
 
 
 def _angles(element: Element) -> tuple[AngleJoin, ...]:

@@ -1,9 +1,7 @@
 """N, and the couple that keeps the angle as it is in the poses."""
 
-from rbpsym.oracles.simulation_bodies import Mechanism, State
 from rbpsym.oracles.simulation_contacts import sliding
-from rbpsym.oracles.simulation_joints import Kept, turn, turning
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_joints import Element, Kept, Mechanism, State, turn, turning
 
 
 def rows(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:

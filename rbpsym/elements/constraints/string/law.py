@@ -1,10 +1,7 @@
 """The tension of each run of a string."""
 
-from rbpsym.field import Scalar
-from rbpsym.mechanics.constraints import Joint
-from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.constraints import Element, Geometry, Joint, Scalar
 from rbpsym.mechanics.strings import gap, pulls, spans, speeds_along
-from rbpsym.statement.model import Element
 
 
 def _gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, str], ...]:

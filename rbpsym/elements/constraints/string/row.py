@@ -3,10 +3,9 @@
 import cmath
 
 from rbpsym.expr.tree import neg
-from rbpsym.oracles.simulation_bodies import Mechanism, State
 from rbpsym.oracles.simulation_contacts import Complex, Point, Push, Pushes, kept_by, spot_at
-from rbpsym.oracles.simulation_joints import Kept, driven
-from rbpsym.statement.model import Element, Turn
+from rbpsym.oracles.simulation_joints import Element, Kept, Mechanism, State, driven
+from rbpsym.statement.model import Turn
 from rbpsym.statement.paths import runs, tensions
 
 

@@ -2,9 +2,8 @@
 
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import ZERO
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import COMPONENTS, COUPLE, COUPLE_NAME, Bodies, joins_two
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import COMPONENTS, COUPLE, COUPLE_NAME, Bodies, Element, Scope, joins_two
 
 
 def _no_particle(element: Element, scope: Scope, bodies: Bodies) -> None:

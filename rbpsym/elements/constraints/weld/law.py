@@ -1,10 +1,7 @@
 """The force where the bodies meet, and beside it the couple that keeps one from turning against the other."""
 
 from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.constraints import AngleJoin, Joint, couples, pair_of_forces
-from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.constraints import AngleJoin, Element, Force, Geometry, Joint, couples, pair_of_forces
 
 
 def _forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:

@@ -1,8 +1,6 @@
 """Two points that stay together, and the angle between the bodies."""
 
-from rbpsym.oracles.simulation_bodies import Mechanism, Spot, State
-from rbpsym.oracles.simulation_joints import Kept, ends_of, together, turn, turning
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_joints import Element, Kept, Mechanism, Spot, State, ends_of, together, turn, turning
 
 
 def rows(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:

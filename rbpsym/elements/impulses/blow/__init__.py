@@ -1,10 +1,8 @@
 """A given impulse."""
 
 from rbpsym.elements.kinds import element
-from rbpsym.statement.model import Element
 from rbpsym.statement.premises import sign_of
-from rbpsym.statement.rules import Bodies
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.rules import Bodies, Element, Scope
 
 
 def _strikes(element: Element, scope: Scope, bodies: Bodies) -> None:

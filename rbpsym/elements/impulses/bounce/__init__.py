@@ -5,9 +5,8 @@ from dataclasses import replace
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import ZERO
 from rbpsym.statement.curves import ON_CURVE, RIM, ROUND_ON_CURVE, TOUCHED, slides, string_path
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import RESTITUTION, Bodies, restitution
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import RESTITUTION, Bodies, Element, Scope, restitution
 
 
 def _meets(element: Element, scope: Scope, bodies: Bodies) -> Element:

@@ -1,9 +1,7 @@
 """Two bodies that collide."""
 
 from rbpsym.elements.kinds import element
-from rbpsym.statement.model import Element
-from rbpsym.statement.rules import RESTITUTION, Bodies, bodies_joined, restitution
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.rules import RESTITUTION, Bodies, Element, Scope, bodies_joined, restitution
 
 
 def _two_bodies(element: Element, scope: Scope, bodies: Bodies) -> None:

@@ -1,9 +1,7 @@
 """An applied couple."""
 
 from rbpsym.elements.kinds import element
-from rbpsym.statement.model import Element
-from rbpsym.statement.rules import Bodies, turns
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.rules import Bodies, Element, Scope, turns
 
 
 def _other_body(element: Element, scope: Scope, bodies: Bodies) -> None:

@@ -1,10 +1,6 @@
 """A given couple, and its opposite on the body that exerts it; −τ φ is its potential energy if it is constant."""
 
-from rbpsym.field import Scalar
-from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.interactions import Law, Setting, angle, couples
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Force, Law, Scalar, Setting, angle, couples, scalar
 
 
 def _couple(element: Element, setting: Setting) -> tuple[Force, ...]:

@@ -1,9 +1,6 @@
 """τ ∂φ/∂q."""
 
-from rbpsym.field import Scalar, derivative
-from rbpsym.field.evaluate import scalar
-from rbpsym.oracles.lagrange import Motion
-from rbpsym.statement.model import Element
+from rbpsym.oracles.lagrange import Element, Motion, Scalar, derivative, scalar
 
 
 def work(element: Element, motion: Motion, name: str) -> Scalar:

@@ -1,9 +1,6 @@
 """c times the rate of the distance, against it."""
 
-from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.interactions import Law, Setting, ends, stretch
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Force, Law, Setting, ends, scalar, stretch
 
 
 def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:

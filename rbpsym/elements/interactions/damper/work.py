@@ -1,9 +1,6 @@
 """−c ḋ ∂d/∂q with the distance d."""
 
-from rbpsym.field import Scalar
-from rbpsym.field.evaluate import scalar
-from rbpsym.oracles.lagrange import Motion
-from rbpsym.statement.model import Element
+from rbpsym.oracles.lagrange import Element, Motion, Scalar, scalar
 
 
 def work(element: Element, motion: Motion, name: str) -> Scalar:

@@ -1,9 +1,8 @@
 """An applied force."""
 
 from rbpsym.elements.kinds import element
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import Bodies, on_a_body
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import Bodies, Element, Scope, on_a_body
 
 
 def _frame(element: Element, scope: Scope, bodies: Bodies) -> None:

@@ -1,10 +1,9 @@
 """A force with given components; −F·r is its potential energy if it is constant in space."""
 
-from rbpsym.field import Scalar, Vector
+from rbpsym.field import Vector
 from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.interactions import Law, Setting
-from rbpsym.mechanics.system import Force, rotated
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Force, Law, Scalar, Setting
+from rbpsym.mechanics.system import rotated
 
 
 def _vector(element: Element, setting: Setting) -> Vector:

@@ -2,9 +2,7 @@
 
 import math
 
-from rbpsym.oracles.simulation_bodies import Coordinates, Law, Load, Mechanism, State, load_at, placed
-from rbpsym.oracles.simulation_laws import values
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Load, Mechanism, State, load_at, placed, values
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:

@@ -1,10 +1,9 @@
 """F·∂r/∂q."""
 
-from rbpsym.field import NOTHING, Scalar
+from rbpsym.field import NOTHING
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import rotated
-from rbpsym.oracles.lagrange import Motion
-from rbpsym.statement.model import Element
+from rbpsym.oracles.lagrange import Element, Motion, Scalar
 
 
 def work(element: Element, motion: Motion, name: str) -> Scalar:

@@ -2,10 +2,9 @@
 
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import ONE, TWO, ZERO, Neg, Pow, add, neg
-from rbpsym.statement.model import Element, Problem
+from rbpsym.statement.model import Problem
 from rbpsym.statement.premises import sign_of
-from rbpsym.statement.rules import Bodies
-from rbpsym.statement.scope import Scope
+from rbpsym.statement.rules import Bodies, Element, Scope
 
 DOWN = (ZERO, Neg(ONE))
 

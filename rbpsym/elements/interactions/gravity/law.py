@@ -1,11 +1,8 @@
 """The weight of each body at its centre of mass: m g downwards, with the potential energy m g h."""
 
-from rbpsym.field import NOTHING, Scalar
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import NOTHING
 from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.interactions import Law, Setting
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Force, Law, Scalar, Setting, scalar
 
 
 def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:

@@ -1,10 +1,6 @@
 """F along the line of two points; F d is its potential energy if it is constant."""
 
-from rbpsym.field import Scalar
-from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.interactions import Law, Setting, ends, stretch, sure_distance
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Force, Law, Scalar, Setting, ends, scalar, stretch, sure_distance
 
 
 def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:

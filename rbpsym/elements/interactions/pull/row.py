@@ -1,8 +1,6 @@
 """The pull along the line of two points."""
 
-from rbpsym.oracles.simulation_bodies import Coordinates, Law, Load, Mechanism, State
-from rbpsym.oracles.simulation_laws import between, values
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Load, Mechanism, State, between, values
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:

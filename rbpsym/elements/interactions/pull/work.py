@@ -1,11 +1,8 @@
 """−F ∂d/∂q with the distance d."""
 
-from rbpsym.field import Scalar, derivative
-from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.assemble import setting_of
-from rbpsym.mechanics.interactions import stretch
-from rbpsym.oracles.lagrange import Motion
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Scalar, scalar, stretch
+from rbpsym.oracles.lagrange import Motion, derivative
 
 
 def work(element: Element, motion: Motion, name: str) -> Scalar:

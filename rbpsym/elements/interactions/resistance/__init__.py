@@ -2,8 +2,8 @@
 
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import ZERO, names
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import on_a_body, own_letter
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import Element, on_a_body, own_letter
 
 
 def _told(element: Element, problem: Problem) -> str:

@@ -1,11 +1,9 @@
 """−size(v) ∂s/∂q: the force is against the path s of the point through the medium."""
 
-from rbpsym.field import Scalar, root, substitute, tidy
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import root, substitute, tidy
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.geometry import pair
-from rbpsym.oracles.lagrange import Motion
-from rbpsym.statement.model import Element
+from rbpsym.oracles.lagrange import Element, Motion, Scalar, scalar
 
 
 def work(element: Element, motion: Motion, name: str) -> Scalar:

@@ -2,8 +2,8 @@
 
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import names
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import BODIES, between_bodies, own_letter
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import BODIES, Element, between_bodies, own_letter
 
 
 def _told(element: Element, problem: Problem) -> str:

@@ -1,15 +1,13 @@
 """−size(ω) in the sense in which the second body turns, seen from the first."""
 
 from rbpsym.frozen import replace
-from rbpsym.mechanics.interactions import Law, Setting, couples, resisted_by, unknowns_in
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Force, Law, Setting, couples, resisted_by, unknowns_in
 
 
 def _couples(element: Element, setting: Setting) -> tuple[Force, ...]:
-    push = resisted_by(element, setting).push
-    pairs = couples(element, *element["between"], push, setting)
-    return tuple(replace(force, unknowns=unknowns_in(element, push, setting)) for force in pairs)
+    (first, second), push = element["between"], resisted_by(element, setting).push
+    unknowns = unknowns_in(element, push, setting)
+    return tuple(replace(force, unknowns=unknowns) for force in couples(element, first, second, push, setting))
 
 
 LAW = Law(_couples)

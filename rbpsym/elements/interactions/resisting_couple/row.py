@@ -1,9 +1,8 @@
 """A couple against the turning of two bodies."""
 
-from rbpsym.oracles.simulation_bodies import Coordinates, Load, Mechanism, State, difference
-from rbpsym.oracles.simulation_laws import couples
+from rbpsym.oracles.simulation_bodies import difference
+from rbpsym.oracles.simulation_laws import Coordinates, Element, Load, Mechanism, State, couples
 from rbpsym.oracles.simulation_resistance import Against, law
-from rbpsym.statement.model import Element
 
 row = law
 

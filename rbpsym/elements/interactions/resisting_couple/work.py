@@ -1,10 +1,8 @@
 """−size(ω) σ ∂φ/∂q with the angle φ between the bodies, and the sense σ of its rate."""
 
-from rbpsym.field import Scalar, derivative, substitute
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import substitute
 from rbpsym.mechanics.friction import resistances
-from rbpsym.oracles.lagrange import Motion
-from rbpsym.statement.model import Element
+from rbpsym.oracles.lagrange import Element, Motion, Scalar, derivative, scalar
 
 
 def work(element: Element, motion: Motion, name: str) -> Scalar:

@@ -1,9 +1,6 @@
 """The couple c times the rate of the angle, against it."""
 
-from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.interactions import Law, Setting, couples, spin
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import Element, Force, Law, Setting, couples, scalar, spin
 
 
 def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:

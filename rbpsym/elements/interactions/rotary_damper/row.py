@@ -1,8 +1,7 @@
 """The couple of a rotary dashpot."""
 
-from rbpsym.oracles.simulation_bodies import Coordinates, Law, Mechanism, difference
-from rbpsym.oracles.simulation_laws import couples
-from rbpsym.statement.model import Element
+from rbpsym.oracles.simulation_bodies import difference
+from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Mechanism, couples
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:

@@ -2,8 +2,8 @@
 
 from rbpsym.elements.kinds import element
 from rbpsym.expr.tree import ZERO
-from rbpsym.statement.model import Element, Problem
-from rbpsym.statement.rules import POINTS, between_points
+from rbpsym.statement.model import Problem
+from rbpsym.statement.rules import POINTS, Element, between_points
 
 
 def _told(element: Element, problem: Problem) -> str:

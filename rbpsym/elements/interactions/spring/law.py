@@ -1,10 +1,6 @@
 """k (distance − natural length) along the line of its ends; k times the vector between them where it is slack at no length."""
 
-from rbpsym.field import Scalar
-from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.interactions import HALF, Law, Setting, ends, stretch, sure_distance
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import HALF, Element, Force, Law, Scalar, Setting, ends, scalar, stretch, sure_distance
 
 
 def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:

@@ -1,10 +1,6 @@
 """The couple k (angle − rest angle)."""
 
-from rbpsym.field import Scalar
-from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.interactions import HALF, Law, Setting, angle, couples
-from rbpsym.mechanics.system import Force
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.interactions import HALF, Element, Force, Law, Scalar, Setting, angle, couples, scalar
 
 
 def _twist(element: Element, setting: Setting) -> Scalar:
@@ -13,7 +9,8 @@ def _twist(element: Element, setting: Setting) -> Scalar:
 
 
 def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:
-    return couples(element, *element["between"], -(scalar(element["stiffness"]) * _twist(element, setting)), setting)
+    first, second = element["between"]
+    return couples(element, first, second, -(scalar(element["stiffness"]) * _twist(element, setting)), setting)
 
 
 LAW = Law(_forces, lambda element, setting: scalar(element["stiffness"]) * _twist(element, setting) ** 2 * HALF)
