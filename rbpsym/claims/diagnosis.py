@@ -59,8 +59,7 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
     """The first repair that is PROVED; what is true of a symbol that stands alone if none is."""
     if relation.ops != ("=",):
         return Diagnosis()
-    if told := _said_otherwise(relation, claim, ground):
-        return Diagnosis(told)
+    told, loosely = _said_otherwise(relation, claim, ground)
     loose = any(ground.kind(name) in ("constant", "up to a constant") for name in t.names(relation))  # then numbers say nothing
     looks = [] if loose else samples(Question(ground, claim.holds), relation=relation)
     decided, unseen, most = 0, 0, MOST_LOOSE if loose else MOST_UNSEEN
@@ -74,36 +73,36 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
         decided += seen is True
         link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
         if link.outcome is Outcome.PROVED and not (t.ZERO in repair.relation.items and link.how == HOW["identity"]):  # 0 = 0
+            if told and repair.words.startswith(("the term", "factor")):
+                break  # nobody's slip is a constant
             return Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
-    return Diagnosis(_actual(relation, ground))
+    return Diagnosis(told or loosely or _actual(relation, ground))
 
 
-def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> str:
-    """What makes the relation true as it stands, if it is said so: to first order, or up to a constant; else ""."""
+def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> tuple[str, str]:
+    """What makes the relation true as it stands, if it is said so: up to a constant, to first order; "" for what does not."""
     question = Question(ground, claim.holds, False)
     try:
         sides = [valued(side, ground) for side in relation.items]
         if any(isinstance(side, Space) for side in sides):
-            return ""
+            return "", ""
         gap = sides[0] - sides[1]
         names = [latex for latex, meaning in claim.setting.symbols.items() if ENERGY.fullmatch(meaning.phrase)]
         alone = {side.name for side in relation.items if isinstance(side, t.Sym)}
         for latex in names:
             if ground.glossary.names[latex][0] in alone and is_constant(gap, question, ("identity",)):
                 asked = f"is {latex} the {claim.setting.symbols[latex].phrase}, up to a constant?"
-                return f"{FACT} the sides differ by a constant, {to_text(present(gap))}: {asked}"
+                return f"{FACT} the sides differ by a constant, {to_text(present(gap))}: {asked}", ""
         small = [name for name in question.motion.scope.start if depends_on(gap, name)]
         slopes = (substitute(derivative(side, name), dict.fromkeys(small, NOTHING)) for side in sides for name in small)
         if any(slopes) and equal_to_first_order(*sides, question).is_proved:
-            return f"{FACT} it holds to first order in {' and '.join(to_text(t.Sym(name)) for name in small)}: write \\approx"
+            return "", f"{FACT} it holds to first order in {' and '.join(to_text(t.Sym(name)) for name in small)}: write \\approx"
     except (RbpsymError, ZeroDivisionError):
         pass
-    return ""
+    return "", ""
 
 
 ENERGY = re.compile(r"(?:(?:total |mechanical |potential )*energy|Lagrangian)(?: of .+)?")
-
-
 FACT = "in fact"  # begins a diagnosis that is no near miss
 LONGEST = 120  # characters of a value that is told
 

@@ -118,10 +118,19 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
                 sums = sum(isinstance(part, t.Add) for part in t.walk(term))
                 known = t.names(term) - {"pi"} <= phrases.keys() and not alone & t.names(term)
                 known = known and _value_of(t.add(node, term), ground) != NOTHING  # α − α
+                inside = {name for part in t.walk(term) if isinstance(part, t.Fn) for name in t.names(part)}
+                known = known and not _bare(term) & inside
                 if known and size <= LONGEST and sums <= 1 and not isinstance(term, t.Add):
                     found.setdefault(put(relation, path, t.add(node, term)), (size, term))
     for repaired, (_, term) in sorted(found.items(), key=lambda item: item[1][0]):
         yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
+
+
+def _bare(node: t.Node) -> set[str]:
+    """The symbols that stand in no function; no missing term holds an angle and its sine, θ/sin θ."""
+    if isinstance(node, t.Sym | t.Fn):
+        return {node.name} if isinstance(node, t.Sym) else set()
+    return {name for part in t.children(node) for name in _bare(part)}
 
 
 def _told(value: Scalar, relation: t.Chain, ground: Ground) -> t.Node:
@@ -209,6 +218,8 @@ def _lost(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]
     if not path or path[-1][0] not in ("terms", "items", "num", "den", "arg") or node == t.ZERO:
         return
     for symbol in map(t.Sym, phrases):
+        if isinstance(node, t.Div) and isinstance(node.num, t.Add):
+            yield t.Mul((node, symbol)), f"the factor {to_text(symbol)} is missing"
         if not _holds_quotient(node):  # above the bar, and behind the sign
             yield _among_factors(node, symbol), f"the factor {to_text(symbol)} is missing"
         if symbol.name in t.names(node):

@@ -50,6 +50,8 @@ def test_a_near_miss_is_named(name, latex, words):
         (r"\alpha = -\frac{3g}{2\ell}\theta", r"in fact it holds to first order in θ: write \approx"),
         (r"V = \frac12 Mg\ell(1-\cos\theta)", "is V the potential energy, up to a constant?"),
         (r"V = -Mg\ell\cos\theta", "factor"),
+        (r"V = \frac12 Mg(\ell-\ell\cos\theta)", "is V the potential energy, up to a constant?"),
+        (r"V = -\frac12 Mg\ell\sin(\theta)", "cos in place of sin"),
     ],
 )
 def test_what_is_true_if_it_is_said_otherwise_is_no_near_miss(latex, told):
