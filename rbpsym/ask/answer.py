@@ -306,7 +306,7 @@ def _along(asked: Asked, question: Question) -> Found:
     place, bound = _bound(asked, question, None)
     world, study, named = asked.world(place), asked.study(place), parts(bound)
     if bound.told:
-        return Found(study, named, tuple(shortest(short(value), study) for value in named), told=bound.told)
+        return Found(study, named, tuple(map(short, named)), told=bound.told)
     if study.at_start and any(names_in(value) & world.motion.unsettled for value in named):
         what = f"of the motion, only the start is known, also of “{question.quantity}”"
         raise StatementError(what, instead=f"ask for “{question.quantity} at the start”, or when a phase begins.")

@@ -189,8 +189,8 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> S
         rows = [t.equation(instant.at_start(draft.show(value)), row.items[-1]) for value, row in pairs]
     if data.get("turned") == ("itself",) and data["told"][0]:
         said = [row[-1] for row in t.relations(draft.context.steps[data["told"][0]].statement)]
-        told = next((node for node in said if is_zero(draft.context.value(node) - found.values[0])), said[-1])
-        rows = rows if _letters(told, found.values[0]) else [t.equation(t.Sym(letters[0]), told)]
+        told = next((node for node in said if _is_same(draft, draft.context.value(node), found.values[0])), None)
+        rows = rows if told is None or _letters(told, found.values[0]) else [t.equation(t.Sym(letters[0]), told)]
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = [step.id for step in draft.steps if step.rule in TOLD]
     if found.study.at_start:
@@ -200,6 +200,12 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> S
     phrase = "ask.there" if found.study.at_start else "ask.answer"
     return draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
+
+
+def _is_same(draft: Draft, *values: Scalar) -> bool:
+    """Whether two values are one in their shortest forms."""
+    first, second = (rationalised(neat(value, draft.study.assumptions)) for value in values)
+    return is_zero(first - second)
 
 
 def _own_letter(found: Found) -> str:

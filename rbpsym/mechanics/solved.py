@@ -56,6 +56,8 @@ def swings(known: Given, key: str) -> tuple[Demand, ...]:
 def _swing(known: Given) -> Scalar | None:
     """The square of the amplitude: (q - rest)² + q̇²/s of a free oscillation; of a driven one that of what is left at last."""
     form = known.form
+    if form.drive and not form.stiffness and not form.damping:
+        return None  # what nothing brings back goes on as it began, beside the swing
     if form.drive:
         swing, gap, drag = resonance(known)
         return short(swing * swing / (gap * gap + drag * drag))

@@ -135,11 +135,12 @@ def told_as(said: Scalar, turned: str) -> Scalar:
 
 
 def value_told(context: Context, step: Step) -> Verdict:
-    """Each value is, as it stands or turned, what another step says (`data`: "told", the ids of these steps, "turned")."""
-    return weakest(
-        _is_told(context, context.value(right), id, turned)
-        for (_, _, right), id, turned in zip(relations(step.statement), step.data["told"], step.data["turned"], strict=True)
-    )
+    """Each value is that of the quantity (`data`: "of"), and, as it stands or turned, what another step says (`data`: "told", the
+    ids of these steps, "turned")."""
+    rows = list(relations(step.statement))
+    meant = [same(context, context.value(right), step.data["of"][left.name]) for left, _, right in rows]
+    told = zip(rows, step.data["told"], step.data["turned"], strict=True)
+    return weakest((*meant, *(_is_told(context, context.value(right), id, turned) for (_, _, right), id, turned in told)))
 
 
 def _is_told(context: Context, value: Scalar, id: str, turned: str) -> Verdict:
