@@ -42,10 +42,8 @@ class Refused(Frozen):
 
 def own_answers(study: Study) -> Iterator[Answer | Refused]:
     """What the problem of a study asks itself, each with its answer or with the sentence why there is none."""
-    asked, questions = Asked(study.problem, study), study.problem.questions
-    stems = [_stem(text, study) for text in questions]
-    for place, (text, stem) in enumerate(zip(questions, stems, strict=True)):
-        letter = stem if stems.count(stem) == 1 else f"{stem}_{stems[: place + 1].count(stem)}"
+    asked = Asked(study.problem, study)
+    for text, letter in letters(study).items():
         try:
             if (text, letter) not in study.answered:
                 study.answered[text, letter] = answered(asked, text, letter)
@@ -54,22 +52,33 @@ def own_answers(study: Study) -> Iterator[Answer | Refused]:
             yield Refused(text, error.what)
 
 
+def letters(study: Study) -> dict[str, str]:
+    """By what the answers to a problem's own questions are called, each with a letter of its own."""
+    questions = study.problem.questions
+    stems = [_stem(text, study) for text in questions]
+    marked = (f"_{stems[: place + 1].count(stem)}" if stems.count(stem) > 1 else "" for place, stem in enumerate(stems))
+    return {text: f"{stem}{mark}" for text, stem, mark in zip(questions, stems, marked, strict=True)}
+
+
 # what a book calls a quantity of this name: along a line, of an angle
 STEMS: Mapping[str, tuple[str, str]] = {
     "period": ("T", "T"), "frequency": ("Omega", "Omega"), "moment of inertia": ("I", "I"),
     "speed": ("v", "omega"), "velocity": ("v", "omega"), "acceleration": ("a", "alpha"),
-    "angular velocity": ("omega", "omega"), "angular acceleration": ("alpha", "alpha"),
+    "angular velocity": ("omega", "omega"), "angular acceleration": ("alpha", "alpha"), "time": ("t", "t"),
+    "decay rate": ("gamma", "gamma"),
 }  # fmt: skip
-ASKED = re.compile(rf"(?:the )?(?:(?:lowest|highest|damped) )?({'|'.join(STEMS)})\b(?: of (\w+)\b)?")
+ASKED = re.compile(rf"(?:the )?(?:(?:lowest|highest|damped) )?({'|'.join(STEMS)})\b(?: of (?:the )?(\w+)\b)?")
 
 
 def _stem(text: str, study: Study) -> str:
-    """The letter of a question's answer: the usual one of its quantity, if the problem has no other use for it."""
+    """The letter of a question's answer: the usual one of its quantity, with what it is of, if the problem has another use for
+    the letter alone."""
     if not (said := ASKED.match(text)):
         return LETTER
     turns = any(said[2] == c.name and c.quantity.dimension == NUMBER for c in study.problem.coordinates)
     wanted = STEMS[said[1]][turns]
-    return wanted if study.letters.free(wanted) == wanted else LETTER
+    names = (wanted, *([f"{wanted}_{said[2]}"] if said[2] else []), f"{wanted}_1", LETTER)
+    return next(name for name in names if name == LETTER or study.letters.free(name) == name)
 
 
 def found_in(study: Study, text: str) -> Found | Finding:

@@ -15,7 +15,7 @@ from rbpsym.document.notes_checks import Told, checks_section, course_checks_sec
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
 from rbpsym.document.notes_phases import CHAPTERS, new_steps, phase_results, phase_sections
-from rbpsym.document.notes_question import answer_section, asked, boxes_of_answers, in_known_forms, question_section
+from rbpsym.document.notes_question import answer_section, asked, boxes_of_answers, in_known_forms
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
 from rbpsym.document.places import locator
@@ -131,8 +131,7 @@ def problem_sections(
     )
     remarked = with_remarks(derived, derivation, (said, *(own for own, _ in later[1::2])), detail)
     return [
-        *([question_section(answers, said, level)] if answers and is_brief else []),
-        statement_section(derivation, said, level, () if is_brief else asked(answers, stated, said)),
+        statement_section(derivation, said, level, asked(answers, stated, said)),
         *(derived if said.is_full else (boxes_of_answers(remarked, stated.values()) if answers else remarked)),
         *([answered] if answered else []),
         *([drawn] if drawn else []),

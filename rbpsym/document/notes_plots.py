@@ -145,25 +145,34 @@ def plot_figures(
     moving: PlottedMotion, said: Words, wanted: Sequence[str] = ALL, named: Collection[t.Node] = ()
 ) -> Iterator[FigureBlock]:
     """The works, force by force; then what is wanted, three panels in a figure; where some are `named`, of these quantities."""
-    energy = plain("plots.axis.energies", said.language)
-    made = {"speeds": speeds, "forces": lambda moving: forces(moving, named)}
-    made["energies"] = lambda moving: [replace(panel, kind=energy) for panel in energies(moving)]
-    made["positions"] = lambda moving: positions(moving, plain("plots.linear", said.language))
+    made = {"energies": energies(moving), "speeds": speeds(moving), "forces": forces(moving, named)}
+    made["positions"] = positions(moving, plain("plots.linear", said.language))
     few, wanted = wanted is FEW, [name for name in wanted if name != "energies" or not named or t.Sym("K") in named]
-    worked = [replace(panel, kind=plain("plots.axis.works", said.language)) for panel in works(moving, named)]
+    worked = [called(panel, said) for panel in works(moving, named)]
     if few and any(map(is_split, worked)):
         worked = [panel for panel in worked if is_split(panel) and len(panel.curves) <= IN_A_ROW][: IN_A_ROW - 1]
     several = len(worked) > 1 and not few
     groups = [(("works",), worked)] if several else []
     name = "works" if len(worked) > 1 else "works_one"
     rest = [(name, panel) for panel in worked if not several]
-    rest += [(name, panel) for name in wanted for panel in made[name](moving)]
+    rest += [(name, called(panel, said)) for name in wanted for panel in made[name] if not few or has_course(panel)]
     for start in range(0, min(1, len(rest)) if few else len(rest), IN_A_ROW):
         row = rest[start : start + IN_A_ROW]
         groups.append((tuple(dict.fromkeys(name for name, _ in row)), [panel for _, panel in row]))
     for number, (names, panels) in enumerate(groups):
         words = caption(moving, names, panels, said, is_first=number == 0)
         yield panels_figure(label_of(names, groups, number), panels, words, said)
+
+
+def called(panel: Panel, said: Words) -> Panel:
+    """A panel that says what it counts."""
+    return replace(panel, kind=plain(f"plots.axis.{panel.kind}", said.language)) if panel.kind else panel
+
+
+def has_course(panel: Panel) -> bool:
+    """Does a curve rise or fall? One that stays shows no more than its formula."""
+    sizes = ((np.nanmax(c.values) - np.nanmin(c.values), np.nanmax(np.abs(c.values))) for c in panel.curves)
+    return any(height > FLAT * most for height, most in sizes)
 
 
 def is_split(panel: Panel) -> bool:

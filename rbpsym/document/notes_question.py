@@ -37,14 +37,6 @@ def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[
         yield found
 
 
-def question_section(answers: Iterable[Found], said: Words, level: int) -> Section:
-    """What is asked with the answers, for brief notes."""
-    blocks: list[Block] = [Paragraph(said.say("question.intro"))]
-    for found in answers:
-        blocks += [ItemList((question(text_of(found), said),)), *_outcome(found, said, _box(found))]
-    return Section(said.say("section.question"), tuple(blocks), said.prefix + "section.question", level)
-
-
 def asked(answers: tuple[Found, ...], stated: Mapping[int, Ref], said: Words) -> Iterator[Block]:
     """What is asked, each with the number under which its answer stands in the text."""
     items = [
@@ -116,8 +108,7 @@ def answer_section(
     answers: tuple[Found, ...], told: Iterable[Told], said: Words, level: int
 ) -> tuple[Section | None, dict[int, Ref]]:
     """Each answer with the steps that are not among those `told` before, what is shown being referred to and what this level
-    of detail leaves out being left out; and where the others are stated. No section if all are, or, in brief notes, which
-    begin with the answers, if they need no further step."""
+    of detail leaves out being left out; and where the others are stated. No section if all are."""
     marks = [(ends(step.statement), words.step(step.id)[0]) for words, steps in told for step in steps]
     shown = dict(sorted(marks, key=lambda pair: isinstance(pair[1], Ref)))  # by the number under which it stands, if any
     together = len(answers) > 1 and all(isinstance(found, Answer) and found.verdict.is_proved for found in answers)
@@ -125,17 +116,17 @@ def answer_section(
     stated: dict[int, Ref] = {}
     held: dict[tuple[t.Node, ...], list[Ref]] = {}  # how long the answers hold that stand on the page
     for number, found in enumerate(answers):
-        if not said.is_brief and (mark := _stated(found, shown)):
+        if mark := _stated(found, shown):
             stated[number] = mark
             held.setdefault(found.valid, []).append(mark)
             continue
         own = replace(said, prefix=f"{said.prefix}ask{number + 1}.", same={}, owed={}, shown=frozenset())
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
-        stated |= {number: mark} if not said.is_brief and (mark := _stated(found, shown)) else {}
-        road += () if said.is_brief else _outcome(found, said, () if _states(found) else _box(found), alone=not together)
+        stated |= {number: mark} if (mark := _stated(found, shown)) else {}
+        road += _outcome(found, said, () if _states(found) else _box(found), alone=not together)
         head = [Paragraph((Emph(capital(question(text_of(found), said))),))] if road else []
         blocks += [*head, *road]
-    if together and blocks and not said.is_brief:
+    if together and blocks:
         steps = [step for found in answers for step in found.steps]
         blocks.append(Paragraph(said.say("question.proved.many", ground=Said(steps=steps))))
     lasting = [(list(valid), marks) for valid, marks in held.items() if valid]
@@ -157,9 +148,9 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     before = [replace(step, is_result=False) for step in found.steps[: len(found.steps) - len(last)]]
     rows = ((step.id, row) for step in before for row in (ends(step.statement), *_by_name(step)))
     known = {id: shown[row] for id, row in rows if row in shown}
-    new = [*(step for step in before if step.id not in known), *(() if said.is_brief else last)]
+    new = [*(step for step in before if step.id not in known), *last]
     equal = {step.id for step in _equal(found)}
-    if not said.is_brief and any(step.id in equal for step in new):
+    if any(step.id in equal for step in new):
         new = new[:-1]  # what is asked has its name already
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)

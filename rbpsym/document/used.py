@@ -24,17 +24,14 @@ REPEATED = ("work.alone",)  # works body by body lead to the energy of the whole
 
 
 def used(derivation: Derivation, whole: Derivation) -> frozenset[str]:
-    """Ids of the steps that are conclusions, or from which the next phase begins, and of all that they rest on or refer to;
-    of the works carried out those that need no force besides. What is asked is asked of the `whole` motion."""
+    """Ids of the steps that are conclusions, or from which the next phase begins, and of all that they rest on or refer to.
+    What is asked is asked of the `whole` motion."""
     both = _in_both_parts(derivation)
     ends = [step.id for step in _ends(derivation, both, _asked(whole))]
     ends += [id for phase in derivation.phases[:1] for step in phase.begins for id in step.reasons]
     steady = () if is_struck(derivation) else filter(solved_zero, derivation.chapter("motion"))
     ends += [id for step in steady for id in step.reasons]
-    found = led_to(derivation.steps, ends)
-    own = {step.id for step in derivation.steps}
-    done = (s for s in derivation.steps if s.rule == "work_done" and s.id.split(".", 2)[2] in both)
-    return found.union(step.id for step in done if found.issuperset(own.intersection(step.reasons)))
+    return led_to(derivation.steps, ends)
 
 
 def used_to_begin(phase: DerivedPhase, whole: Derivation) -> frozenset[str]:

@@ -42,12 +42,13 @@ from rbpsym.present.grouping import (
     perfect_power,
     ratio_to,
     shared_coefficient,
+    shared_powers,
     splits_by_parameters,
     starts_negative,
     taken_out,
 )
 from rbpsym.present.signs import is_upside_down, positive_first, turned, turned_below
-from rbpsym.present.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key, unsigned
+from rbpsym.present.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key, unsigned, varies
 
 Pieces = tuple[Coefficient, list[Piece]]
 
@@ -114,6 +115,8 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
     if poly.is_monomial():
         [(m, c)] = poly.terms.items()
         return _signed(c, m, style)
+    if any(e < 0 and moves(i, style) for i, e in shared_powers(poly)):  # over sin β: no further bars in the sum
+        style = replace(style, whole=True)
     coefficient, common, rest = taken_out(poly, style)
     more, pieces = _groups(rest, style, factor)
     coefficient = coefficient * more
@@ -163,7 +166,7 @@ def _group(poly: Poly, style: Style, factor: bool) -> Pieces:
         return 1, [(_sum_by_parameters(poly, style), True)]
     number = common_coefficient(poly, style)
     rest = poly.scaled(Fraction(1) / number) if number != 1 else poly
-    return number, [(_sum(rest, style), any(moves(i, style) for i in poly.atoms()))]
+    return number, [(_sum(rest, style), any(varies(i, style) for i in poly.atoms()))]
 
 
 def _sum_by_parameters(poly: Poly, style: Style) -> t.Node:
@@ -181,7 +184,7 @@ def _factor_pieces(coefficient: Coefficient, found: Iterable[tuple[Poly, int]], 
         base, coefficient = base.scaled(Fraction(1) / content), coefficient * content**power
         if leads_negative(base, style) or (power % 2 == 0 and starts_negative(base, style)):
             base, coefficient = -base, coefficient * (-1) ** power
-        pieces.append((t.power(_sum(base, style), power), any(moves(i, style) for i in base.atoms())))
+        pieces.append((t.power(_sum(base, style), power), any(varies(i, style) for i in base.atoms())))
     return tidy(coefficient), pieces
 
 

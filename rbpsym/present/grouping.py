@@ -25,10 +25,10 @@ def taken_out(poly: Poly, style: Style, *, fenced: bool = False) -> tuple[Coeffi
         [(m, c)] = poly.terms.items()
         return c, m, ONE
     if is_inertia(poly, style) and not style.whole:
-        common = split(_common_powers(poly), style)[1]
+        common = split(shared_powers(poly), style)[1]
         number = Fraction(1, 2) if is_quadratic(common) else 1
         return number, common, poly.scaled(Fraction(1) / number, inverse(common)) if common else poly
-    common = _common_powers(poly)
+    common = shared_powers(poly)
     rest = poly.scaled(1, inverse(common)) if common else poly
     coefficient = _energy_half(rest) if is_quadratic(common) else 1
     if coefficient == 1:
@@ -75,7 +75,7 @@ def _over_one_bar(coefficient: Coefficient, common: Monomial, rest: Poly, style:
 
 def is_inertia(poly: Poly, style: Style) -> bool:
     """Whether every term is a moment of inertia, mass times a square, which a reader wants to see one by one."""
-    if any(c < 0 for c in poly.terms.values()) or perfect_power(poly.scaled(1, inverse(_common_powers(poly)))):
+    if any(c < 0 for c in poly.terms.values()) or perfect_power(poly.scaled(1, inverse(shared_powers(poly)))):
         return False
     return bool(style.dimensions) and all(_is_inertia_term(split(m, style)[0], style) for m in poly.terms)
 
@@ -91,7 +91,8 @@ def _is_inertia_term(fixed: Monomial, style: Style) -> bool:
     return total == MASS * LENGTH**2
 
 
-def _common_powers(poly: Poly) -> Monomial:
+def shared_powers(poly: Poly) -> Monomial:
+    """What all terms of a sum have in common."""
     shared: dict[int, int] | None = None
     for m in poly.terms:
         powers = dict(m)
@@ -177,7 +178,7 @@ def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:
     """The two symbols of c (a xⁿ - b yⁿ), a ≥ b, x the one with the sign `first`; c may hold further factors."""
     found: dict[int, tuple[str | None, int, Coefficient]] = {}
     poly = poly.scaled(1, divisors(poly))
-    for m, c in poly.scaled(1, inverse(_common_powers(poly))).terms.items():
+    for m, c in poly.scaled(1, inverse(shared_powers(poly))).terms.items():
         if len(m) == 1 and m[0][1] > 0:
             found[1 if c > 0 else -1] = (atoms.symbol_name(m[0][0]), m[0][1], size_of(c))
     if len(found) < 2 or found[1][1] != found[-1][1] or found[first][2] < found[second][2]:
@@ -243,7 +244,7 @@ def gathered(poly: Poly, style: Style) -> list[Poly]:
     for index, exponent in parts:  # not by their numbers, which depend on what was met before
         shared = [m for m in poly.terms if dict(m).get(index, 0) / exponent >= 1]
         part = Poly({m: poly.terms[m] for m in shared})
-        letters = sum(1 + (e != 1) for _, e in _common_powers(part))
+        letters = sum(1 + (e != 1) for _, e in shared_powers(part))
         if ((len(part) - 1) * letters, letters) > best:
             best, found = ((len(part) - 1) * letters, letters), part
     return [poly] if len(found) == len(poly) else [found, *gathered(poly - found, style)]

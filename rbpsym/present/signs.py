@@ -33,19 +33,9 @@ def turned(coefficient: Coefficient, pieces: list[Piece], style: Style) -> tuple
 
 
 def turned_below(coefficient: Coefficient, pieces: list[Piece], style: Style) -> tuple[Coefficient, list[Piece]]:
-    """The same of a denominator: -c/(a - b) is printed c/(b - a), but for 4 - 3 sin² θ, which is never negative."""
-    return (coefficient, pieces) if any(_is_bounded(node) for node, _ in pieces) else turned(coefficient, pieces, style)
-
-
-def _is_bounded(node: t.Node) -> bool:
-    """Whether it is a number less no greater a multiple of sines and cosines."""
-    if not isinstance(node, t.Add) or not isinstance(node.terms[0], t.Num) or not t.is_negative(node.terms[1]):
-        return False
-    less = getattr(node.terms[1], "arg", node.terms[1])
-    first, *others = less.factors if isinstance(less, t.Mul) else (less,)
-    size, waves = (first.value, others) if isinstance(first, t.Num) else (1, [first, *others])
-    bases = (wave.base if isinstance(wave, t.Pow) else wave for wave in waves)
-    return size <= node.terms[0].value and all(isinstance(base, t.Fn) and base.name in ("sin", "cos") for base in bases)
+    """The same of a denominator of parameters; one with functions, 3 (M + m) - 2 m cos² β, has one sign wherever it stands."""
+    has_functions = any(isinstance(part, t.Fn) for node, _ in pieces for part in t.walk(node))
+    return (coefficient, pieces) if has_functions else turned(coefficient, pieces, style)
 
 
 def _may_turn(node: t.Add, style: Style) -> bool:

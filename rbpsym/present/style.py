@@ -70,6 +70,12 @@ def moves(index: int, style: Style) -> bool:
     return found.kind in ("cos", "sin") or (found.kind != "root" or bool(_root_moves(found.arg, style)))
 
 
+def varies(index: int, style: Style) -> bool:
+    """Whether an atom varies with time, as the sine of a fixed slope does not."""
+    found = atoms.atom(index)
+    return any(moves(i, style) for i in found.arg.atoms()) if found.kind in ("cos", "sin") else moves(index, style)
+
+
 def _root_moves(radicand: Scalar, style: Style) -> bool:
     return any(moves(index, style) for index in radicand.atoms())
 

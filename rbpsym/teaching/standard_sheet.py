@@ -107,9 +107,14 @@ def _possible(bench: ProblemBench, scenery: Scenery, kind: str, patterns, level:
         for options in (4, 3) if kind == "choose" else (4,):
             wish = Wish(kind, (pattern,) if pattern else (), level=level, options=options)
             for task in _made(bench, scenery, wish):
-                if _is_long(bench, task):
+                if _is_long(bench, task) or _only_holds(task):
                     continue
                 yield replace(wish, about=task.about or wish.about), task.content
+
+
+def _only_holds(task: Prepared) -> bool:
+    """Is it about the couple by which a joint keeps a body from turning, which stands in a statement alone?"""
+    return task.target is not None and task.target.kind == "reaction" and task.target.unit_name == "torque"
 
 
 def _is_long(bench: ProblemBench, task: Prepared) -> bool:

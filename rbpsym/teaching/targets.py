@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
-from rbpsym.ask.asking import found_in
+from rbpsym.ask.asking import found_in, letters
 from rbpsym.chapters.inertia import turns_about
 from rbpsym.chapters.methods.net_work import HALVES
 from rbpsym.decide.dimensions import dimension_of
@@ -322,7 +322,7 @@ def _questions(derivation: Derivation) -> Iterator[Target]:
     """What the problem itself asks, where the answer is one value."""
     study = derivation.study
     for number, text in enumerate(study.problem.questions, 1):
-        target = Target(f"question.{number}", t.Sym(study.letters.free("Q")), partial(_answer, text=text), NUMBER,
+        target = Target(f"question.{number}", t.Sym(letters(study)[text]), partial(_answer, text=text), NUMBER,
                         slots={"question": QuestionRef(text)})  # fmt: skip
         value = target.value(study)
         dimension = _dimension(study, value) if value else None

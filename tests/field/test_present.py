@@ -54,7 +54,7 @@ def test_a_sum_stands_before_a_function():
 def test_a_minus_goes_into_a_difference_below_the_bar():
     """-c/(a - b) is printed c/(b - a), unless a is known to be the greater."""
     m, ell, c, g = (symbol(name) for name in ("m", "ell", "c", "g"))
-    turned, kept = (c - ell, m * c - ell, 4 * c - 3 * m, 6 - 11 * sine(A)), (ell - c, 4 - 3 * sine(A) ** 2)
+    turned, kept = (c - ell, m * c - ell, 4 * c - 3 * m), (ell - c, 4 - 3 * sine(A) ** 2, 6 - 11 * sine(A))
     for difference, is_turned in (*((one, True) for one in turned), *((one, False) for one in kept)):
         value = -(g + m + ell) / difference
         found = present(value, Style(STYLE.rank, greater=frozenset({("ell", "c")})))

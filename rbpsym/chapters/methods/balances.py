@@ -7,12 +7,13 @@ of change is Σ (R - P) × M A + I_cm α.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import combinations
+from math import inf
 
 from rbpsym.errors import LimitError
 from rbpsym.expr import tree as t
-from rbpsym.field import EX, EY, NOTHING, Scalar, Vector, derivative, is_zero, short
+from rbpsym.field import EX, EY, NOTHING, UNITY, Scalar, Vector, derivative, is_zero, polar, short
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
@@ -45,9 +46,12 @@ class Balance(Frozen):
         return self.left - self.right
 
 
-COST = {"fixed": 1.0, "center": 1.05, "force": 1.2, "moving": 1.6, "crossing": 1.7}
-ABOUT_NO_AXIS = 0.45  # torque about a fixed point about which the bodies do not turn
+COST = {"fixed": 1.0, "center": 1.05, "force": 1.2, "moving": 1.9, "crossing": 1.95}
+TURNING = "with "  # directions in which a coordinate takes a body, which turn with it
+ROLLING = 1.6  # about the point that a round body touches
+ABOUT_NO_AXIS = 0.7  # torque about a fixed point about which the bodies do not turn
 SLANTED = 0.1  # a direction that is neither along the velocity nor across it
+A_TERM = 0.05  # of the two sides
 ONLY_SHIFTED = -0.2  # mass times acceleration of bodies that do not turn
 
 
@@ -99,11 +103,11 @@ def _balance(study: Study, kind: str, bodies: tuple[str, ...], label: str, where
     unknowns = frozenset(n for n in names if not is_zero(derivative(left - right, n)))
     forces = len(unknowns & set(study.system.unknowns))
     cost = (
-        COST[kind]
+        (ROLLING if kind == "moving" and label in study.system.bodies else COST[kind])
         + _habit(study, kind, bodies, where)
         + 0.25 * (len(bodies) - 1)
         + 0.2 * forces
-        + 0.01 * (len(left.num) + len(right.num))
+        + A_TERM * (len(left.num) + len(right.num))
     )
     return Balance(kind, bodies, label, where, left, right, unknowns, cost)
 
@@ -163,7 +167,7 @@ def _pushes(study: Study, bodies: tuple[str, ...]) -> Iterator[Balance]:
 
 
 def _directions(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Vector]]:
-    """The axes, and along and across lines that are touched and are not parallel to them."""
+    """The axes, along and across lines that are touched and are not parallel to them, and where a coordinate takes a body."""
     yield "x", EX
     yield "y", EY
     for element in study.problem.constraints:
@@ -174,9 +178,13 @@ def _directions(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Ve
             if across.x and across.y:
                 yield f"across {element.name}", across
                 yield f"along {element.name}", -across.turned()
+    for name in study.system.independent if len(bodies) == 1 else ():
+        for angle in one if len(one := study.system.bodies[bodies[0]].center.derivative(name).parts) == 1 else ():
+            if (way := polar(UNITY, angle)).x and way.y:
+                yield f"{TURNING}{name}", way
 
 
-MOST_CANDIDATES, MOST_EXTRA, LONGEST = 28, 3, 6
+MOST_CANDIDATES, MOST_EXTRA, LONGEST = 40, 3, 6
 
 
 class Plan(Frozen):
@@ -187,8 +195,8 @@ class Plan(Frozen):
 
 
 def plan(study: Study) -> Plan | None:
-    """The cheapest set that determines all accelerations; None if the search is too wide, or if
-    the accelerations that the balances give grow beyond the limits."""
+    """The cheapest set, of few lines or of more and simpler ones, that determines all accelerations; None if the search is too
+    wide, or if the accelerations that the balances give grow beyond the limits."""
     try:
         return _search(study)
     except LimitError:
@@ -199,16 +207,23 @@ def _search(study: Study) -> Plan | None:
     wanted = study.system.accelerations
     candidates = all_balances(study)
     trivial = [b for b in candidates if b.unknowns]
+    best, least = None, inf
     for size in range(len(wanted), min(len(wanted) + MOST_EXTRA, LONGEST) + 1):
-        found = _cheapest(trivial[:MOST_CANDIDATES], size, wanted)
+        found = _cheapest(trivial[:MOST_CANDIDATES], size, wanted, least)
         if found is not None:
-            return found
-    return None
+            best, least = found, _price(found.balances)
+    return best
 
 
-def _cheapest(candidates: list[Balance], size: int, wanted: tuple[str, ...]) -> Plan | None:
-    sets = [c for c in combinations(candidates, size) if may_close(c, size, wanted)]
-    for chosen in sorted(sets, key=lambda c: sum(b.cost for b in c)):
+def _price(chosen: Iterable[Balance]) -> float:
+    return sum(balance.cost for balance in chosen)
+
+
+def _cheapest(candidates: list[Balance], size: int, wanted: tuple[str, ...], bound: float) -> Plan | None:
+    if _price(candidates[:size]) >= bound:
+        return None
+    sets = [c for c in combinations(candidates, size) if may_close(c, size, wanted) and _price(c) < bound]
+    for chosen in sorted(sets, key=_price):
         unknowns = tuple(sorted(frozenset().union(*(b.unknowns for b in chosen))))
         solution = solve_linear([b.row for b in chosen], unknowns)
         if not solution.free:

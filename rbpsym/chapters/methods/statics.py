@@ -25,19 +25,30 @@ def write(draft: Draft) -> list[Step]:
 
 
 def one_by_one(study: Study) -> list[Balance]:
-    """Balances of which each holds one unknown force that those before do not; what holds the whole before what acts between
-    its bodies, and the fewest unknown forces first, so that torques are taken about the points where most of them meet."""
+    """Balances of which each holds one unknown force that those before do not: what is asked as soon as it can be, what holds
+    the whole before what acts between its bodies, the fewest unknown forces first, about the points where most of them meet."""
     if study.system.independent or study.system.has_clock:
         return []
     held = {name for force in outer_forces(study.system, tuple(study.system.bodies)) for name in force.unknowns}
+    asked = {word for text in study.problem.questions for word in text.split()}
     left, known, found = [b for b in all_balances(study) if _can_be_told(b, study)], set[str](), list[Balance]()
+
+    def rank(balance: Balance) -> tuple[float, ...]:
+        new, silent = balance.unknowns - known, _silent(balance, study)
+        return not new <= asked, not new <= held, len(balance.unknowns), -len(balance.bodies), -len(silent), balance.cost
+
     while known != {*study.system.unknowns}:
         ready = [balance for balance in left if len(balance.unknowns - known) == 1]
         if not ready:
             return []
-        found.append(min(ready, key=lambda b: (not b.unknowns - known <= held, len(b.unknowns), -len(b.bodies), b.cost)))
+        found.append(min(ready, key=rank))
         known |= found[-1].unknowns
     return found
+
+
+def _silent(balance: Balance, study: Study) -> set[str]:
+    """The unknown forces that drop out of a balance."""
+    return {name for force in outer_forces(study.system, balance.bodies) for name in force.unknowns} - balance.unknowns
 
 
 def _can_be_told(balance: Balance, study: Study) -> bool:

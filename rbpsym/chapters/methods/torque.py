@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.chapters.methods.balances import Balance, Plan, outer_forces, plan, silent_forces
+from rbpsym.chapters.methods.balances import TURNING, Balance, Plan, outer_forces, plan, silent_forces
 from rbpsym.chapters.methods.body_by_body import along_k, by_bodies
 from rbpsym.errors import LimitError
 from rbpsym.expr import tree as t
@@ -62,7 +62,7 @@ def _balances(draft: Draft, found: Plan) -> list[Step]:
 def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
     if balance.kind == "force":
         pushed = _push(draft, balance)
-        if balance.left and not balance.right and len(balance.unknowns) > 1:
+        if balance.left and not balance.right and len(balance.unknowns) > 1 and not balance.label.startswith(TURNING):
             _kept_momentum(draft, balance, pushed)
         return pushed
     whole = _rate(draft, balance, _net_torque(draft, balance))

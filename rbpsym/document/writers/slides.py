@@ -15,10 +15,11 @@ from rbpsym.pictures.figures.placing import placed
 from rbpsym.pictures.figures.tikz import to_tikz
 from rbpsym.typeset.escaping import latex_text
 
-# --- what slides show of a document: its figures, its results with the step to which their words point, and what is asked
+# --- what slides show of a document: its figures, its equations of motion and answers with the step to which their words point
 
 
 SHOWN = (d.FigureBlock, d.ItemList, d.Callout)
+MOTION = "section.motion"
 NEVER = ("section.checks", "section.results")
 
 
@@ -45,7 +46,7 @@ class _Counter:
 
 def _gathered(part: list[d.Section]) -> Iterator[d.Section]:
     blocks = [block for section in part if not section.label.endswith(NEVER) for block in _wanted(section)]
-    kept = _kept(blocks)
+    kept = _kept(blocks, {id(block) for section in part if section.label.endswith(MOTION) for block in section.blocks})
     yield replace(part[0], blocks=tuple(block for k, block in enumerate(blocks) if k in kept))
 
 
@@ -56,15 +57,16 @@ def _wanted(section: d.Section) -> Iterable[d.Block]:
     return told if is_told and section.blocks else section.blocks
 
 
-def _kept(blocks: list[d.Block]) -> set[int]:
-    """The places of the results and figures, of the words before a result, and of the formulas to which these point."""
+def _kept(blocks: list[d.Block], motion: set[int]) -> set[int]:
+    """The places of the answers, the equations of motion and the figures, of the words before a formula, and of the formulas
+    to which these point."""
     places = {label: k for k, block in enumerate(blocks) if isinstance(block, d.Display) for label in _labels(block)}
     begins = blocks and isinstance(blocks[0], d.Paragraph) and not isinstance(blocks[min(1, len(blocks) - 1)], d.Display)
     kept = {0} if begins else set()
     for k, block in enumerate(blocks):
         if isinstance(block, SHOWN):
             kept.add(k)
-        if isinstance(block, d.Display) and block.boxed:
+        if isinstance(block, d.Display) and (block.boxed or (block.is_result and id(block) in motion)):
             lead = k - 1 if k and isinstance(blocks[k - 1], d.Paragraph) else k
             kept |= {k, lead, *(places[label] for label in _named(blocks[lead]) if label in places)}
     return kept

@@ -25,7 +25,7 @@ from rbpsym.pictures.plots.motion import Journey, PlottedMotion
 from rbpsym.pictures.plots.panel import Panel, PlotCurve, PlotMark
 from rbpsym.pictures.plots.scales import Scale
 from rbpsym.proof.step import Step
-from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME, Dimension
+from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, LENGTH, NUMBER, TIME, Dimension
 
 # --- the work of a force on a body as its power added up along the motion
 
@@ -163,7 +163,7 @@ def works(moving: PlottedMotion, named: Collection[t.Node] = ()) -> Iterator[Pan
     reach = (float(np.nanmin(every)), float(np.nanmax(every)))
     left_out = sum(map(len, several)) + len(single) - sum(map(len, groups))
     for number, group in enumerate(groups):
-        yield replace(panel(moving, moving.real, group, scale), reach=reach, omitted=left_out if number == 0 else 0)
+        yield replace(panel(moving, moving.real, group, scale), kind="works", reach=reach, omitted=left_out if number == 0 else 0)
 
 
 Styled = tuple[PlotCurve, str]
@@ -239,7 +239,7 @@ def energies(moving: PlottedMotion) -> Iterator[Panel]:
         parts, total = list(map(since_start, parts)), t.Delta(total)
     if parts:
         whole = [PlotCurve(total, sum(one.values for one in parts), "curve sum")] if len(parts) > 1 else []
-        yield panel(moving, moving.real, (*parts, *whole), scale)
+        yield replace(panel(moving, moving.real, (*parts, *whole), scale), kind="energies")
 
 
 HARDLY = 0.12  # of the height: where the kinetic energy is less, all energies are counted from the start
@@ -267,7 +267,7 @@ def speeds(moving: PlottedMotion) -> Iterator[Panel]:
     for dimension, names in by_dimension(moving).items():
         scale = moving.scales.of(dimension / TIME)
         found = tuple(PlotCurve(t.Sym(f"{n}_dot"), column(moving.real, f"{n}_dot", scale)) for n in names)
-        yield panel(moving, moving.real, found[:MOST], scale)
+        yield replace(panel(moving, moving.real, found[:MOST], scale), kind="turning" if dimension == NUMBER else "speeds")
 
 
 def by_dimension(moving: PlottedMotion) -> Mapping[Dimension, list[str]]:
@@ -290,7 +290,7 @@ def forces(moving: PlottedMotion, named: Collection[t.Node] = ()) -> Iterator[Pa
         if every := [curve for curve in found if not named or curve.name in named]:
             shown = tuple(largest(every))
             made = panel(moving, moving.real, shown, scale, marks=marks_of(moving))
-            yield replace(made, omitted=len(every) - len(shown))
+            yield replace(made, kind="couples" if wanted else "forces", omitted=len(every) - len(shown))
 
 
 def reactions(leg: Leg, couples: set[str], wanted: bool) -> Iterator[Step]:
@@ -337,7 +337,7 @@ def positions(moving: PlottedMotion, linear: str = "") -> Iterator[Panel]:
             if name in small and differs(small[name] / scale.size, curve.values):
                 label = linear if len(names) == 1 else t.Mul((t.Sym(name), t.Word(f"({linear})")))
                 found.append(PlotCurve(label, small[name] / scale.size, "curve thin"))
-        yield Panel(node, times, tuple(found), own, scale, marks=changes(moving))
+        yield Panel(node, times, tuple(found), own, scale, marks=changes(moving), kind="places" if dimension == LENGTH else "")
 
 
 def differs(one: np.ndarray, other: np.ndarray) -> bool:

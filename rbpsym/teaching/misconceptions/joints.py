@@ -207,7 +207,7 @@ def _hanging(study: Study, element: Element) -> list[str]:
 def _pulley_at_rest(study: Study) -> Iterator[Site]:
     """A string's tension is the same on both sides of a round body that it turns: its I_cm is left out."""
     for element in study.problem.of_kind("string"):
-        for turn in element["path"]:
+        for turn in element["path"][1:-1]:  # on a body at an end it is wound, and there is one side
             name = turn.body
             if turn.sense and name is not None and study.system.bodies[name].moment:
                 yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 
+from rbpsym.chapters.methods.net_work import HALVES
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.document.needless import is_struck
 from rbpsym.expr import tree as t
@@ -248,10 +249,10 @@ def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[
 
 def _interest(step: Step) -> int:
     """How interesting it is; of the works only a result (equal halves) is asked for, of what is at rest why torques balance
-    about a point; the ledger of the forces is no line of an argument."""
+    about a point; the ledger of the forces is no line of an argument, nor is that nothing works where nothing changes."""
     if step.phrase.startswith("statics."):
         return STATICS if "forces" in step.slots["silent"].slots else 0
-    if step.chapter == "forces":
+    if step.chapter == "forces" or (step.rule == "work_energy" and any(t.ZERO in row.items for row in t.rows(step.statement))):
         return 0
     return 3 if step.rule == "work" and step.is_result else QUESTIONS.get(step.rule, 0)
 
@@ -272,7 +273,7 @@ def _explanation(bench: ProblemBench, wish: Wish, step: Step, setting: ItemSetti
 
 def _sample(bench: ProblemBench, setting: ItemSetting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:
     for premise in premises:
-        yield Display(premise.statement, numbered=False)
+        yield Display(_that_counts(premise, step), numbered=False)
     why = sentence(bench, step, setting.said)
     if why:
         yield Paragraph(why)
@@ -286,9 +287,21 @@ def _rubric(setting: ItemSetting, step: Step, premises: list[Step], points: Frac
     principle = spoken(setting.said, f"principle.{step.rule}")
     yield Criterion(earned[-2], spoken(setting.said, "rubric.principle", principle=principle))
     for share, premise in zip(earned, premises, strict=False):
-        uses = spoken(setting.said, "rubric.uses", statements=gist(premise.statement))
+        uses = spoken(setting.said, "rubric.uses", statements=gist(_that_counts(premise, step)))
         yield Criterion(share, uses, premise.statement)
     yield Criterion(earned[-1], spoken(setting.said, "rubric.concludes"))
+
+
+def _that_counts(premise: Step, step: Step) -> t.Node:
+    """The rows of a premise that a step is about: of both works of a force only that of the half of which it speaks."""
+    told = _halves(step.statement)
+    rows = [row for row in t.rows(premise.statement) if _halves(row) <= told]
+    return t.System(tuple(rows)) if len(rows) > 1 else rows[0] if rows else premise.statement
+
+
+def _halves(node: t.Node) -> set[str]:
+    """Of which works it speaks, of translation or rotation."""
+    return {half for half, _ in HALVES for name in t.names(node) if name.startswith(f"cal_W_{half}_")}
 
 
 def _weight(step: Step) -> int:
