@@ -26,6 +26,7 @@ from rbpsym.present.bars import (
     sums_before_functions,
     with_joined_angles,
     without_shared,
+    without_tall_roots,
 )
 from rbpsym.present.grouping import (
     best_factors,
@@ -282,9 +283,10 @@ def _monomial_node(c: Coefficient, m: Monomial, style: Style, number_in_front: b
     below = _powers(tuple((i, -e) for i, e in m if e < 0), style)
     if number_in_front and not below and c.denominator != 1:
         return t.mul(t.Div(t.Num(c.numerator), t.Num(c.denominator)), *above)
-    top = t.mul(*([t.Num(c.numerator)] if c.numerator != 1 or not above else []), *above)
     low = t.mul(*([t.Num(c.denominator)] if c.denominator != 1 else []), *below)
-    return t.div(top, low)
+    above, tall = without_tall_roots(above) if low != t.ONE else (above, [])
+    top = t.mul(*([t.Num(c.numerator)] if c.numerator != 1 or not above else []), *above)
+    return t.mul(t.div(top, low), *tall)
 
 
 def _powers(m: Monomial, style: Style) -> list[t.Node]:

@@ -74,6 +74,8 @@ def _limit(result: Result, name: str, key: str, slots: Mapping[str, object]) -> 
         return
     if any(not sign(one, result.given).is_nonzero for one in {*divisors(found.coefficient)} - {*divisors(result.value)}):
         return  # where this vanishes the limit is another one
+    if isinstance(result.name, t.Pow) and sign(found.coefficient, result.given).sense < 0:
+        return  # no square has it: what it told of, an oscillation, is none there
     given = result.given.with_signs({SMALL: "positive"})
     data: dict[str, Any] = {"value": found.image, "name": SMALL, "order": 0, "coefficient": found.coefficient, "given": given}
     verdict = checked("limit", **data)["verdict"]

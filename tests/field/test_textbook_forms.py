@@ -36,7 +36,7 @@ STYLE = Style(
     greater=frozenset({("R", "a"), ("ell", "s")}),
 )
 m, M, R, ell, a, b, s, g, kappa, mu = (symbol(name) for name in "m M R ell a b s g kappa mu".split())
-theta, phi, N, speed = symbol("theta"), symbol("phi"), symbol("N"), symbol("v_dot")
+theta, phi, N, speed, beta = (symbol(name) for name in "theta phi N v_dot beta".split())
 
 FORMS = {
     # one fraction line, not one within and one before the brackets
@@ -48,6 +48,11 @@ FORMS = {
     r"\frac{1}{2} M \left( 1 + \frac{R^2}{2 b^2} \right) \dot{v}^2": M * (speed**2 / 2 + R**2 * speed**2 / (4 * b**2)),
     r"\left( 1 - \frac{R}{a} \right) \theta": (1 - R / a) * theta,
     r"\frac{N}{7 \mu g} (2 + \theta)": N * (theta + 2) / (7 * mu * g),
+    # over a sine, and of a sum with a fixed slope; one sign of a denominator; a tall root behind the bar
+    r"\frac{g (m + 2 M)}{2 \sin\beta}": g * (m / 2 + M) / sine(beta),
+    r"\frac{2 g (m - 3 M \sin\beta)}{2 m + 5 M}": 2 * g * (m - 3 * M * sine(beta)) / (2 * m + 5 * M),
+    r"-\frac{2 m g}{3 (m + M) - 2 m \cos^2\beta} \sin\beta": -2 * m * g * sine(beta) / (3 * (m + M) - 2 * m * cosine(beta) ** 2),
+    r"\frac{R}{\ell} \sqrt{\frac{g (a^2 + b^2)}{s}}": R * root(g * (a**2 + b**2) / s) / ell,
     # coefficients first, squares as such, tangents
     r"\frac{5 \mu g}{2 R}": 5 * g * mu / (2 * R),
     r"\frac{\kappa}{2} (\theta^2 - \phi^2)": kappa * (theta - phi) * (theta + phi) / 2,

@@ -15,6 +15,7 @@ from rbpsym.derive import derive
 from rbpsym.document.model import Math
 from rbpsym.document.notes import words_of
 from rbpsym.errors import StatementError
+from rbpsym.expr import tree as t
 from rbpsym.field.calculus import names_in
 from rbpsym.field.evaluate import scalar
 from rbpsym.pictures.plots.following import at
@@ -53,6 +54,23 @@ def test_dimensions_tell_why():
     ladder = said("sliding-ladder")
     assert ladder["motion.theta"][1].startswith("θ̈ is independent of M: nothing else")
     assert ladder["loss.N_w"] == ["sin θ is a pure number, and none can be made from M, ℓ and g: it is independent of them."]
+
+
+def test_no_square_becomes_negative():
+    """Without its spring a damped mass has no frequency, whose square would be -c²/4m²."""
+    text = """
+parameters = { m = "mass", k = "stiffness", c = "damping", L = "length" }
+coordinates.x = { dimension = "length", start = "x_0" }
+bodies.block = { shape = "particle", mass = "m", center = ["x", "0"] }
+interactions.S = { type = "spring", between = [["-L", "0"], "block.center"], stiffness = "k", natural_length = "L" }
+interactions.D = { type = "damper", between = [["-L", "0"], "block.center"], coefficient = "c" }
+constraints.N = { type = "guide", point = "block.center", line = "y = 0" }
+"""
+    found = derive(load_text(text, "block"), simulation=False)
+    told = [step for steps in remarks(found, "full")[0].values() for step in steps]
+    assert told
+    squares = [step for step in told if isinstance(step.slots.get("quantity"), t.Pow) and step.phrase == "remark.without"]
+    assert all(not t.is_negative(step.slots["value"]) for step in squares)
 
 
 def test_what_would_be_without_an_interaction():
