@@ -30,3 +30,10 @@ def test_the_ladder_is_taken_about_its_foot() -> None:
 
 def test_what_moves_has_no_statics() -> None:
     assert one_by_one(unsimulated("sliding-ladder").study) == []
+
+
+def test_the_tension_of_a_step_ladder_is_told_about_its_hinge() -> None:
+    """Two lines: the whole gives the force of the floor, one half about the hinge, where two unknown forces meet, the tension."""
+    found = one_by_one(unsimulated("step-ladder-with-cord").study)
+    [told] = [balance for balance in found[:2] if "T" in balance.unknowns]
+    assert told.label.endswith(".end") and len(told.bodies) == 1 and not told.unknowns & {"F_x", "F_y"}

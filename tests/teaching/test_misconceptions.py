@@ -13,6 +13,7 @@ from rbpsym.decide.equal import equal, scalars_equal
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.teaching.bench import ProblemBench
@@ -26,6 +27,13 @@ PENDULUM, BEARING = "rod-and-disk-fixed", "rod-and-disk-free"
 LADDER, SPRING, INCLINE = "sliding-ladder", "sliding-ladder-with-spring", "disk-on-incline"
 SLIPPING, HINGED, ROUNDABOUT = "ball-slipping-to-rolling", "ball-and-hinged-rod", "child-onto-roundabout"
 SAMPLE = (PENDULUM, BEARING, LADDER, SPRING, INCLINE)
+
+
+def test_a_wound_string_has_one_tension():
+    """Only a body over which a string runs on has two sides on which the tension could be taken for the same."""
+    sites = MISCONCEPTIONS["same-tension-on-both-sides"].sites
+    wound, over = (Study(load_problem(find_problem(name))) for name in ("yo-yo", "atwood-with-massive-pulley"))
+    assert not list(sites(wound)) and list(sites(over))
 
 
 # problem, misconception, quantity, what it makes of it: worked out by hand
