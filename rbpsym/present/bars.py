@@ -93,8 +93,8 @@ def sums_before_functions(factors: list[t.Node]) -> list[t.Node]:
 
 def without_tall_roots(factors: list[t.Node]) -> tuple[list[t.Node], list[t.Node]]:
     """The factors that may stand above a bar, and roots, which stand behind it if one is of a fraction."""
-    roots = [node for node in factors if isinstance(node, t.Sqrt)]
-    if not any(isinstance(node.arg, t.Div) for node in roots):
+    roots: list[t.Node] = [node for node in factors if isinstance(node, t.Sqrt)]
+    if not any(isinstance(node, t.Sqrt) and isinstance(node.arg, t.Div) for node in roots):
         return factors, []
     return [node for node in factors if node not in roots], roots
 

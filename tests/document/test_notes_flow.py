@@ -119,16 +119,15 @@ def test_a_number_is_cited_once_in_a_list() -> None:
 @pytest.mark.parametrize("name", ["yo-yo", "sliding-ladder", "rod-hits-ball-at-bottom"])
 def test_brief_notes_are_short_and_keep_all_results(name: str) -> None:
     brief, standard = page(name, "brief"), page(name)
-    counted = [len([shown for shown in displays(one) if shown.numbered]) for one in (brief, standard)]  # answers once on top
+    counted = [len([shown for shown in displays(one) if shown.numbered]) for one in (brief, standard)]
     assert counted[0] < 0.9 * counted[1]
     assert len(brief.sections) <= len(standard.sections)
     later = enumerate(derived(name).phases, 2)  # beyond the question, which asks how the second phase begins
     beyond = {f"phase{number}.{step.id}" for number, phase in later for step in phase.derivation.steps}
     boxed = [shown for shown in displays(page(name, "full")) if shown.boxed and not shown.label.startswith("ask")]
     results = {row for shown in boxed if shown.label not in beyond for row in t.rows(shown.node)}
-    shown = [found.node for found in displays(brief)]
-    assert results <= {row for node in shown for row in t.rows(node)}
-    below = [part for part in parts(brief.sections[1:]) if isinstance(part, Display)]  # the first section holds the answers
+    assert results <= {row for found in displays(brief) for row in t.rows(found.node)}
+    below = [part for part in parts(brief.sections[1:]) if isinstance(part, Display)]
     road = [found.node for found in below]
     assert len(road) == len(set(road)), "a result is not derived twice on so few pages"
 
