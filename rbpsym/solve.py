@@ -22,7 +22,7 @@ from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
 from rbpsym.mechanics.pushing import begins, kept_sense, ways_kept
 from rbpsym.mechanics.rest import Balance
-from rbpsym.mechanics.sides import grips
+from rbpsym.mechanics.sides import grips, lasting
 from rbpsym.mechanics.solutions import Course, courses, given
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
@@ -164,7 +164,8 @@ def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
 
 
 def _course(one: Course, study: Study) -> dict[str, Any]:
-    valid = (*one.valid, *(item for item in existence(one.whole) if not sign(item.value, study.assumptions).is_nonnegative))
+    exists = (item for item in existence(one.whole) if not sign(item.value, study.assumptions).is_nonnegative)
+    valid = (*one.valid, *lasting(study.sides, study.assumptions), *exists)
     told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
     return {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(valid, study)}
 

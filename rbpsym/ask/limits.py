@@ -76,7 +76,13 @@ def leading(value: Scalar, name: str, to: Scalar | None, given: Assumptions, sid
 
 
 def squeezed(value: Scalar, name: str, to: Scalar | None, given: Assumptions, side: int = 1) -> str | None:
-    """A symbol in a value to which the declared ranges leave no value in the limit, as none is left to μ < b/h for b → 0."""
+    """A symbol in a value to which the declared ranges leave no value in the limit, as none is left to μ < b/h for b → 0, nor
+    to M > m for M → 0."""
+    own = of_symbol(name, given)
+    ends = ((own.lower, 1), (own.upper, -1))
+    gaps = [end if to is None else (end - to) * way for end, way in ends[to is None:] if end is not None]
+    if any(to is None or sign(gap, given).kind == "positive" for gap in gaps):
+        return name
     for other in sorted(names_in(value) - {name}):
         limits = of_symbol(other, given)
         width = NOTHING if None in (limits.lower, limits.upper) else limits.upper - limits.lower

@@ -128,11 +128,15 @@ def _limits(world: Scene, phrase: str, name: str, text: str, parts: Sequence[Sca
     limits = of_symbol(name, given)
     at_top = to is not None and limits.upper is not None and is_zero(to - limits.upper)
     side = -1 if at_top else sign_
+    _require_room(parts, name, to, given, side)
+    found = [_limit(part, name, to, side, given, phrase, as_term=as_term) for part in parts]
+    return _near(world, _together(found, phrase), name, to, side)
+
+
+def _require_room(parts: Sequence[Scalar], name: str, to: Scalar | None, given: Assumptions, side: int = 1) -> None:
     if other := next(filter(None, (squeezed(part, name, to, given, side) for part in parts)), None):
         raise StatementError(f"in this limit no value in its declared range is left to “{other}”",
                              instead=f"declare another range for {other}, or say “with {other} = …”.")  # fmt: skip
-    found = [_limit(part, name, to, side, given, phrase, as_term=as_term) for part in parts]
-    return _near(world, _together(found, phrase), name, to, side)
 
 
 def _together(found: Sequence[Finding], phrase: str) -> Finding:
@@ -207,6 +211,7 @@ def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Findin
     if not both:
         raise StatementError(f"“{phrase}” depends on neither {great} nor {small}", instead="leave the limit out.")
     name, to = (small, NOTHING) if small in both else (great, None)
+    _require_room(parts, name, to, given)
     found = []
     for part in parts:
         term = leading(part, name, to, given)

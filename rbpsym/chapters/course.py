@@ -6,10 +6,12 @@ from collections.abc import Mapping
 
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, is_zero, substitute, symbol
+from rbpsym.frozen import replace
 from rbpsym.mechanics import solutions, solved
 from rbpsym.mechanics.arrivals import State
 from rbpsym.mechanics.demands import settle
 from rbpsym.mechanics.orbit import swing_of
+from rbpsym.mechanics.sides import lasting
 from rbpsym.mechanics.solutions import STEADY, Course, Given
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import Step
@@ -26,8 +28,9 @@ def write(draft: Draft) -> None:
         known = solutions.given(draft.study, name)
         if known is None or not (known.form.stiffness or known.form.damping or known.form.drag or known.form.law):
             continue
+        asked = lasting(draft.study.sides, draft.study.assumptions)
         for one in solutions.courses(known) if not known.form.drive else (solutions.driven(known),):
-            told(draft, name, one)
+            told(draft, name, replace(one, valid=(*one.valid, *asked)))
         for key in TOLD if known.speed or known.form.drive or known.form.drag else ():
             feature(draft, known, name, key)
 

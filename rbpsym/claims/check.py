@@ -276,7 +276,22 @@ def used_names(node: t.Node) -> set[str]:
 
 
 def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: bool = True) -> Link:
-    """The outcome of one relation; what can't be computed is said, never passed."""
+    """The outcome of one relation; what can't be computed is said, never passed. What is false of d/dθ along the motion may be
+    meant of ∂/∂θ."""
+    found = _outcome(relation, ground, depth, witnesses)
+    if found.outcome is Outcome.REFUTED and (loose := _with_partials(relation)) != relation:
+        meant = _outcome(loose, ground, depth, False)
+        if meant.outcome is Outcome.PROVED:
+            return replace(found, outcome=Outcome.UNDECIDED, detail="it is true with ∂ in place of d")
+    return found
+
+
+def _with_partials(node: t.Node) -> t.Node:
+    node = t.mapped(node, _with_partials)
+    return replace(node, partial=True) if isinstance(node, t.Deriv) and node.wrt != "t" else node
+
+
+def _outcome(relation: t.Chain, ground: Ground, depth: str, witnesses: bool) -> Link:
     try:
         return _decided(relation, ground, Question(ground, depth, witnesses))
     except NoValueError as error:

@@ -112,7 +112,9 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
     for depth in ("identity", "motion") if whole else ("identity", "motion", "start"):
         seen = {name: _seen(own, question, depth) for name, own in values.items()}
         for path, node in _summands(relation):
-            value = _that_is_missing(relation, path, node, question, depth)
+            value = None
+            with suppress(RbpsymError, ZeroDivisionError):  # with a number beside it, it has no value
+                value = _that_is_missing(relation, path, node, question, depth)
             for term in () if value is None else (*_symbols_of(value, seen), renamed(_told(value, relation, ground), named)):
                 size = len([part for part in t.walk(term) if not isinstance(part, t.Neg)])
                 sums = sum(isinstance(part, t.Add) for part in t.walk(term))

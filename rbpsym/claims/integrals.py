@@ -23,7 +23,7 @@ from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.symbol_table import SymbolTable
-from rbpsym.field import Scalar, Space, Vector, depends_on, is_zero, substitute, symbol
+from rbpsym.field import EX, EY, Scalar, Space, Vector, depends_on, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Scope, scalar, space_derivative, time_derivative, value, vector
 from rbpsym.field.integration import definite
 from rbpsym.mechanics.motion import along_motion
@@ -246,14 +246,45 @@ def _derivative(node: t.Deriv, ground: Ground) -> t.Node:
     name = ground.generator(node.wrt)
     if name is None:
         raise Undecided("the derivative is with respect to something that is no coordinate, speed or parameter")
-    return replace(node, wrt=name)
+    found, rate = _on_motion(scalar(node.of, ground.scope), ground), ground.scope.rates.get(name)
+    if node.partial or not _beside(found, name, ground):
+        return replace(node, wrt=name, of=_injected(found, ground))
+    if rate is None:
+        return replace(node, wrt=name, of=_injected(_function_of(name, found, ground), ground))
+    for _ in range(node.order):  # with all that changes as the coordinate does
+        found = short(_rate(found, ground) / rate)
+    return _injected(found, ground)
+
+
+def _on_motion(found: Scalar, ground: Ground) -> Scalar:
+    """The value with the accelerations and unknown forces of the motion, if there are some in it."""
+    return ground.motion.moved(found) if names_in(found) & ground.motion.unsettled else found
+
+
+def _beside(found: Scalar, name: str, ground: Ground) -> set[str]:
+    """What stands beside a coordinate and changes as it does; beside a parameter: speeds, which depend on it along the motion."""
+    motion = ground.motion
+    if name in motion.speeds:
+        return set()
+    return names_in(found) & {*(motion.scope.rates if name == "t" or name in motion.scope.rates else motion.speeds)} - {name}
+
+
+def _function_of(name: str, found: Scalar, ground: Ground) -> Scalar:
+    """The value on the motion, as a function of one coordinate or parameter. Raises Undecided."""
+    found = _on_motion(found, ground)
+    if not _beside(found, name, ground):
+        return found
+    known = along_motion(ground.motion.moved(found), ground.motion.squares)
+    if known is None or _beside(known, name, ground):
+        raise Undecided(f"it is not known as a function of {name} alone")
+    return known
 
 
 def _renamed(node: t.Bracket | t.Limit, ground: Ground) -> t.Node:
     name = ground.generator(node.var)
     if name is None:
         raise Undecided("the limits are those of something that is no coordinate or parameter")
-    return replace(node, var=name)
+    return replace(node, var=name, arg=_injected(_function_of(name, scalar(node.arg, ground.scope), ground), ground))
 
 
 def _at(node: t.At, ground: Ground) -> t.Node:
@@ -264,11 +295,17 @@ def _at(node: t.At, ground: Ground) -> t.Node:
     name = ground.generator(condition.items[0].name)
     if name is None:
         raise Undecided("the place is not given by a coordinate or parameter")
-    image = {name: scalar(condition.items[1], ground.scope)}
-    found = value(node.arg, ground.scope)
-    if isinstance(found, Space):
-        return _injected(Space(found.plane.substitute(image), substitute(found.z, image)), ground)
-    return _injected(substitute(found, image), ground)
+    place, found = scalar(condition.items[1], ground.scope), value(node.arg, ground.scope)
+
+    def there(part: Scalar) -> Scalar:
+        if name == "t" and not place:
+            return substitute(_on_motion(part, ground), ground.scope.start)
+        return substitute(_function_of(name, part, ground), {name: place})
+
+    if not isinstance(found, Space):
+        return _injected(there(found), ground)
+    x, y, z = map(there, found.components())
+    return _injected(Space(EX * x + EY * y, z), ground)
 
 
 MOST_TERMS, MOST_DERIVED = 1500, 150

@@ -23,7 +23,7 @@ MOST_POINTS = 3  # of the quantities that the ends and the factor hold
 
 
 def pole(conditions: Iterable[Condition], assumptions: Assumptions) -> Witness | None:
-    """A point at which the integrand of some integral has a pole within its interval (its sides: signs before and behind)."""
+    """A point at which an integrand has a pole within its interval (its sides: what it is divided by, before and behind)."""
     for condition in conditions:
         if condition.between is not None and condition.op == "!=":
             for factor in _factors(condition.value, condition.between[0]):
@@ -54,7 +54,8 @@ def _crossed(factor: Scalar, between: tuple[str, Scalar, Scalar], assumptions: A
         for value in values:
             sign = _sign(point, value)
             if sign and -sign in seen:
-                return Witness(tuple(point.numbers.items()), (), point.value(seen[-sign]), point.value(value))
+                sides, of = (point.value(seen[-sign]), point.value(value)), "what is below the line, on both sides of a pole"
+                return Witness(tuple(point.numbers.items()), (), *sides, of)
             seen.setdefault(sign, value)
     return None
 

@@ -62,15 +62,23 @@ def _is_rest(step: Step) -> bool:
 
 def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Node, ...]]:
     """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on. What the
-    page has said is not said again."""
+    page has said is not said again, but where it was said of another case."""
     by_id = {step.id: step for step in steps}
     found: dict[str, tuple[Node, ...]] = {}
-    told: set[Node] = set()
+    told: list[tuple[tuple[Node, ...], set[Node]]] = []
     for id in (id for id in by_id if id in shown):
-        told |= _in_its_words(by_id[id])
-        found[id] = tuple(node for node in merged(_open(by_id, by_id[id], shown)) if node not in told)
-        told |= {t.relation(node.items[0], op, t.ZERO) for node in found[id] for op in SAYS.get(node.ops[0], node.ops)}
+        own = merged(_open(by_id, by_id[id], shown))
+        told.append((own, _in_its_words(by_id[id])))
+        known = set().union(*(said for case, said in told if not _are_cases(case, own)))
+        found[id] = tuple(node for node in own if node not in known)
+        told[-1][1].update(t.relation(node.items[0], op, t.ZERO) for node in found[id] for op in SAYS.get(node.ops[0], node.ops))
     return {id: nodes for id, nodes in found.items() if nodes}
+
+
+def _are_cases(one: tuple[Node, ...], other: tuple[Node, ...]) -> bool:
+    """Whether something is positive in the one that is negative in the other."""
+    signs = {node.items[0] for node in one if node.ops == (">",)}
+    return any(t.neg(node.items[0]) in signs for node in other if node.ops == (">",))
 
 
 SAYS: Mapping[str, tuple[str, ...]] = {">": (">", ">=", "!=")}  # what is positive is neither zero nor negative

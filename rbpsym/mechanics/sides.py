@@ -49,6 +49,12 @@ def _side(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bo
     return Side(name, value, "open" if any(loss.force == name for loss in ended.open_) else "asked", "", asked)
 
 
+def lasting(found: tuple[Side, ...], given: Assumptions) -> tuple[Demand, ...]:
+    """What a motion told for all time asks for: that no contact is lost before and no string is slack."""
+    asked = [demand for one in found for demand in (one.valid if one.state in ("asked", "open") else (Demand(one.value, ">="),))]
+    return settle(asked, given) or ()
+
+
 def grips(needs: tuple[FrictionNeed, ...]) -> Iterator[Demand]:
     """What friction asks for to stay within the limits that are stated, where it is not sure to do so."""
     for need in needs:

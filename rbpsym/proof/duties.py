@@ -92,13 +92,13 @@ def _open(view: View, one: Condition) -> Obligation:
     a - b ≠ 0 is not asked for beside b - a ≠ 0, nor with a factor of known sign."""
     if told := _told(view, one):
         return Obligation(one.relation, told)
-    core = _core(one.value, view.whole.assumptions)
-    cores = (core, -core) if one.op == "!=" else (core,)
-    node = next((view.rows["open", value] for value in cores if ("open", value) in view.rows), None)
+    core, either = _core(one.value, view.whole.assumptions), one.op == "!="
+    keys = [("open", either, value) for value in ((core, -core) if either else (core,))]
+    node = next((view.rows[key] for key in keys if key in view.rows), None)
     if node is None:
-        short = [present(value, view.whole.style, factor=True) for value in cores]
+        short = [present(value, view.whole.style, factor=True) for *_, value in keys]
         forms = [one.node, *sorted(short, key=to_machine)]
-        node = view.rows["open", core] = min(forms, key=lambda form: sum(1 for _ in t.walk(form)))
+        node = view.rows[keys[0]] = min(forms, key=lambda form: sum(1 for _ in t.walk(form)))
     return Obligation(t.relation(node, one.op, t.ZERO))
 
 

@@ -1,4 +1,5 @@
-"""No list of conditions says one twice: not with the other sign, times a number, or with a factor of known sign."""
+"""No list of conditions says one twice: not with the other sign, times a number, or with a factor of known sign; nor one and
+its opposite."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
@@ -29,14 +30,12 @@ def twins(conditions: Iterable[t.Node], value: Value, given: Assumptions) -> lis
 
 
 def _are_twins(one: t.Node, other: t.Node, value: Value, given: Assumptions) -> bool:
+    """Of one sign, so that one of them would do, or of opposite ones, so that both together are never met."""
     try:
         first, second = value(one.items[0]), value(other.items[0])
     except RbpsymError:  # of another phase
         return False
-    if is_zero(first) or is_zero(second):
-        return False
-    ratio = sign(short(first / second), given)
-    return ratio.kind == "positive" or (ratio.is_nonzero and "!=" in (*one.ops, *other.ops))
+    return not (is_zero(first) or is_zero(second)) and sign(short(first / second), given).is_nonzero
 
 
 def lists(derivation: Derivation) -> Iterator[Sequence[t.Node]]:
@@ -66,7 +65,7 @@ def test_it_sees_twins() -> None:
     gap, turned = t.add(a, t.neg(b)), t.add(b, t.neg(a))
     for one, other, are in (
         (t.relation(gap, "!=", t.ZERO), t.relation(turned, "!=", t.ZERO), True),
-        (t.relation(gap, ">", t.ZERO), t.relation(turned, ">", t.ZERO), False),
+        (t.relation(gap, ">", t.ZERO), t.relation(turned, ">", t.ZERO), True),
         (t.relation(gap, ">", t.ZERO), t.relation(t.mul(m, gap), ">=", t.ZERO), True),
         (t.relation(gap, "!=", t.ZERO), t.relation(a, "!=", t.ZERO), False),
     ):

@@ -8,6 +8,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import Condition
 from rbpsym.derive import derive
 from rbpsym.expr import tree as t
+from rbpsym.field.evaluate import scalar
 from rbpsym.field.scalar import Scalar, symbol
 from rbpsym.present.forms import PLAIN
 from rbpsym.proof.duties import _core, _is_said, _open
@@ -57,6 +58,16 @@ def test_a_condition_has_one_form() -> None:
     for value in (Y - X, (X - Y) * 3, (Y - X) * m):
         assert _open(view, Condition(t.Sym("b"), "!=", value)).relation == first
     assert _open(view, Condition(t.Sym("b"), ">", Y - X)).relation != t.relation(t.Sym("a"), ">", t.ZERO)
+
+
+@pytest.mark.parametrize("value", [X - Y, Y - X])
+def test_what_is_not_zero_gives_no_sign_to_what_is_positive(value: Scalar) -> None:
+    """A form that stands for both signs of what does not vanish is not that of a condition on the sign."""
+    whole = SimpleNamespace(assumptions=Assumptions(), style=PLAIN)
+    view, long = SimpleNamespace(steps={}, rows={}, whole=whole), t.mul(*map(t.Sym, "abcde"))
+    for op in ("!=", ">", ">="):
+        told = scalar(_open(view, Condition(long, op, value)).relation.items[0])
+        assert told == value or (op == "!=" and told == -value)
 
 
 def test_a_factor_of_known_sign_is_no_part_of_a_condition() -> None:

@@ -251,3 +251,43 @@ point = "rod.start"
 W = { type = "gravity" }
 K = { type = "torsion-spring", between = ["ground", "rod"], stiffness = "k" }
 """
+
+
+TWO_WEIGHTS = """
+title = "Two weights"
+[parameters]
+m = "mass"
+M = "mass > m"
+d = "length"
+g = "acceleration"
+[coordinates.y]
+dimension = "length"
+start = "0"
+[coordinates.z]
+dimension = "length"
+start = "0"
+[bodies.heavy]
+shape = "particle"
+mass = "M"
+center = ["d", "y"]
+[bodies.light]
+shape = "particle"
+mass = "m"
+center = ["-d", "z"]
+[interactions.W]
+type = "gravity"
+[constraints]
+G = { type = "guide", point = "heavy.center", line = "x = d" }
+H = { type = "guide", point = "light.center", line = "x = -d" }
+T = { type = "string", path = ["heavy.center", { around = ["0", "2*d"], radius = "d", sense = "ccw" }, "light.center"] }
+"""
+
+
+def test_no_limit_is_told_to_which_the_declared_ranges_leave_no_way():
+    """With M > m there is no m ≫ M, in a remark or in an answer; the other one there is."""
+    problem = load_text(TWO_WEIGHTS)
+    result = next(one for one in results(derive(problem, simulation=False)) if one.step.id == "motion.y")
+    told = [made.slots["great"].name for kind in KINDS for made in guarded(kind, result) if made.key == "remark.much"]
+    assert told == ["M"]
+    with pytest.raises(StatementError, match="no value in its declared range"):
+        ask(problem, "acceleration of y for m >> M")
