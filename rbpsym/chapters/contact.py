@@ -208,8 +208,11 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
     )
     if place is None:
         return
+    with_it = [other.force for other in draft.study.losses if other.at == loss.at]  # they are lost together
+    if loss.force != with_it[0]:
+        return
     for name, value in along.items():
-        if name == loss.force:
+        if name in with_it:
             continue
         there = short(substitute(value, loss.at))
         shown = draft.show(there, factor=True)

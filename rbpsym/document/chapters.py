@@ -320,11 +320,10 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
         forces = [step.slots["force"] for step in group]
         key = "contact.along_all" if sources else "contact.along_plain"
         yield from teller.together(group, key, sources=sources, forces=forces)
-    same, rest = telling.by_kind(others, ("contact.other_force",))
-    first = next((k for k, step in enumerate(others) if step in rest), len(same))
-    yield from _lasting(same[:first], teller)
-    yield from teller.together(rest, "contact.other_forces", forces=[step.slots["force"] for step in rest])
-    yield from _lasting(same[first:], teller)
+    for is_beside, run in groupby(others, lambda step: step.phrase == "contact.other_force"):  # each loss with what is told of it
+        rest = list(run)
+        forces = [step.slots.get("force") for step in rest]
+        yield from teller.together(rest, "contact.other_forces", forces=forces) if is_beside else _lasting(rest, teller)
 
 
 def _lasting(steps: list[Step], teller: telling.Teller) -> Iterator[Block]:
