@@ -100,15 +100,20 @@ def told(ground: Ground) -> str:
 
 
 def under(conditions: tuple[t.Node, ...], ground: Ground) -> Callable[[t.Chain, Decide], Link]:
-    """Decides a relation as it stands; if it does not hold so, then where the conditions of its display hold."""
+    """Decides a relation as it stands; if it does not hold so, then where the conditions of its display hold: at the place that
+    an equation names, within the range that inequalities leave."""
     links = [link for node in conditions for link in relations(node)]
     said = ", ".join(to_text(node) for node in conditions)
-    narrowed, closed = _narrowed(links, ground), any(op in ("<=", ">=") for link in links for op in link.ops)
+    places = [link for link in links if _is_place(link, ground)]
+    narrowed = _narrowed([link for link in links if link not in places], ground)
+    closed = any(op in ("<=", ">=") for link in links for op in link.ops)
 
     def decided(relation: t.Chain, decide: Decide) -> Link:
         found = decide(relation, ground)
         if not links or found.outcome not in (Outcome.REFUTED, Outcome.UNDECIDED):
             return found
+        for place in places if narrowed else ():
+            relation = t.relation(t.At(relation.items[0], place), relation.ops[0], t.At(relation.items[1], place))
         found = decide(relation, narrowed) if narrowed else found
         ends = found.outcome is Outcome.PROVED and closed and relation.ops[0] in OPEN
         if narrowed is None or ends:
@@ -116,6 +121,12 @@ def under(conditions: tuple[t.Node, ...], ground: Ground) -> Callable[[t.Chain, 
         return replace(found, how=f"{found.how} where {said}") if found.how else found
 
     return decided
+
+
+def _is_place(link: t.Chain, ground: Ground) -> bool:
+    """Whether it gives a value to a coordinate, a speed, the time or a parameter, which a formula is a function of."""
+    name = ground.generator(link.items[0].name) if link.ops == ("=",) and isinstance(link.items[0], t.Sym) else None
+    return name is not None and name not in ground.motion.unsettled
 
 
 def _narrowed(links: list[t.Chain], ground: Ground) -> Ground | None:

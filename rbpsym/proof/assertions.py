@@ -116,8 +116,10 @@ def _all(key: str) -> Condition:
 
 
 PAGES: Mapping[str, Entry] = {
-    "statement.vertical": (w.moves_in_vertical_plane, "statement.plane"),
-    "statement.plane": (w.can_move, "statement.held"),
+    "statement.vertical": (w.all_move_in_vertical_plane, "statement.upright"),
+    "statement.upright": (w.moves_in_vertical_plane, "statement.plane"),
+    "statement.plane": (w.all_move, "statement.flat"),
+    "statement.flat": (w.can_move, "statement.held"),
     "statement.held": (w.rests_in_vertical_plane, "statement.held_flat"),
     "statement.rolling": (w.can_move, "statement.rolling_still"),
     "statement.still": (w.is_still, ""),

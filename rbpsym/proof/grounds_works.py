@@ -240,8 +240,19 @@ def _has_vertical(said: Said) -> bool:
     return any(force.law == "gravity" for force in said.system.forces)
 
 
+def all_move(said: Said) -> bool:
+    """No body is held."""
+    bodies = said.system.bodies.values()
+    return can_move(said) and not any(is_zero(body.omega) and body.velocity.vanishes() for body in bodies)
+
+
+def all_move_in_vertical_plane(said: Said) -> bool:
+    """No body is held, and gravity acts."""
+    return all_move(said) and _has_vertical(said)
+
+
 def moves_in_vertical_plane(said: Said) -> bool:
-    """It can move, and gravity acts."""
+    """Something can move, and gravity acts."""
     return can_move(said) and _has_vertical(said)
 
 

@@ -32,6 +32,9 @@ TRUE = r"""
 \lim_{\theta\to0}\omega^2=\frac{3g}{2\ell}\sin\theta_0
 \lim_{g\to0}\alpha=0
 \lim_{M\to0}N_f=0
+\alpha=-\frac{3g}{4\ell}\quad\text{at }\theta=0
+\omega^2=\frac{3g}{2\ell}\sin\theta_0\quad\text{for }\theta=0
+\alpha=0\quad(\theta=\pi/2)
 """.split("\n")[1:-1]
 FALSE = r"""
 \frac{d\omega}{d\theta}=0
@@ -46,6 +49,8 @@ FALSE = r"""
 \left.\vec v\right|_{\theta=0}=\vec v
 \lim_{\theta\to0}\omega^2=\omega^2
 \lim_{g\to0}\alpha=\alpha
+\alpha=0\quad\text{at }\theta=0
+\omega^2=\frac{g}{2\ell}\sin\theta_0\quad\text{for }\theta=0
 """.split("\n")[1:-1]
 
 
@@ -62,6 +67,11 @@ def test_it_is_proved(latex: str) -> None:
 def test_it_is_not_proved(latex: str) -> None:
     """It may be true with ∂ in place of d, and is undecided then."""
     assert outcome(latex) in (Outcome.REFUTED, Outcome.UNDECIDED)
+
+
+def test_what_is_said_of_where_a_force_vanishes_is_not_refuted() -> None:
+    latex = r"\sin\theta=\frac23\sin\theta_0\quad\text{for}\quad N_w=0"
+    assert outcome(latex) is Outcome.UNDECIDED
 
 
 def test_what_is_true_of_partial_derivatives_is_not_refuted() -> None:

@@ -110,7 +110,7 @@ JOINING = frozenset({
     "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com",
 })  # fmt: skip
 CONDITIONAL = frozenset({
-    "for", "if", "when", "as long as", "provided", "provided that", "para", "si", "cuando", "mientras", "siempre que",
+    "for", "if", "when", "at", "as long as", "provided", "provided that", "para", "si", "cuando", "mientras", "siempre que",
     "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
 })  # fmt: skip
 CONDITIONS = re.compile(
