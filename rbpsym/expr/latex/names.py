@@ -251,6 +251,8 @@ def mark_above(reader: LatexReader) -> str:
     """Pass ^+, ^*, ^\\dagger behind what is no name; "" if the superscript is something else."""
     tokens = reader.tokens[reader.position + 1 : reader.position + 4]
     braces = tokens[0].text == "{"
+    if len(tokens) < braces + 2:
+        return ""
     mark, behind = tokens[braces : braces + 2]
     alone = behind.text == "}" if braces else behind.kind not in ("digit", "letter")
     if not alone or mark.text not in ("*", "+", "-", *_NAMED):
