@@ -330,7 +330,8 @@ def _changed(reader: LatexReader) -> t.Node:
 
 def _known(reader: LatexReader, drawn: Drawn, vector: bool, word: Token | None, first: int) -> t.Node:
     names = reader.table.names.get(drawn, ())
-    still = reader.table.names.get(replace(drawn, dots=0), ()) if drawn.dots and not names and reader.table.varies else ()
+    known = names or reader.table.names.get(replace(drawn, dots=1), ())  # where a rate has a name, others have one too
+    still = reader.table.names.get(replace(drawn, dots=0), ()) if drawn.dots and not known and reader.table.varies else ()
     if len(still) == 1 and reader.table.varies(still[0]):
         return t.Deriv((t.Vec if vector else t.Sym)(still[0]), "t", drawn.dots)
     if len(names) == 1:
