@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, product
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import IMPLIED, Condition, conditions
@@ -156,8 +156,8 @@ def _exists(context: Context, step: Step, printed: list[Demand]) -> Iterator[Ver
 
 def _follows(asked: Demand, printed: list[Demand], given: Assumptions) -> bool:
     """It is a multiple of what is printed, by a factor of which the sign is known."""
-    value = neat(asked.value, given)  # as conditions are printed
-    for demand in printed:
+    told = neat(asked.value, given)  # as a value is told, and the condition that is made of it
+    for value, demand in product((told, neat(told, given)), printed):
         above, below = value.num * demand.value.den, value.den * demand.value.num
         factor = sign(quotient(above, below), given)
         if demand.op in (">", asked.op) and (factor.is_nonzero if asked.op == "!=" else factor.kind == "positive"):
