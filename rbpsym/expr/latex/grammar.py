@@ -24,10 +24,10 @@ def expression(reader: LatexReader) -> t.Node:
     """term + term - term"""
     start = reader.token.start
     with reader.deeper():
-        terms = [_evaluated(reader, term_of(reader))]
+        terms, own = [_evaluated(reader, term_of(reader))], False
         while goes_on(reader, "-") or reader.sees_sign("+", *_SIGNED):
             sign = reader.take()
-            own = any(map(_is_taken, terms))  # each term has its own bar
+            own = own or _is_taken(terms[-1])  # each term has its own bar
             term = _evaluated(reader, term_of(reader), None if own else start)
             terms.append(_signed(reader, term, sign) if sign.text != "+" else term)
     if _is_differential(terms[-1]) and any(isinstance(part, t.PathIntegral | t.Integral) for part in t.walk(t.Add(tuple(terms)))):
