@@ -24,7 +24,7 @@ const embedded = async (hash) => {
     document.body.replaceChildren(frame);
   }, `${address}index.html#${hash}`);
 };
-const event = (name) => page.waitForFunction((n) => window.heard.findLast((one) => one.event === n), name, { timeout: 30000 }).catch(async () => { throw new Error(`never heard ${name}, but ${await page.evaluate(() => JSON.stringify(window.heard).slice(0, 600))}; ${faults}`); }).then((one) => one.jsonValue());
+const event = (name) => page.waitForFunction((n) => window.heard.findLast((one) => one.event === n), name, { timeout: 120000 }).catch(async () => { throw new Error(`never heard ${name}, but ${await page.evaluate(() => JSON.stringify(window.heard).slice(0, 600))}; ${faults}`); }).then((one) => one.jsonValue());
 const asks = (keys) => page.evaluate((k) => window.asks(k), keys);
 
 const seen = { faults };
