@@ -388,8 +388,9 @@ def test_it_is_worked_by_keyboard_and_sliders(tmp_path: Path) -> None:
 @played
 def test_reduced_motion_is_respected(tmp_path: Path) -> None:
     """Who wants little motion sees few pictures a second, and the same numbers."""
-    [seen] = met(tmp_path, {"file": str(written(tmp_path, "rod-pendulum")), "act": "calm"})
-    assert 2 <= seen["calm"] <= 10  # about five, counted beside other tests
+    job = {"file": str(written(tmp_path, "rod-pendulum")), "act": "calm"}
+    seen = min(met(tmp_path, job, job, job), key=lambda one: one["calm"])  # a busy machine counts for longer than it is told to
+    assert 2 <= seen["calm"] <= 7
     assert seen["lively"] > 2 * seen["calm"]
 
 
