@@ -189,7 +189,8 @@ def _first_met(
         found = None if place is None else _conditions(study, way, place, tuple(gaps), numbers)
         asked = None if found is None else [*first, *found]
         if asked is not None and all(one.op == "!=" or floating(one.value, numbers) >= 0 for one in asked):
-            return place, asked, way.sense
+            told = settle(asked, study.assumptions)
+            return neat(place, assuming(study.assumptions, told or ())), asked, way.sense
         is_open = is_open or (place is not None and asked is None)
     if is_open:
         what = "is not decided: the speed may vanish before, at a place that was not found"

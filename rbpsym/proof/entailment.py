@@ -7,6 +7,7 @@ were divided by are kept, since they must not vanish.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Set
+from contextlib import suppress
 from itertools import combinations
 from typing import Protocol
 
@@ -226,10 +227,11 @@ def _may_vanish(slope: Scalar) -> bool:
     """Whether it is zero, or a sum with roots that numbers can't tell from zero: √(p²) - p."""
     if is_zero(slope) or not any(atoms.atom(index).kind == "root" for index in slope.atoms()):
         return is_zero(slope)
-    try:
-        return abs(number(slope, {name: 1 + k / 7 for k, name in enumerate(sorted(names_in(slope)), 1)})) < TINY
-    except NoNumber:
-        return True
+    names = sorted(names_in(slope))
+    for k in range(len(names)):  # in another order where a root has no value: √(L² - h²)
+        with suppress(NoNumber):
+            return abs(number(slope, {name: 1 + n / 7 for n, name in enumerate(names[k:] + names[:k], 1)})) < TINY
+    return True
 
 
 def _pivot(value: Scalar, name: str, sources: frozenset[str], row: Scalar) -> Pivot:

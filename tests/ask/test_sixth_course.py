@@ -70,7 +70,7 @@ def test_a_place_of_rest_is_told_with_the_side_on_which_the_motion_begins(questi
 @pytest.mark.parametrize(
     ("name", "question", "text"),
     [
-        ("hanging-chain-of-two", "lowest frequency of y_1", "sqrt(k/m)/2*(sqrt(5) - 1)"),
+        ("hanging-chain-of-two", "lowest frequency of y_1", "1/2*sqrt(k/m)*(sqrt(5) - 1)"),
         ("hanging-chain-of-two", "ratio of y_2 to y_1 in the lowest mode", "(1 + sqrt(5))/2"),
     ],
 )

@@ -71,7 +71,7 @@ TOLD = (
     ("cylinder-on-wedge", "acceleration of x", ("−(2mg/(3(M + m) − 2m cos² β)) sin β cos β",)),
     ("rod-in-bowl", "period of theta", ("2π √((3R² − 2a²)/(3g √(R² − a²)))",)),
     ("rod-in-bowl", "N_1 at the start",
-     ("(MgR/(2(3R² − 2a²) √(R² − a²)))(a √(R² − a²) sin θ₀ + (3R² − 2a²) cos θ₀)",)),
+     ("MgR(a √(R² − a²) sin θ₀ + (3R² − 2a²) cos θ₀)/(2(3R² − 2a²) √(R² − a²))",)),
     ("bead-on-rotating-rod", "energy as a function of t", ("−mr₀²Ω²/2",)),
     ("disk-in-oil", "time until theta = 0 underdamped", ("(MR²/√(2MκR² − c²))(π − arctan(√(2MκR² − c²)/c))",)),
     # an arccos of what is negative is that of a difference

@@ -99,7 +99,7 @@ SENTENCES = [
     ("pendulum", "third frequency of theta", "only 1 frequencies"),
     ("twins", "frequency of x", "there are 2 frequencies"),
     ("pendulum", "theta where theta comes to rest", "no single closed form"),
-    ("pendulum", "unstable equilibrium of phi", "no unstable equilibrium"),
+    ("pendulum", "unstable equilibrium of phi", "“phi” is no coordinate"),
     ("pendulum", "velocity of rod.middle", "has no point “middle”"),
     ("bowling", "speed of x where phi = 1", "still depends on"),
     ("twins", "magnitude of frequencies", "this is several values"),
