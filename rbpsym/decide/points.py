@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
+from functools import cache
 from math import lcm, tan
 from typing import Any
 
@@ -212,20 +213,22 @@ def points(scalars: Iterable[Scalar], assumptions: Assumptions, most: int = 60) 
     """Points that satisfy the assumptions, simple ones first."""
     scalars = list(scalars)
     names, parts = with_bounds(names_of(scalars), assumptions), angle_parts(scalars)
-    options = {name: _options(name, parts.get(name), assumptions) for name in names}
+    ranges = {name: assumptions.range_of(name) for name in names}
+    options = {name: _options(parts.get(name), assumptions.sign_of(name), _numeric(ranges[name])) for name in names}
     if not all(options.values()):
         return
+    tied = [name for name in names if _numeric(ranges[name]) != ranges[name]]  # which the options do not see
     seen = 0
     for k in range(8 * most):
         point = _pick(options, parts, k)
-        if all(satisfies(point, name, assumptions) for name in names):
+        if all(satisfies(point, name, assumptions) for name in tied):
             yield point
             seen += 1
         if seen >= most or not names:
             return
 
 
-def _pick(options: dict[str, list[Any]], parts: dict[str, int], k: int) -> Point:
+def _pick(options: dict[str, tuple[Any, ...]], parts: dict[str, int], k: int) -> Point:
     """The k-th choice: all first options, then shifted and finally scattered ones."""
     chosen = {}
     for place, (name, values) in enumerate(options.items()):
@@ -235,15 +238,16 @@ def _pick(options: dict[str, list[Any]], parts: dict[str, int], k: int) -> Point
     return Point({n: v for n, v in chosen.items() if n not in angles}, angles, parts)
 
 
-def _options(name: str, parts: int | None, assumptions: Assumptions) -> list[Any]:
-    """Values of one name that its sign and its numeric bounds admit."""
-    own = Assumptions({name: assumptions.sign_of(name)}, {name: _numeric(assumptions.range_of(name))})
-    inside = _inside(own.range_of(name))
+@cache
+def _options(parts: int | None, sign: str, bounds: Range) -> tuple[Any, ...]:
+    """Values of a name that its sign and its numeric bounds admit."""
+    name, inside = "x", _inside(bounds)
+    own = Assumptions({name: sign}, {name: bounds})
     if parts:
         circle = [*CIRCLE, *(_circle(_near(tan(float(x) / (2 * parts)))) for x in inside)]
-        return [c for c in circle if satisfies(Point({}, {name: c}, {name: parts}), name, own)]
-    values = POSITIVE if assumptions.sign_of(name) == "positive" else REAL
-    return [v for v in (*values, *inside) if satisfies(Point({name: v}), name, own)]
+        return tuple(c for c in circle if satisfies(Point({}, {name: c}, {name: parts}), name, own))
+    values = POSITIVE if sign == "positive" else REAL
+    return tuple(v for v in (*values, *inside) if satisfies(Point({name: v}), name, own))
 
 
 def _inside(bounds: Range) -> list[Fraction]:

@@ -8,7 +8,7 @@ from typing import Any, Self
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
 from rbpsym.errors import LimitError
-from rbpsym.expr.tree import Fn, Sym, walk
+from rbpsym.expr.tree import Fn, Node, Sym, walk
 from rbpsym.field import NOTHING, PI, Scalar, Vector, apart, at_most, has_roots, kept, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
@@ -181,6 +181,11 @@ class Study(Frozen):
             lower += [(name, other) for other in _single(low)]
             upper += [(other, name) for other in _single(high)]
         return frozenset((*lower, *upper))
+
+    @kept
+    def meanings(self) -> dict[Node, Any]:
+        """What was made of formulas in the names of the problem, by who looks at them often."""
+        return {}
 
     @kept
     def kinetic(self) -> tuple[Scalar, Scalar]:

@@ -50,8 +50,7 @@ def _claims(statement: t.Node) -> Iterator[Claim]:
 
 def printed(study: Study, nodes: Iterable[t.Node], see: Callable[[t.Node], Iterable[t.Node]] | None = None) -> frozenset[Claim]:
     """The values of formulas and of all their parts (or of those that `see` gives), as far as they are worth asking for."""
-    see = see or parts
-    return frozenset(claim for node in nodes for part in see(node) for claim in wanted(study, [part]))
+    return wanted(study, (part for node in nodes for part in (see or parts)(node)))
 
 
 def parts(node: t.Node) -> Iterator[t.Node]:
@@ -70,8 +69,16 @@ def _is_rate(node: t.Node) -> bool:
 
 def wanted(study: Study, answers: Iterable[t.Node]) -> frozenset[Claim]:
     """The values of answers that give something away where they stand again."""
-    found = (meaning(study, node) for node in answers if is_telling(node))
-    return frozenset(unsigned(value) for value in found if isinstance(value, Scalar) and value)
+    return frozenset(found for node in answers if (found := _claim(study, node)) is not None)
+
+
+def _claim(study: Study, node: t.Node) -> Claim | None:
+    """The value of an answer that gives something away, looked up where the same formula stood before."""
+    found = study.meanings
+    if node not in found:
+        value = meaning(study, node) if is_telling(node) else None
+        found[node] = unsigned(value) if isinstance(value, Scalar) and value else None
+    return found[node]
 
 
 def is_telling(node: t.Node) -> bool:

@@ -32,6 +32,11 @@ def test_other_roots_are() -> None:
     assert [pivot.name for pivot in found.pivots] == ["N"]
 
 
+def test_a_root_that_has_no_value_at_some_numbers_is_looked_at_at_others() -> None:
+    found = known_by([row("sqrt(p**2 - g**2)*N - g")], {"N"}, rank, set())
+    assert [pivot.name for pivot in found.pivots] == ["N"]
+
+
 @pytest.mark.parametrize(
     ("goal", "told"),
     [
