@@ -67,7 +67,7 @@ bare: $(VENV)/dev.stamp
 
 thorough: $(VENV)/dev.stamp
 	rm -f $(OUT)/systems.jsonl
-	$(BIN)/python -m pytest $(TESTS) -m thorough
+	$(BIN)/python -m pytest $(TESTS) --whole -m 'thorough or heavy'
 	@echo "examples drawn with SEED=$(SEED)"
 	$(BIN)/python -m pytest $(TESTS) --hypothesis-profile=random --hypothesis-seed=$(SEED) $$(grep -rl "^ *@given" tests)
 	$(BIN)/python -m tests.claims.errata 2000 $(SEED)

@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 from collections.abc import Generator
+from zlib import crc32
 
 import pytest
 from hypothesis import settings
@@ -36,15 +37,33 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--one-of-each", action="store_true", help="of a test with parameters only the first")
+    parser.addoption("--whole", action="store_true", help="heavy laws for all their parameters, as in `make thorough`")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """With --one-of-each the others are left out."""
+    """With --one-of-each the first of each test; else of heavy laws a part, the whole with --whole and where tests are named."""
     if config.getoption("--one-of-each"):
-        first = {item.nodeid.partition("[")[0]: item.nodeid for item in reversed(items)}
-        kept = set(first.values())
-        config.hook.pytest_deselected(items=[item for item in items if item.nodeid not in kept])
-        items[:] = [item for item in items if item.nodeid in kept]
+        first = {_law(item): item.nodeid for item in reversed(items)}
+        kept = [item for item in items if item.nodeid in first.values()]
+    elif config.getoption("--whole") or config.option.keyword or any("::" in argument for argument in config.args):
+        return
+    else:
+        least = {_law(item): _draw(item) for item in sorted(items, key=_draw, reverse=True)}  # none goes without any
+        kept = [item for item in items if (heavy := item.get_closest_marker("heavy")) is None
+                or _draw(item) % heavy.kwargs.get("of", 3) == 0 or _draw(item) == least[_law(item)]]  # fmt: skip
+    left = {*items} - {*kept}
+    config.hook.pytest_deselected(items=[item for item in items if item in left])
+    items[:] = kept
+
+
+def _law(item: pytest.Item) -> str:
+    return item.nodeid.partition("[")[0]
+
+
+def _draw(item: pytest.Item) -> int:
+    """A number by module and parameters: the heavy laws of a module look at the same problems, those of another at others."""
+    module, _, parameters = item.nodeid.partition("::")
+    return crc32(f"{module}[{parameters.partition('[')[2]}".encode())
 
 
 @pytest.fixture(autouse=True)

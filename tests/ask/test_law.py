@@ -21,6 +21,8 @@ from rbpsym.statement.loader import load_problem
 from tests.ask.law import one_value_a_letter
 from tests.ask.test_unseen import HERE
 
+pytestmark = pytest.mark.heavy
+
 ASKING = [name for name in problem_files() if "question = " in problem_files()[name].read_text(encoding="utf-8")]
 
 

@@ -25,6 +25,8 @@ from rbpsym.statement.loader import load_problem
 from tests.claims.witnesses import off_the_motion, refutations
 from tests.mutants.changed import is_different, mutants
 
+pytestmark = pytest.mark.heavy
+
 WORLDS = Worlds()
 
 

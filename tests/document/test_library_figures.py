@@ -30,6 +30,8 @@ from tests.architecture.source import ROOT
 from tests.document.collisions import collisions
 from tests.library.derived import derived_from
 
+pytestmark = pytest.mark.heavy
+
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("*/*.toml"))
 FILES = {**problem_files(), **{f"{path.parent.name}-{path.stem}": path for path in EXAMPLES}}
 SHARES = (None, 0.3, 0.8)

@@ -23,6 +23,8 @@ from rbpsym.statement.loader import load_text
 from tests.document.unseen import UNSEEN
 from tests.library.derived import answers_to, unsimulated
 
+pytestmark = pytest.mark.heavy
+
 NAMES = (*sorted(problem_files()), *UNSEEN)
 
 

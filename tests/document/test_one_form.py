@@ -12,6 +12,8 @@ from rbpsym.proof.forms import PLAIN
 from rbpsym.typeset.text import to_text
 from tests.library.derived import NAMES, unsimulated
 
+pytestmark = pytest.mark.heavy
+
 
 def ends(document: Document) -> Iterator[t.Node]:
     """What the equations come to that are displayed, but for single letters and numbers."""

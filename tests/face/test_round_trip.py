@@ -15,6 +15,8 @@ from rbpsym.face.writing import Alphabet, alphabet
 from rbpsym.typeset.machine import to_machine
 from tests.library.derived import NAMES, unsimulated
 
+pytestmark = pytest.mark.heavy
+
 M, ell, g = sympy.symbols("M ell g", positive=True)
 beta = sympy.Symbol("beta", real=True)
 t = sympy.Symbol("t")

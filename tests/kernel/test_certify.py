@@ -25,6 +25,8 @@ from rbpsym.kernel.rocq import REFUSED, identifier
 from tests.kernel.spoiling import attempted, draws
 from tests.library.derived import unsimulated
 
+pytestmark = pytest.mark.heavy(of=2)
+
 PAPER = ("rod-and-disk-fixed", "rod-and-disk-free", "sliding-ladder", "sliding-ladder-with-spring")
 needs_coqc = pytest.mark.skipif(not has_coqc(), reason="coqc is not installed (apt: coq libcoq-coquelicot)")
 each_problem = pytest.mark.parametrize("name", PAPER)

@@ -10,6 +10,8 @@ from rbpsym.kernel.coqc import compiled
 from tests.kernel.test_certify import needs_coqc
 from tests.library.derived import unsimulated
 
+pytestmark = pytest.mark.heavy(of=2)
+
 
 @needs_coqc
 @pytest.mark.parametrize(

@@ -15,6 +15,8 @@ from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from tests.library.derived import NAMES, derived, problem
 
+pytestmark = pytest.mark.heavy
+
 ENGLISH = re.compile(
     r"\b(the|which|with|whose|equals|and|of|is|are|for|from|about|by|at|on|to|not|its?|their|this|that|"
     r"force|torque of|rod|disk|ball|wheel|ring|point|centre|center|rate|speed|work|start|end)\b",

@@ -9,6 +9,8 @@ from rbpsym.statement.library import library_folder
 from tests.claims.witnesses import off_the_motion, refutations_on_motions
 from tests.mutants.run import run, trials
 
+pytestmark = pytest.mark.heavy
+
 FILES = sorted((library_folder() / "claims").glob("*.toml"))
 
 

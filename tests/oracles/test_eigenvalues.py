@@ -143,6 +143,7 @@ def compared(name: str, sets: int, record) -> None:
     record(DRAWS, dict(again))
 
 
+@pytest.mark.heavy
 @pytest.mark.parametrize("name", ALL)
 def test_eigenvalues(name, record_property):
     compared(name, FEW, record_property)

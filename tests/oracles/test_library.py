@@ -15,6 +15,8 @@ from tests.library.derived import FOLLOWED, derived
 from tests.oracles.compare import Findings, each, findings
 from tests.oracles.conftest import DRAWS, MISSING, SETS
 
+pytestmark = pytest.mark.heavy
+
 KNOWN = json.loads((Path(__file__).parent / "not_compared.json").read_text(encoding="utf-8"))
 FEW, SHORT = 2, 8.0
 # What is known to be told and not so; each is somebody's to mend, and the table is to be empty.

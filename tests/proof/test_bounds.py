@@ -13,6 +13,8 @@ from rbpsym.field.effort import apart, ask_for_more, at_most, in_all, kept, spen
 from rbpsym.oracles import simulation_phases
 from tests.proof.conftest import FILES, drafted
 
+pytestmark = pytest.mark.heavy
+
 derive = importlib.import_module("rbpsym.derive")
 GRANTED = (300, 1000, 3000, 8000)
 TOLD = {"too_long", "cut"}

@@ -3,6 +3,8 @@ steps are certified in a draft of their own, says what its certified step says."
 
 from dataclasses import replace
 
+import pytest
+
 from rbpsym.claims.papers.walk import read_paper
 from rbpsym.document.model import Display
 from rbpsym.document.notes import notation_of, notes
@@ -15,6 +17,8 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import same
 from rbpsym.proof.rules import certify
 from tests.library.derived import answers_to
+
+pytestmark = pytest.mark.heavy
 
 ALWAYS = {"O", "C", "t", "r"}
 

@@ -13,6 +13,8 @@ from rbpsym.expr.source import Source
 from rbpsym.proof.rules import certify
 from rbpsym.typeset.latex import to_latex
 
+pytestmark = pytest.mark.heavy
+
 ALWAYS = {"O", "C", "t", "r"}
 
 

@@ -94,6 +94,7 @@ def test_every_step_asserts_something(draft):
         assert step.certificate.checks == tuple(check.__name__ for check in RULES[step.rule])
 
 
+@pytest.mark.heavy
 def test_a_wrong_statement_is_not_proved(draft):
     """Each link of each relation of each step is spoilt, in each of several ways, and each way is refused by itself."""
     passed = []

@@ -20,6 +20,8 @@ from rbpsym.teaching.spoilers import is_telling, meaning
 from rbpsym.teaching.units import si
 from tests.teaching.library_papers import NAMES, NONE, paper
 
+pytestmark = pytest.mark.heavy
+
 by_name = pytest.mark.parametrize("name", [name for name in NAMES if name not in NONE])
 
 
