@@ -25,7 +25,7 @@ from rbpsym.kernel.rocq import REFUSED, identifier
 from tests.kernel.spoiling import attempted, draws
 from tests.library.derived import unsimulated
 
-pytestmark = pytest.mark.heavy(of=2)
+pytestmark = pytest.mark.heavy(of=4)
 
 PAPER = ("rod-and-disk-fixed", "rod-and-disk-free", "sliding-ladder", "sliding-ladder-with-spring")
 needs_coqc = pytest.mark.skipif(not has_coqc(), reason="coqc is not installed (apt: coq libcoq-coquelicot)")

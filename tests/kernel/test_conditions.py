@@ -10,7 +10,7 @@ from rbpsym.kernel.coqc import compiled
 from tests.kernel.test_certify import needs_coqc
 from tests.library.derived import unsimulated
 
-pytestmark = pytest.mark.heavy(of=2)
+pytestmark = pytest.mark.heavy
 
 
 @needs_coqc
