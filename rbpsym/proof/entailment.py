@@ -228,7 +228,7 @@ def _may_vanish(slope: Scalar) -> bool:
     if is_zero(slope) or not any(atoms.atom(index).kind == "root" for index in slope.atoms()):
         return is_zero(slope)
     names = sorted(names_in(slope))
-    for k in range(len(names)):  # in another order where a root has no value: √(L² - h²)
+    for k in range(len(names) or 1):  # in another order where a root has no value: √(L² - h²)
         with suppress(NoNumber):
             return abs(number(slope, {name: 1 + n / 7 for n, name in enumerate(names[k:] + names[:k], 1)})) < TINY
     return True

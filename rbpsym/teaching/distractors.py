@@ -145,7 +145,7 @@ def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
             kept[twin] = _with_another(kept[twin], pool, place)
         elif len(kept) < MOST and all(is_refuted(value, other, study.assumptions) for other in _values(right, kept)):
             wrong = pool.wrongs[place].study
-            along = bounded(pool, place, lambda wrong=wrong: target.along(wrong))
+            along = bounded(pool, place, lambda wrong=wrong, value=value: target.along(wrong, value))
             kept.append(Distractor(pool.slip(place), value, formula, along, wrong))
     yield from kept
 

@@ -70,9 +70,9 @@ class Target(Frozen):
             return None
         return None if found is None else short(found)
 
-    def along(self, study: Study) -> Scalar | None:
-        """The value as a function of the position alone, with the speeds of the motion from the start."""
-        found = self.value(study)
+    def along(self, study: Study, value: Scalar | None = None) -> Scalar | None:
+        """The value (as it was found, if it is given) as a function of the position alone, with the speeds from the start."""
+        found = self.value(study) if value is None else value
         try:
             return None if found is None else along_motion(found, study.squares)
         except REFUSALS:
