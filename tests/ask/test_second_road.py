@@ -59,6 +59,7 @@ def test_a_special_value_is_that_of_the_special_problem(name: str, quantity: str
     assert scalars_equal(found.value, other.value, other.study.assumptions).is_proved
 
 
+@pytest.mark.heavy
 @pytest.mark.parametrize("name", dict.fromkeys(name for name, _, _ in ANSWERS))
 def test_what_is_told_is_what_the_simulation_shows(name: str) -> None:
     from tests.ask.simulated import compared

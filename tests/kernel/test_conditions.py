@@ -20,7 +20,7 @@ pytestmark = pytest.mark.heavy
         ("rod-tipping-over-edge", ("holds.N", "friction.N")),  # the range is open at the start: N > 0 only from then on
         ("cylinder-off-cylinder", ("friction.N",)),  # what stands below is N by a factor, and N > 0 is the condition
         ("crate-on-truck", ("friction.N_r",)),  # a sum of forces stands below
-        ("rod-on-turntable", ("position.rod", "reaction.A_x")),  # ωt here, tω there
+        pytest.param("rod-on-turntable", ("position.rod", "reaction.A_x"), marks=pytest.mark.thorough),  # ωt here, tω there
         ("bead-on-rotating-rod", ("theorem.T.rod",)),  # at the start the angle is 0·Ω
     ],
 )
