@@ -52,12 +52,15 @@ def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Tok
     """With what a row is about, in front of a colon (ΣF_x: or words, or anything with a gap behind it), as a row of words."""
     found: list[Token] = []
     for place, token in enumerate(tokens):
+        if token.text != ":":
+            found.append(token)
+            continue
         row = next((k for k in range(len(found), 0, -1) if found[k - 1].kind in ("row", "begin")), 0)
         about = [one for one in found[row:] if one.kind != "gap" and one.text != "&"]
         gap = tokens[min(place + 1, len(tokens) - 1)]
         clear = gap.kind == "gap" or gap.text == "&" or (about[:1] and (about[0].text == r"\sum" or about[0].kind == "text"))
-        relates = token.text == ":" and _relates(tuple(about), relations)
-        if token.text != ":" or not about or relates or not clear:
+        relates = _relates(tuple(about), relations)
+        if not about or relates or not clear:
             depth = sum((one.text in "([{") - (one.text in ")]}") for one in about if relates and one.kind == "sign")
             parts = relates and gap.kind == "gap" and _wide((gap,)) and not depth
             found.append(replace(token, kind="row", text="") if parts else token)
