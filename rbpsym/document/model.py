@@ -135,7 +135,11 @@ class Callout(Frozen):
     blocks: tuple[Block, ...]
 
 
-Block = Paragraph | Display | Table | FigureBlock | ItemList | Callout
+class OwnBlock(Frozen):
+    """The base of blocks that another room has beside these; its writers know them."""
+
+
+Block = Paragraph | Display | Table | FigureBlock | ItemList | Callout | OwnBlock
 
 
 class Section(Frozen):

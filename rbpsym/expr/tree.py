@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 from rbpsym.frozen import field, replace
 from rbpsym.showing import Shown
@@ -354,8 +355,8 @@ def system(rows: Sequence[Node]) -> Node:
     return rows[0] if len(rows) == 1 else System(tuple(rows))
 
 
-def rows(statement: Node) -> tuple[Node, ...]:
-    """The rows of a statement; one that is no system is one row."""
+def rows(statement: Node) -> tuple[Any, ...]:
+    """The rows of a statement, most of them chains; one that is no system is one row."""
     return statement.rows if isinstance(statement, System) else (statement,)
 
 

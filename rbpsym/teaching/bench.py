@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rbpsym.document.model import Inlines
 from rbpsym.document.telling import Teller
@@ -41,13 +41,14 @@ class ProblemBench(Frozen):
     targets: Mapping[str, Target]
     pool: Pool
     wishes: Mapping[str, NumberRange] = field(default_factory=dict)
-    memo: dict[Hashable, object] = field(default_factory=dict, compare=False, repr=False)
+    memo: dict[Hashable, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def once(self, key: Hashable, make: Callable[[], T]) -> T:
         """What does not depend on the student, made when it is first asked for."""
         if key not in self.memo:
             self.memo[key] = make()
-        return self.memo[key]
+        found: T = self.memo[key]
+        return found
 
     @property
     def study(self) -> Study:

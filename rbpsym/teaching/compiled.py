@@ -13,8 +13,10 @@ from rbpsym.errors import NoNumber
 from rbpsym.field import Scalar
 from rbpsym.mechanics.numbers import number
 
+Evaluate = Callable[[Mapping[str, float]], list[float]]
 
-def compiled(values: Sequence[Scalar]) -> Callable[[Mapping[str, float]], list[float]]:
+
+def compiled(values: Sequence[Scalar]) -> Evaluate:
     """A function of numbers that gives all values; nan where one has none (a root of a negative number)."""
     if find_spec("numpy") is None:
         return lambda numbers: list(_one_by_one(values, numbers))

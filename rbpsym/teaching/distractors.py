@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.dimensions import dimension_of
@@ -95,7 +96,7 @@ class Pool(Frozen):
 def pool(derivation: Derivation, names: Iterable[str] = ()) -> Pool:
     """All wrong studies that apply to a problem (those of some misconceptions only, if they are named)."""
     wanted = set(names) or set(MISCONCEPTIONS)
-    found = []
+    found: list[Wrong] = []
     for name, misconception in MISCONCEPTIONS.items():
         found += _applied(misconception, derivation.study) if name in wanted else []
     return Pool(derivation, tuple(found))
@@ -145,7 +146,7 @@ def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
             kept[twin] = _with_another(kept[twin], pool, place)
         elif len(kept) < MOST and all(is_refuted(value, other, study.assumptions) for other in _values(right, kept)):
             wrong = pool.wrongs[place].study
-            along = bounded(pool, place, lambda wrong=wrong, value=value: target.along(wrong, value))
+            along = bounded(pool, place, partial(target.along, wrong, value))
             kept.append(Distractor(pool.slip(place), value, formula, along, wrong))
     yield from kept
 
@@ -180,7 +181,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
     for place, wrong in enumerate(pool.wrongs):
         if target.kind not in (*wrong.misconception.about, ANY):
             continue
-        value = bounded(pool, place, lambda wrong=wrong: target.value(wrong.study))
+        value = bounded(pool, place, partial(target.value, wrong.study))
         if value is None or speeds_in(value) - moving:
             continue
         formula = shown(value, study)

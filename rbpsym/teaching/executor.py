@@ -38,7 +38,7 @@ class Journal:
     def __enter__(self) -> Journal:
         if self.path is not None:
             self._file = _opened(self.path)
-            self._resume()
+            self._resume(self._file)
         return self
 
     def __exit__(self, kind: type | None, error: BaseException | None, trace: TracebackType | None) -> None:
@@ -60,27 +60,23 @@ class Journal:
         if self.path is not None:
             self.path.unlink(missing_ok=True)
 
-    def _resume(self) -> None:
-        assert self._file is not None
+    def _resume(self, file: BinaryIO) -> None:
+        """The results of whole lines after the first; what follows them is cut off."""
         head = (json.dumps({"about": self.about}) + "\n").encode()
-        self._file.seek(0)
-        if self._file.readline() != head:
-            self._file.seek(0)
-            self._file.truncate()
-            self._file.write(head)
-        self._read_lines()
-
-    def _read_lines(self) -> None:
-        """The results of whole lines; what follows them is cut off."""
-        good = self._file.tell()
-        for line in self._file:
+        file.seek(0)
+        if file.readline() != head:
+            file.seek(0)
+            file.truncate()
+            file.write(head)
+        good = file.tell()
+        for line in file:
             entry = _entry(line)
             if entry is None:
                 break
             self.results[entry[0]] = entry[1]
             good += len(line)
-        self._file.seek(good)
-        self._file.truncate()
+        file.seek(good)
+        file.truncate()
 
 
 def _entry(line: bytes) -> tuple[int, str] | None:
@@ -180,7 +176,7 @@ def run(
         return [journal.results[place] for place in range(len(jobs))]
 
 
-def _note_rest(coming: Generator, note: Callable[[tuple[int, ...], list[str]], None]) -> None:
+def _note_rest(coming: Coming, note: Callable[[tuple[int, ...], list[str]], None]) -> None:
     """What was being done when the interrupt came is done to its end, and noted."""
     note(*coming.throw(KeyboardInterrupt))
     for found in coming:
@@ -238,7 +234,9 @@ def _begin_work() -> None:
 def _by_dask(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
     client = _client(who.address)
     try:
-        from distributed import as_completed as finished
+        from distributed import as_completed
+
+        finished: Any = as_completed  # it has no types
 
         futures = [client.submit(work, tuple(jobs[place] for place in part), pure=False) for part in parts]
         places = {future.key: part for future, part in zip(futures, parts, strict=True)}
@@ -253,11 +251,13 @@ def _client(address: str) -> Any:
     """A client of the cluster. Raises RbpsymError if the extra or the cluster is not there."""
     try:
         from distributed import Client
+
+        client: Any = Client  # it has no types
     except ImportError:
         hint = "install the extra: pip install 'rbpsym[cluster]'."
         raise RbpsymError("dask.distributed is not installed", instead=hint) from None
     try:
-        return Client(address, timeout=5)
+        return client(address, timeout=5)
     except OSError as error:
         host = address.removeprefix("tcp://")
         raise RbpsymError(f"no dask scheduler answers at {host}", instead="start one: dask scheduler.") from error

@@ -53,4 +53,5 @@ def exporter(name: str) -> Exporter:
     if name not in EXPORTERS:
         raise RbpsymError(f"unknown format “{name}”", instead=f"known: {', '.join(EXPORTERS)}.")
     module, function = EXPORTERS[name]
-    return getattr(import_module(module), function)
+    found: Exporter = getattr(import_module(module), function)
+    return found

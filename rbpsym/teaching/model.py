@@ -11,7 +11,7 @@ a choice, the comments of the marks and the response trees of a learning platfor
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -102,6 +102,11 @@ class Anticipated(Frozen):
     slip: Slip
     formula: Node | None = None
     number: Measure | None = None
+
+
+def wrong_formulas(anticipated: Iterable[Anticipated]) -> tuple[tuple[Node, Slip], ...]:
+    """Those that are formulas, each with its slip."""
+    return tuple((known.formula, known.slip) for known in anticipated if known.formula is not None)
 
 
 class Criterion(Frozen):
@@ -256,14 +261,9 @@ class BlanksKey(Frozen):
     names: tuple[str, ...] = ()
 
 
-class ComparisonKey(Frozen):
-    """Which of two variants is greater in what is asked: options as printed, `right` the place from 0.
-
-    `options` are "first", "second", "same" in words. `reasons` is the rubric for the why.
-    """
-
-    options: tuple[Option, ...]
-    right: int
+class ComparisonKey(ChoiceKey):
+    """Which of two variants is greater in what is asked: `options` are "first", "second", "same" in words. The item's
+    rubric is for the why."""
 
 
 class ExplanationKey(Frozen):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from typing import Any
 
 from rbpsym.document.model import Document
 from rbpsym.errors import RbpsymError
@@ -89,7 +90,7 @@ def by_typst(document: Document, worksheet: Worksheet, is_key: bool) -> bytes:
 
 
 @cache
-def _fonts() -> object:
+def _fonts() -> Any:
     """The fonts that come with Typst, looked up once for all papers."""
     import typst
 

@@ -49,7 +49,7 @@ class PlannedPart(Frozen):
     bench: ProblemBench
     scenery: Scenery
     wishes: tuple[tuple[Wish, tuple[Prepared, ...]], ...]
-    evaluate: Callable = field(compare=False, repr=False)
+    evaluate: Callable[[Mapping[str, float]], list[list[float]]] = field(compare=False, repr=False)
     statements: dict[str, tuple[Block, ...]] = field(default_factory=dict, compare=False, repr=False)
 
     def tasks(self, draws: Draws) -> list[tuple[int, int]]:
@@ -149,13 +149,18 @@ def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Ite
         if not isinstance(items, Wish):
             table = given_table(part.bench.derivation, situation, said)
             title = words(said.title(problem.title))
-            place = dict([situation.place]) if situation.place else {}
-            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items, place=place)
+            at = dict([situation.place]) if situation.place else {}
+            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items, place=at)
     raise AssertionError("situations end with an error")
 
 
 def _items(
-    part: PlannedPart, chosen, situation: Situation, said: Words, draws: Draws, before
+    part: PlannedPart,
+    chosen: list[tuple[int, int]],
+    situation: Situation,
+    said: Words,
+    draws: Draws,
+    before: tuple[Item, ...],
 ) -> tuple[Item, ...] | Wish:
     """The items; the wish of the first that can't be made at these numbers."""
     values = part.evaluate({**generic_state(part.bench), **situation.numbers})
@@ -277,7 +282,8 @@ def _scenery(bench: ProblemBench, wishes: tuple[Wish, ...]) -> Scenery:
 
 
 def _planned(bench: ProblemBench, sight: Scenery, part: SheetPart) -> PlannedPart:
-    prepared, used = [], set()
+    prepared: list[tuple[Wish, tuple[Prepared, ...]]] = []
+    used: set[str] = set()
     for wish in part.wishes:
         found = _prepared(bench, sight, wish, used)
         if len(found) < wish.number:
@@ -292,7 +298,8 @@ def _planned(bench: ProblemBench, sight: Scenery, part: SheetPart) -> PlannedPar
 
 def _prepared(bench: ProblemBench, sight: Scenery, wish: Wish, used: set[str]) -> list[Prepared]:
     """As many as wished and some to spare; what was asked so already comes last."""
-    fresh, again = [], []
+    fresh: list[Prepared] = []
+    again: list[Prepared] = []
     for task in TASKS[wish.kind](bench, sight, wish):
         (again if task.target and f"{task.kind} {task.target.id}" in used else fresh).append(task)
         if len(fresh) >= wish.number + SPARE:

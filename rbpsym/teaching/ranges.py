@@ -15,8 +15,8 @@ from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import sample
-from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
-from rbpsym.statement.model import Problem
+from rbpsym.quantities import ACCELERATION, NUMBER, Dimension, Quantity
+from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.printed_units import scale_of, unit_of, unit_text
 from rbpsym.statement.source import SourceItem, Table, kind_of
 from rbpsym.teaching.codes import Draws
@@ -185,7 +185,7 @@ def _known(problem: Problem) -> Iterator[Named]:
         yield Named(coordinate.name, coordinate.quantity.dimension, "real", *_bounds(coordinate))
 
 
-def _bounds(quantity) -> tuple[float, float]:
+def _bounds(quantity: Quantity | Coordinate) -> tuple[float, float]:
     """Its declared range, as far as that is numbers."""
     found = []
     for bound, none in ((quantity.lower, -math.inf), (quantity.upper, math.inf)):
@@ -227,7 +227,7 @@ def _measure(item: SourceItem, named: Named, what: str) -> Measure:
     if not isinstance(item.value, str):
         raise item.error(f"{what} must be a text in quotes, not {kind_of(item.value)}", _example(named))
     measure = _told(item, lambda: read_measure(item.value, named.dimension, what))
-    if not SIGNS.get(named.sign, lambda value: True)(measure.value):
+    if named.sign in SIGNS and not SIGNS[named.sign](measure.value):
         raise item.error(f"“{named.name}” must be {named.sign} in this problem", "give another number")
     if not named.lower - NOISE <= si(measure) <= named.upper + NOISE:
         raise item.error(

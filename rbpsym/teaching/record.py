@@ -9,6 +9,7 @@ import json
 from collections.abc import Iterable
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 from rbpsym.document.files import write_whole
 from rbpsym.errors import Place, RbpsymError
@@ -48,7 +49,7 @@ def remember(folder: Path, plan: WorksheetPlan, secret: str, language: str, peop
         write_whole(path, json.dumps(dict(zip(FRAME, kept, strict=True)), ensure_ascii=False, indent=1) + "\n")
 
 
-def _read(path: Path) -> dict:
+def _read(path: Path) -> dict[str, Any]:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):

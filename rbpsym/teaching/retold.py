@@ -92,7 +92,7 @@ def _differs(right: Study, wrong: Study, probe: Probe, rest: str) -> bool:
     if len(ours) != len(theirs):
         return True
     pairs = zip(ours, theirs, strict=True)
-    return any((a is None) != (b is None) or (a is not None and not is_zero(a - b)) for a, b in pairs)
+    return any((a is None) != (b is None) or (a is not None and b is not None and not is_zero(a - b)) for a, b in pairs)
 
 
 def _vector(vector: Vector) -> tuple[Scalar, Scalar]:

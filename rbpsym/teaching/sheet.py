@@ -68,7 +68,7 @@ def sheet_of(table: Table, name: str, folder: Path) -> Sheet:
     table.check_keys(SHEET_KEYS, "a worksheet")
     table.require("problem", "the worksheet", 'add [[problem]] with name = "..." and [[problem.task]] below it')
     parts = tuple(_part(row, folder) for row in _rows(table, "problem", "[[problem]]"))
-    text = "\x00".join([table.source.index.text, *(part.problem.text for part in parts)])
+    text = "\x00".join([table.source.index.text if table.source.index else "", *(part.problem.text for part in parts)])
     title = _texts(table, "title") or dict(parts[0].problem.title)
     return Sheet(name, title, parts, _language(table), _texts(table, "introduction"), text)
 

@@ -7,11 +7,11 @@ start to the place that is asked about (it gets there, it keeps contact, frictio
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
-from rbpsym.field import Scalar, calculus, is_zero
+from rbpsym.field import NOTHING, Scalar, calculus, is_zero
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.events import pushes
@@ -19,7 +19,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Coordinate
 from rbpsym.teaching.codes import Draws
-from rbpsym.teaching.compiled import compiled
+from rbpsym.teaching.compiled import Evaluate, compiled
 from rbpsym.teaching.model import Measure
 from rbpsym.teaching.ranges import NumberRange, default_ranges, middles, named_quantities, step_near
 from rbpsym.teaching.units import si
@@ -62,9 +62,9 @@ class Scenery(Frozen):
     wished: NumberRange | None
     still: tuple[tuple[str, Scalar], ...]
     along: tuple[tuple[str, Scalar], ...]
-    evaluate_still: Callable = field(compare=False, repr=False)
-    evaluate_along: Callable = field(compare=False, repr=False)
-    start: Callable = field(compare=False, repr=False)
+    evaluate_still: Evaluate = field(compare=False, repr=False)
+    evaluate_along: Evaluate = field(compare=False, repr=False)
+    start: Evaluate = field(compare=False, repr=False)
 
     def situations(self, draws: Draws) -> Iterator[Situation]:
         """Situations in which all conditions hold, one after another. Raises RbpsymError if there are hardly any."""
@@ -73,9 +73,9 @@ class Scenery(Frozen):
             given = {name: self.ranges[name].draw(draws) for name in self.ranges}
             numbers = {name: si(measure) for name, measure in given.items()}
             reason = self._failing_at_rest(numbers)
-            place = None if reason or self.coordinate is None else self.placed(draws, numbers)
+            place = None if reason or self.coordinate is None else self.placed(self.coordinate, draws, numbers)
             reason = place if isinstance(place, str) else reason
-            if reason:
+            if reason or isinstance(place, str):
                 failed[reason] = failed.get(reason, 0) + 1
                 continue
             if place is not None:
@@ -91,7 +91,7 @@ class Scenery(Frozen):
         values = self.evaluate_still(numbers)
         return next((what for (what, _), v in zip(self.still, values, strict=True) if not v > SMALLEST), "")
 
-    def placed(self, draws: Draws, numbers: dict[str, float]) -> tuple[str, Measure] | str:
+    def placed(self, coordinate: str, draws: Draws, numbers: dict[str, float]) -> tuple[str, Measure] | str:
         """A place that is reached, nearer and nearer to the start; else what is in the way of it."""
         start, speed, push = self.start(numbers)
         way = math.copysign(1.0, speed if abs(speed) > SMALLEST else push)
@@ -99,16 +99,16 @@ class Scenery(Frozen):
             return "way"
         reason = "way"
         for measure in self._places(draws, start, way, numbers):
-            reason = self._obstacle(numbers, start, si(measure), way)
+            reason = self._obstacle(numbers, coordinate, start, si(measure), way)
             if not reason:
-                return self.coordinate, measure
+                return coordinate, measure
         return reason
 
-    def _obstacle(self, numbers: dict[str, float], start: float, end: float, way: float) -> str:
+    def _obstacle(self, numbers: dict[str, float], coordinate: str, start: float, end: float, way: float) -> str:
         if (end - start) * way <= 0:
             return "way"
         for share in WAY:
-            values = self.evaluate_along({**numbers, self.coordinate: start + share * (end - start)})
+            values = self.evaluate_along({**numbers, coordinate: start + share * (end - start)})
             for (what, _), value in zip(self.along, values, strict=True):
                 if not value > SMALLEST:
                     return what
@@ -161,7 +161,7 @@ def _gets_anywhere(study: Study, ranges: Mapping[str, NumberRange], coordinate: 
     trial, draws = _scenery(study, ranges, coordinate, None, False), Draws(b"trial", study.problem.name)
     for _ in range(TRIALS):
         numbers = {name: si(range_.draw(draws)) for name, range_ in ranges.items()}
-        if not isinstance(trial.placed(draws, numbers), str):
+        if not isinstance(trial.placed(coordinate, draws, numbers), str):
             return True
     return False
 
@@ -195,12 +195,14 @@ def followed(study: Study) -> str | None:
     return None
 
 
-def names_in(value: Scalar) -> set[str]:
+def names_in(value: Scalar) -> frozenset[str]:
     """All symbols of a value, also those inside of functions (π aside)."""
     return calculus.names_in(value) - {"pi"}
 
 
-def _held_in_the_middle(conditions, ranges: Mapping[str, NumberRange]) -> list[tuple[str, Scalar]]:
+def _held_in_the_middle(
+    conditions: tuple[tuple[str, Scalar], ...], ranges: Mapping[str, NumberRange]
+) -> list[tuple[str, Scalar]]:
     """Those that the middle of the ranges keeps; another (a pulley without mass) is what the author wants."""
     values = compiled([value for _, value in conditions])(middles(ranges))
     return [condition for condition, value in zip(conditions, values, strict=True) if value > SMALLEST]
@@ -253,14 +255,15 @@ def _kept(study: Study, coordinate: str) -> Iterator[tuple[str, Scalar]]:
                     yield "friction", spare
 
 
-def _start(study: Study, coordinate: str | None) -> Callable:
+def _start(study: Study, coordinate: str | None) -> Evaluate:
     """(place, speed, acceleration) of the coordinate at the start."""
     if coordinate is None:
-        return lambda numbers: (math.nan, math.nan, math.nan)
+        return lambda numbers: [math.nan] * 3
     from rbpsym.field.calculus import substitute
     from rbpsym.mechanics.motion import along_motion
 
     start = study.system.scope.start
     push = along_motion((study.dynamics.accelerations or {})[f"{coordinate}_ddot"], study.squares)
-    speed = start.get(f"{coordinate}_dot", push * 0)
+    assert push is not None, coordinate
+    speed = start.get(f"{coordinate}_dot", NOTHING)
     return compiled([start[coordinate], speed, substitute(push, {coordinate: start[coordinate]})])

@@ -7,7 +7,10 @@ left as symbols in the mechanics, and the same engine makes the later quantity o
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import combinations
+from operator import itemgetter
+from typing import Any
 
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref
 from rbpsym.errors import RbpsymError
@@ -44,17 +47,17 @@ def filler(node: t.Node, names: Container[str]) -> Fill | None:
     True
     """
     if isinstance(node, t.Sym):
-        return (lambda given, name=node.name: given[name]) if node.name in names else None
-    parts = {name: _of_part(getattr(node, name), names) for name in t.parts(type(node))}
+        return itemgetter(node.name) if node.name in names else None
+    kind: Any = type(node)
+    parts = {name: _of_part(getattr(node, name), names) for name in t.parts(kind)}
     changing = {name: fill for name, fill in parts.items() if fill is not None}
     if not changing:
         return None
-    kept = {name: getattr(node, name) for name in t.parts(type(node)) if name not in changing}
-    kind = type(node)
+    kept = {name: getattr(node, name) for name in t.parts(kind) if name not in changing}
     return lambda given: kind(**kept, **{name: fill(given) for name, fill in changing.items()})
 
 
-def _of_part(value: object, names: Container[str]) -> Callable | None:
+def _of_part(value: object, names: Container[str]) -> Callable[[Mapping[str, t.Node]], Any] | None:
     if isinstance(value, t.Node):
         return filler(value, names)
     if not isinstance(value, tuple) or not value or not isinstance(value[0], t.Node):
@@ -128,7 +131,7 @@ def _special_case(bench: b.ProblemBench, target: Target) -> tuple[str, t.Node] |
 
     That a product vanishes with one of its factors is no check, but for a coefficient.
     """
-    value, problem = target.value(bench.study), bench.study.problem
+    value, problem = target.known(bench.study), bench.study.problem
     whole, found = length(formula_of(bench, target)), []
     for quantity in (q for q in problem.parameters if q.dimension in CASES and q.name in names_in(value)):
         try:
@@ -198,7 +201,7 @@ def follow_ons(bench: ProblemBench, target: Target, before: Sequence[Item], kind
     sources = _sources(bench, target, before, kind)
     for chosen in (some for count in range(1, len(sources) + 1) for some in combinations(sources, count)):
         quantities = tuple(quantity for _, quantity in chosen)
-        node = bench.once(("follow", target.id, kind, quantities), lambda q=quantities: _node(bench, target, q, kind))
+        node = bench.once(("follow", target.id, kind, quantities), partial(_node, bench, target, quantities, kind))
         if node is not None:
             (first, quantity), *others = chosen
             beside = tuple((item, name_of(other)) for item, other in others)

@@ -58,7 +58,8 @@ def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:
     heading = [cell.strip().lower() for cell in rows[0][1]]
     key = next((heading.index(name) for name in IDS if name in heading), None)
     name = next((heading.index(n) for n in NAMES if n in heading), None)
-    if key is None and name is None:
+    first = name if key is None else key
+    if first is None:
         known = ", ".join((*IDS, *NAMES))
         raise ReadError(
             "the first line of the roster names no column that is known",
@@ -69,7 +70,7 @@ def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:
         raise ReadError(
             "the roster has headings, but no student", instead="write a line for each below them.", place=Place(file, 1)
         )
-    return _students(rows[1:], key if key is not None else name, name, file)
+    return _students(rows[1:], first, name, file)
 
 
 def _students(rows: list[tuple[int, list[str]]], key: int, name: int | None, file: str) -> tuple[Student, ...]:

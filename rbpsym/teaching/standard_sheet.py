@@ -64,7 +64,7 @@ def bare_sheet(problem: Problem) -> Sheet:
 def lesson(bench: ProblemBench) -> tuple[Row, ...]:
     """The rows of the lesson: before the explanation each question that the problem itself asks."""
     asked = [id for id, target in bench.targets.items() if target.kind == ANY]
-    own = [(QUESTIONS[place % 2], (id,), 2) for place, id in enumerate(asked)]
+    own: list[Row] = [(QUESTIONS[place % 2], (id,), 2) for place, id in enumerate(asked)]
     rows = [row for row in map(_before_blow, LESSON) if row] if is_struck(bench.derivation) else LESSON
     return (*rows[:-1], *(own or [NO_QUESTIONS]), rows[-1])
 
@@ -101,7 +101,9 @@ def _turn(kinds: tuple[str, ...]) -> tuple[int, int]:
     return (0 if kinds == FILL_IN else 1 if kinds in QUESTIONS else 2, PICKS.index(kinds[0]))
 
 
-def _possible(bench: ProblemBench, scenery: Scenery, kind: str, patterns, level: int) -> Iterator[tuple[Wish, Content]]:
+def _possible(
+    bench: ProblemBench, scenery: Scenery, kind: str, patterns: tuple[str, ...], level: int
+) -> Iterator[tuple[Wish, Content]]:
     """Wishes for single quantities, in the order of the patterns; choices with four answers first."""
     for pattern in patterns:
         for options in (4, 3) if kind == "choose" else (4,):
@@ -119,7 +121,7 @@ def _only_holds(task: Prepared) -> bool:
 
 def _is_long(bench: ProblemBench, task: Prepared) -> bool:
     """Is what it is about a formula that no one would write or read by hand?"""
-    value = task.target and task.target.value(bench.study)
+    value = task.target.value(bench.study) if task.target else None
     return value is not None and length(present(value, bench.study.style)) > LONGEST
 
 

@@ -18,10 +18,9 @@ from rbpsym.chapters.methods.net_work import HALVES
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, symbol
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, short, symbol
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
@@ -70,6 +69,12 @@ class Target(Frozen):
             return None
         return None if found is None else short(found)
 
+    def known(self, study: Study, *, along: bool = False) -> Scalar:
+        """The value in the right study (`along` its motion), which has one: else it is not asked for."""
+        found = self.along(study) if along else self.value(study)
+        assert found is not None, self.id
+        return found
+
     def along(self, study: Study, value: Scalar | None = None) -> Scalar | None:
         """The value (as it was found, if it is given) as a function of the position alone, with the speeds from the start."""
         found = self.value(study) if value is None else value
@@ -109,6 +114,20 @@ def _with_step(target: Target, derivation: Derivation) -> Target:
 # --- kinds
 
 
+def _acceleration(name: str, study: Study) -> Scalar | None:
+    return (study.dynamics.accelerations or {}).get(f"{name}_ddot")
+
+
+def _square(name: str, study: Study) -> Scalar | None:
+    return study.squares.get(name)
+
+
+def _moment(name: str, square: Scalar, study: Study) -> Scalar:
+    """About the axis at the distance whose square is given."""
+    body = study.system.bodies[name]
+    return body.moment + body.mass * square
+
+
 def _accelerations(derivation: Derivation) -> Iterator[Target]:
     for coordinate in derivation.study.problem.coordinates:
         name = coordinate.name
@@ -116,7 +135,7 @@ def _accelerations(derivation: Derivation) -> Iterator[Target]:
             yield Target(
                 f"acceleration.{name}",
                 t.Sym(f"{name}_ddot"),
-                lambda study, key=f"{name}_ddot": (study.dynamics.accelerations or {}).get(key),
+                partial(_acceleration, name),
                 coordinate.quantity.dimension / TIME**2,
                 f"motion.{name}|motion.from_work|motion.from_energy",
                 {"coordinate": t.Sym(name)},
@@ -134,7 +153,7 @@ def _speeds(derivation: Derivation) -> Iterator[Target]:
         yield Target(
             f"speed.{name}",
             t.Pow(speed, t.TWO),
-            lambda study, key=name: study.squares.get(key),
+            partial(_square, name),
             rate**2,
             f"square.{name}",
             {"coordinate": t.Sym(name), "speed": speed},
@@ -179,7 +198,7 @@ def _moments(derivation: Derivation) -> Iterator[Target]:
             yield Target(
                 f"moment.{name}",
                 t.Sym("I_cm" if single else f"I_{name}"),
-                lambda study, key=name: study.system.bodies[key].moment,
+                partial(_moment, name, NOTHING),
                 DIMENSIONS["moment of inertia"],
                 slots={"body": BodyRef(name)},
             )
@@ -187,7 +206,7 @@ def _moments(derivation: Derivation) -> Iterator[Target]:
         yield Target(
             f"axis-moment.{name}",
             t.Sym(f"I_{label}" if single else f"I_{name}_{label}"),
-            lambda study, key=name, square=square: (b := study.system.bodies[key]).moment + b.mass * square,
+            partial(_moment, name, square),
             DIMENSIONS["moment of inertia"],
             f"moment.{name}.{label}",
             {"body": BodyRef(name), "point": t.Sym(label)},
@@ -242,7 +261,7 @@ def _works(derivation: Derivation) -> Iterator[Target]:
 
 def _work(study: Study, half: str, force: str, on: str) -> Scalar | None:
     item = next(item for item in study.works if (item.force, item.on) == (force, on))
-    return getattr(item, half).value
+    return (item.translational if half == "translational" else item.rotational).value
 
 
 def force_symbol(derivation: Derivation, force: str, on: str) -> t.Node:
@@ -253,12 +272,9 @@ def force_symbol(derivation: Derivation, force: str, on: str) -> t.Node:
 
 def work_symbol(derivation: Derivation, letter: str, force: str, on: str) -> str:
     """The name of a work as the derivation writes it."""
-    for step in (s for s in derivation.steps if s.id == f"work.{force}.{on}"):
-        rows = t.rows(step.statement)
-        for row in rows:
-            if row.items[0].name.startswith(f"cal_W_{letter}_"):
-                return row.items[0].name
-    return f"cal_W_{letter}_{force}"
+    told = (step.statement for step in derivation.steps if step.id == f"work.{force}.{on}")
+    names: list[str] = [row.items[0].name for statement in told for row in t.rows(statement)]
+    return next((name for name in names if name.startswith(f"cal_W_{letter}_")), f"cal_W_{letter}_{force}")
 
 
 _TURN = t.Mul((t.TWO, t.Sym("pi")))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from typing import Any
 
 from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
@@ -11,7 +12,7 @@ from rbpsym.document.phrases import plain
 from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, replace
 
-Print = Callable[[object, "Page"], str]
+Print = Callable[[Any, "Page"], str]
 
 
 class Page(Frozen):

@@ -11,6 +11,7 @@ from typing import Any
 from rbpsym.document.model import Block, FigureBlock, Inlines
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field
 from rbpsym.teaching.exports.page import TEX, PictureTag, SetFormula, image, slug, svg, table, zipped
 from rbpsym.teaching.formats import Exported
@@ -34,6 +35,11 @@ LACKS: Mapping[str, str] = {
 }
 
 
+Asking = Callable[[Any, Item, "ExportDesk"], Any]  # how a key is asked of an item
+Missing = list[tuple[Item, str]]  # items with what a format can't carry of them
+Drawn = dict[int, tuple[FigureBlock, bytes]]  # pictures by the identity of their blocks
+
+
 class Platform(Frozen):
     """A learning platform: how it sets formulas, shows pictures and where these lie, how it asks keys for which it has a
     way of its own (by type), what it lacks in other words than `LACKS`, and how it shows a drop-down within text."""
@@ -42,7 +48,7 @@ class Platform(Frozen):
     formula: SetFormula = TEX
     tag: PictureTag = image
     folder: str = ""
-    kinds: Mapping[type, Callable[[Item, ExportDesk], Any]] = field(default_factory=dict)
+    kinds: Mapping[type, Asking] = field(default_factory=dict)
     lacks: Mapping[str, str] = field(default_factory=dict)
     dropdown: Callable[[Any], str] = lambda field: f"[{field.name}]"
 
@@ -59,8 +65,8 @@ class ExportDesk(Frozen):
 
     worksheet: Worksheet
     platform: Platform = ANY
-    missing: list[tuple[Item, str]] = field(default_factory=list)
-    drawn: dict[int, tuple[FigureBlock, bytes]] = field(default_factory=dict)
+    missing: Missing = field(default_factory=list)
+    drawn: Drawn = field(default_factory=dict)
     pictures: dict[str, bytes] = field(default_factory=dict)
     marks: dict[str, str] = field(default_factory=dict)
 
@@ -81,7 +87,7 @@ class ExportDesk(Frozen):
 
     def lacks(self, item: Item, what: str) -> None:
         """Note what the format can't carry: a key of `LACKS`, or of the platform's own table."""
-        sentence = (LACKS | self.platform.lacks)[what]
+        sentence = {**LACKS, **self.platform.lacks}[what]
         self.missing.extend([(item, sentence)] if sentence else [])
 
     def dropdown(self, field: Any) -> str:
@@ -104,7 +110,7 @@ class ExportDesk(Frozen):
         """Inlines as HTML."""
         return self.page.inlines(inlines)
 
-    def formula(self, node: object) -> str:
+    def formula(self, node: Node) -> str:
         """A formula within a sentence."""
         return self.platform.formula(node, self.worksheet.notation, False)
 
@@ -125,18 +131,22 @@ class ExportDesk(Frozen):
         return f"<p>{self.inlines(feedback(slip, self.worksheet))}</p>"
 
 
-def in_packages(worksheets: tuple[Worksheet, ...], platform: Platform, package: Callable[[ExportDesk], dict]) -> Exported:
+def in_packages(
+    worksheets: tuple[Worksheet, ...], platform: Platform, package: Callable[[ExportDesk], dict[str, bytes]]
+) -> Exported:
     """A zip package for each student; `package` gives its files by path."""
-    files, missing, drawn = {}, [], {}
+    files: dict[str, str | bytes] = {}
+    missing: Missing = []
+    drawn: Drawn = {}
     for sheet in worksheets:
         desk = ExportDesk(sheet, platform, missing, drawn)
         files[f"{slug(sheet.code)}.{platform.name.split()[0].lower()}.zip"] = zipped(package(desk))
     return Exported(files, left_out(platform.name, missing))
 
 
-def by_items(worksheets: tuple[Worksheet, ...], platform: Platform, missing: list) -> Iterator[list[tuple[Item, ExportDesk]]]:
+def by_items(worksheets: tuple[Worksheet, ...], platform: Platform, missing: Missing) -> Iterator[list[tuple[Item, ExportDesk]]]:
     """For each place on the paper the items of all students, each on a page of its own."""
-    drawn: dict = {}
+    drawn: Drawn = {}
     for place in range(max((len(sheet.items) for sheet in worksheets), default=0)):
         sheets = (sheet for sheet in worksheets if place < len(sheet.items))
         yield [(sheet.items[place], ExportDesk(sheet, platform, missing, drawn)) for sheet in sheets]

@@ -11,7 +11,7 @@ from rbpsym.document.model import FigureBlock
 from rbpsym.frozen import Frozen
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import ExportDesk, Platform, by_items, orders
+from rbpsym.teaching.exports.bench import ExportDesk, Missing, Platform, by_items, orders
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.wording import left_out, name_of
 
@@ -24,7 +24,8 @@ class Matching(Frozen):
 
 def export_gift(worksheets: tuple[m.Worksheet, ...], options: Options) -> Exported:
     """One GIFT file with the questions of all students, item by item in categories."""
-    lines, missing = [], []
+    lines: list[str] = []
+    missing: Missing = []
     for row in by_items(worksheets, GIFT, missing):
         item, desk = row[0]
         title = " ".join(desk.plain(desk.worksheet.title).replace("/", "-").split())
@@ -60,9 +61,8 @@ def plain(value: float) -> str:
 # --- keys for which it has a way of its own
 
 
-def order(item: m.Item, desk: ExportDesk) -> Matching | q.Essay:
+def order(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> Matching | q.Essay:
     """A matching of steps with places, where only one order is right."""
-    key: m.OrderKey = item.key
     if len(orders(key, 1) or ()) != 1:
         desk.lacks(item, "orders")
         return q.Essay(q.lines(key.pieces, desk))
@@ -70,11 +70,11 @@ def order(item: m.Item, desk: ExportDesk) -> Matching | q.Essay:
     return Matching(tuple((desk.formula(piece.statement), str(key.sample.index(at) + 1)) for at, piece in pieces))
 
 
-def signs(item: m.Item, desk: ExportDesk) -> Matching:
+def signs(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> Matching:
     """A matching of works with their signs."""
-    q.note_cancelling(item, desk)
+    q.note_cancelling(key, item, desk)
     pairs = []
-    for row in item.key.rows:
+    for row in key.rows:
         for work, sign in (("translational", row.translational), ("rotational", row.rotational)):
             pairs.append((f"{q.force_of(row, desk)}, {desk.word(work)}", sign.replace("-", "−")))
     return Matching(tuple(pairs))
@@ -95,7 +95,7 @@ def _choice(form: q.Choice, desk: ExportDesk) -> tuple[str, str]:
 def _number(form: q.Number, desk: ExportDesk) -> tuple[str, str]:
     lines = [f"={plain(form.exact)}:{plain(abs(form.exact) * form.reach)}#{escaped(desk.word('right'))}"]
     for known in form.wrong:
-        value = float(known.number.value)
+        value = known.exact
         near = plain(abs(value) * form.reach / 4)
         lines.append(f"=%0%{plain(value)}:{near}#{escaped(desk.feedback(known.slip))}")
     unit = f"<p>[{desk.word('unit')}: {form.unit}]</p>" if form.unit else ""

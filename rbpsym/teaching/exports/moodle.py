@@ -18,7 +18,7 @@ from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import ExportDesk, Platform, by_items
+from rbpsym.teaching.exports.bench import ExportDesk, Missing, Platform, by_items
 from rbpsym.teaching.exports.names import maxima
 from rbpsym.teaching.exports.page import filled, written
 from rbpsym.teaching.exports.question import TypedFormulas
@@ -65,9 +65,9 @@ def stack(form: TypedFormulas, item: Item, desk: ExportDesk) -> Stack:
     return Stack(_assumptions(form.names, desk.worksheet.problems[item.asked.problem]) + values, trees, (right, *wrong))
 
 
-def _tree(entry, names: Mapping[str, str], desk: ExportDesk) -> Tree:
+def _tree(entry: q.TypedFormula, names: Mapping[str, str], desk: ExportDesk) -> Tree:
     """Right? else each misconception; a node that fails leads to the next."""
-    known = (ResponseNode(maxima(wrong.formula, names), 0, desk.feedback(wrong.slip)) for wrong in entry.wrong)
+    known = (ResponseNode(maxima(formula, names), 0, desk.feedback(slip)) for formula, slip in entry.wrong)
     first = ResponseNode(f"ta{entry.number}", 1, f"<p>{desk.word('right')}</p>")
     return Tree(entry.number, maxima(entry.value, names), float(entry.share), (first, *known))
 
@@ -87,7 +87,8 @@ SHELLS = {q.Number: "numerical", q.Choice: "multichoice", q.Fields: "cloze", q.T
 
 def export_moodle(worksheets: tuple[m.Worksheet, ...], options: Options) -> Exported:
     """One file of Moodle XML with all questions of all students."""
-    parts, missing = [], []
+    parts: list[str] = []
+    missing: Missing = []
     for row in by_items(worksheets, MOODLE, missing):
         item, desk = row[0]
         title = re.sub(r"/+", "-", desk.plain(desk.worksheet.title))
@@ -137,9 +138,8 @@ def units(key: m.NumberKey) -> Iterator[tuple[str, float]]:
         yield from ((way, own.factor / read_unit(name).factor) for way in ways)
 
 
-def slip(item: m.Item, desk: ExportDesk) -> q.Choice:
+def slip(key: m.SlipKey, item: m.Item, desk: ExportDesk) -> q.Choice:
     """The line with the slip, by its number; the corrected one is told with the right answer."""
-    key: m.SlipKey = item.key
     desk.lacks(item, "correction")
     options = (m.Option((Text(f"{desk.word('line')} {place + 1}"),)) for place in range(len(key.lines)))
     praise = f"{desk.feedback(key.slip)}<p>{desk.formula(key.corrected)}</p>"

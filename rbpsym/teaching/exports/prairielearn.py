@@ -15,7 +15,7 @@ from rbpsym.frozen import Frozen
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import ExportDesk, Platform
+from rbpsym.teaching.exports.bench import Drawn, ExportDesk, Missing, Platform
 from rbpsym.teaching.exports.names import sympy_text
 from rbpsym.teaching.exports.page import between, slug
 from rbpsym.teaching.formats import Exported, Options
@@ -34,7 +34,8 @@ class OrderBlocks(Frozen):
 def export_prairielearn(worksheets: tuple[m.Worksheet, ...], options: Options) -> Exported:
     """The folders of all questions of all students, under `questions`."""
     files: dict[str, str | bytes] = {}
-    missing, drawn = [], {}
+    missing: Missing = []
+    drawn: Drawn = {}
     for sheet in worksheets:
         for item in sheet.items:
             folder = f"questions/{slug(sheet.code)}/{slug(item.id)}"
@@ -115,9 +116,8 @@ def picture(path: str, alt: str) -> str:
     return f'<pl-figure file-name="{escape(path)}" alt="{escape(alt)}"></pl-figure>'
 
 
-def order(item: m.Item, desk: ExportDesk) -> OrderBlocks:
+def order(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> OrderBlocks:
     """The graph of an order."""
-    key: m.OrderKey = item.key
     needs = (",".join(f"step{i}" for i, j in sorted(key.before) if j == place) for place in range(len(key.pieces)))
     return OrderBlocks(tuple(zip((q.line_of(piece, desk) for piece in key.pieces), needs, strict=True)))
 

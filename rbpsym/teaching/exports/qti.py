@@ -69,20 +69,19 @@ def question(item: m.Item, desk: ExportDesk, name: str, title: str) -> bytes:
 SHELLS: Mapping[type, str] = {q.Number: "number", q.Choice: "choice", OrderSteps: "order", Signs: "signs", q.Essay: "text"}
 
 
-def order(item: m.Item, desk: ExportDesk) -> OrderSteps:
+def order(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> OrderSteps:
     """All orders that keep the graph are right, as far as they can be listed."""
-    key: m.OrderKey = item.key
     right = orders(key)
     if right is None:
         desk.lacks(item, "orders")
     return OrderSteps(tuple(q.line_of(piece, desk) for piece in key.pieces), key.sample, tuple(right or [key.sample]))
 
 
-def signs(item: m.Item, desk: ExportDesk) -> Signs:
+def signs(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> Signs:
     """A paragraph for each force."""
-    q.note_cancelling(item, desk)
+    q.note_cancelling(key, item, desk)
     rows = []
-    for place, row in enumerate(item.key.rows, start=1):
+    for place, row in enumerate(key.rows, start=1):
         works = (("translational", row.translational), ("rotational", row.rotational))
         fields = tuple((f"{work[0].upper()}{place}", desk.word(work), SIGN_NAMES[sign]) for work, sign in works)
         rows.append((q.force_of(row, desk), fields))

@@ -6,7 +6,7 @@ of `KINDS`: a formula as a choice among known wrong ones, an order pair by pair,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -18,7 +18,7 @@ from rbpsym.frozen import Frozen
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
-from rbpsym.teaching.exports.bench import ExportDesk, free_pairs, nearest_pairs
+from rbpsym.teaching.exports.bench import Asking, ExportDesk, free_pairs, nearest_pairs
 from rbpsym.teaching.exports.names import RESERVED, exported_names
 
 FEWEST = 3  # options of a choice that stands for a formula
@@ -40,6 +40,13 @@ class Choice(Frozen):
         return tuple((place, option) for place, option in places if option.slip and place != self.right + 1)
 
 
+class WrongNumber(Frozen):
+    """A known wrong number in the unit of the right one."""
+
+    exact: float
+    slip: m.Slip
+
+
 class Number(Frozen):
     """A number: in its unit `exact` and `printed`, which may be off by the share `reach`, and known wrong ones."""
 
@@ -47,7 +54,7 @@ class Number(Frozen):
     exact: float
     printed: float
     unit: str
-    wrong: tuple[m.Anticipated, ...]
+    wrong: tuple[WrongNumber, ...]
 
     @property
     def reach(self) -> float:
@@ -83,9 +90,9 @@ class TypedFormula(Frozen):
     share: Fraction = Fraction(1)
 
     @property
-    def wrong(self) -> tuple[m.Anticipated, ...]:
-        """The known wrong formulas."""
-        return tuple(known for known in self.anticipated if known.formula is not None)
+    def wrong(self) -> tuple[tuple[t.Node, m.Slip], ...]:
+        """The known wrong formulas, each with its slip."""
+        return m.wrong_formulas(self.anticipated)
 
 
 class TypedFormulas(Frozen):
@@ -106,39 +113,36 @@ class Essay(Frozen):
 # --- how each kind is asked where the platform has no way of its own
 
 
-def number(item: m.Item, desk: ExportDesk) -> Number:
+def number(key: m.NumberKey, item: m.Item, desk: ExportDesk) -> Number:
     """A number in the unit that is printed."""
-    key: m.NumberKey = item.key
     desk.lacks(item, "figures")
     if key.anticipated:
         desk.lacks(item, "slips of numbers")
     if key.follows:
         desk.lacks(item, "carried")
-    wrong = tuple(known for known in key.anticipated if known.number is not None)
+    wrong = tuple(WrongNumber(float(a.number.value), a.slip) for a in key.anticipated if a.number)
     unit = key.measure.unit
     return Number(key, key.exact / read_unit(unit).factor, float(key.measure.value), unit_text(unit), wrong)
 
 
-def choice(item: m.Item, desk: ExportDesk) -> Choice:
+def choice(key: m.ChoiceKey, item: m.Item, desk: ExportDesk) -> Choice:
     """One of the options as they are."""
-    if isinstance(item.key, m.ComparisonKey) and item.rubric:
+    if isinstance(key, m.ComparisonKey) and item.rubric:
         desk.lacks(item, "reason")
-    return Choice(item.key.options, item.key.right)
+    return Choice(key.options, key.right)
 
 
-def choice_of_lines(item: m.Item, desk: ExportDesk) -> Choice:
+def choice_of_lines(key: m.SlipKey, item: m.Item, desk: ExportDesk) -> Choice:
     """Which line is wrong."""
     desk.lacks(item, "correction")
-    numbered = enumerate(item.key.lines, start=1)
+    numbered = enumerate(key.lines, start=1)
     options = (m.Option((Text(f"{desk.word('line')} {place}: "), Math(line.statement))) for place, line in numbered)
-    return Choice(tuple(options), item.key.wrong)
+    return Choice(tuple(options), key.wrong)
 
 
-def formula_as_choice(item: m.Item, desk: ExportDesk) -> Choice | Essay:
+def formula_as_choice(key: m.FormulaKey, item: m.Item, desk: ExportDesk) -> Choice | Essay:
     """A formula among its known wrong ones, in an order that tells nothing: by their length, then by their text."""
-    key: m.FormulaKey = item.key
-    wrong = ((known.formula, known.slip) for known in key.anticipated if known.formula is not None)
-    pairs = sorted([(key.value, None), *wrong], key=lambda pair: (len(str(pair[0])), str(pair[0])))
+    pairs = sorted([(key.value, None), *m.wrong_formulas(key.anticipated)], key=lambda pair: (len(str(pair[0])), str(pair[0])))
     if len(pairs) < FEWEST:
         desk.lacks(item, "formula as text")
         return Essay(f"<p>{desk.formula(key.left)} = …</p>", f"<p>{desk.formula(key.value)}</p>")
@@ -147,22 +151,22 @@ def formula_as_choice(item: m.Item, desk: ExportDesk) -> Choice | Essay:
     return Choice(options, next(place for place, option in enumerate(options) if option.slip is None))
 
 
-def blanks_as_text(item: m.Item, desk: ExportDesk) -> Essay:
+def blanks_as_text(key: m.BlanksKey, item: m.Item, desk: ExportDesk) -> Essay:
     """All blanks in one field."""
     desk.lacks(item, "blanks")
-    right = (f"<p>{blank.number}: {desk.formula(blank.value)}</p>" for blank in item.key.blanks)
+    right = (f"<p>{blank.number}: {desk.formula(blank.value)}</p>" for blank in key.blanks)
     return Essay(sample="".join(right))
 
 
-def essay(item: m.Item, desk: ExportDesk) -> Essay:
+def essay(key: m.Key, item: m.Item, desk: ExportDesk) -> Essay:
     """An open question, without its answer."""
     desk.lacks(item, "rubric")
     return Essay()
 
 
-def essay_with_sample(item: m.Item, desk: ExportDesk) -> Essay:
+def essay_with_sample(key: m.ExplanationKey, item: m.Item, desk: ExportDesk) -> Essay:
     """An open question for a platform that shows a full answer to who marks it."""
-    return Essay(sample=desk.html(item.key.sample))
+    return Essay(sample=desk.html(key.sample))
 
 
 def rubric(item: m.Item, desk: ExportDesk) -> str:
@@ -171,11 +175,11 @@ def rubric(item: m.Item, desk: ExportDesk) -> str:
     return f"<ul>{rows}</ul>" if rows else ""
 
 
-def signs(item: m.Item, desk: ExportDesk) -> Fields:
+def signs(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> Fields:
     """A table with two drop-downs for each force."""
-    note_cancelling(item, desk)
+    note_cancelling(key, item, desk)
     fields, rows = [], ""
-    for place, row in enumerate(item.key.rows, start=1):
+    for place, row in enumerate(key.rows, start=1):
         own = [
             DropDown(f"{work}{place}", SIGNS, m.SIGNS.index(sign))
             for work, sign in (("T", row.translational), ("R", row.rotational))
@@ -190,9 +194,9 @@ def signs(item: m.Item, desk: ExportDesk) -> Fields:
 SIGNS = tuple(sign.replace("-", "−") for sign in m.SIGNS)
 
 
-def note_cancelling(item: m.Item, desk: ExportDesk) -> None:
+def note_cancelling(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> None:
     """No platform asks which works cancel."""
-    if any(row.cancels for row in item.key.rows):
+    if any(row.cancels for row in key.rows):
         desk.lacks(item, "cancelling")
 
 
@@ -201,9 +205,8 @@ def force_of(row: m.SignRow, desk: ExportDesk) -> str:
     return f"{desk.formula(row.force)} ({desk.inlines(row.label)})"
 
 
-def order_in_pairs(item: m.Item, desk: ExportDesk) -> Fields:
+def order_in_pairs(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> Fields:
     """An order asked pair by pair, since more than one order may be right."""
-    key: m.OrderKey = item.key
     desk.lacks(item, "pairs")
     words = tuple(desk.word(name) for name in ("before", "after", "either"))
     pairs = [*((pair, 0) for pair in nearest_pairs(key)), *((pair, 2) for pair in free_pairs(key))]
@@ -227,26 +230,28 @@ def line_of(piece: m.Piece, desk: ExportDesk) -> str:
 # --- for platforms that compare formulas
 
 
-def typed_formula(item: m.Item, desk: ExportDesk) -> TypedFormulas:
+def typed_formula(key: m.FormulaKey, item: m.Item, desk: ExportDesk) -> TypedFormulas:
     """One formula."""
-    key: m.FormulaKey = item.key
     if key.follows:
         desk.lacks(item, "carried")
-    return _formulas(item, desk, (TypedFormula(1, key.value, key.anticipated),), key.left)
+    return _formulas(key.names, item, desk, (TypedFormula(1, key.value, key.anticipated),), key.left)
 
 
-def typed_blanks(item: m.Item, desk: ExportDesk) -> TypedFormulas:
+def typed_blanks(key: m.BlanksKey, item: m.Item, desk: ExportDesk) -> TypedFormulas:
     """A formula for each blank."""
-    blanks = item.key.blanks
+    blanks = key.blanks
     whole = sum((blank.points for blank in blanks), Fraction(0)) or Fraction(1)
-    return _formulas(item, desk, tuple(TypedFormula(b.number, b.value, b.anticipated, b.points / whole) for b in blanks))
+    entries = (TypedFormula(b.number, b.value, b.anticipated, b.points / whole) for b in blanks)
+    return _formulas(key.names, item, desk, tuple(entries))
 
 
-def _formulas(item: m.Item, desk: ExportDesk, entries: tuple[TypedFormula, ...], left: t.Node | None = None) -> TypedFormulas:
+def _formulas(
+    names: Iterable[str], item: m.Item, desk: ExportDesk, entries: tuple[TypedFormula, ...], left: t.Node | None = None
+) -> TypedFormulas:
     if any(entry.anticipated for entry in entries):
         desk.lacks(item, "slips of formulas")
-    formulas = [e.value for e in entries] + [known.formula for e in entries for known in e.wrong]
-    used = set(item.key.names).union(*map(t.names, formulas)) - {"pi"}
+    formulas = [e.value for e in entries] + [formula for e in entries for formula, _ in e.wrong]
+    used = set(names).union(*map(t.names, formulas)) - {"pi"}
     return TypedFormulas(entries, exported_names(used, desk.worksheet.problems[item.asked.problem], RESERVED), left)
 
 
@@ -256,7 +261,7 @@ def legend(names: Mapping[str, str], desk: ExportDesk) -> str:
     return f"<p>{desk.word('type')} {', '.join(pairs)}</p>"
 
 
-KINDS: Mapping[type, Callable[[m.Item, ExportDesk], Any]] = {
+KINDS: Mapping[type, Asking] = {
     m.FormulaKey: formula_as_choice,
     m.NumberKey: number,
     m.ChoiceKey: choice,
@@ -271,4 +276,5 @@ KINDS: Mapping[type, Callable[[m.Item, ExportDesk], Any]] = {
 
 def asked_as(item: m.Item, desk: ExportDesk) -> Any:
     """How the platform asks an item."""
-    return (KINDS | desk.platform.kinds)[type(item.key)](item, desk)
+    kind = type(item.key)
+    return desk.platform.kinds.get(kind, KINDS[kind])(item.key, item, desk)

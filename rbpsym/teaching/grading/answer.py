@@ -67,9 +67,10 @@ def _linear(equation: t.Chain, name: str, ground: GradingGround) -> Scalar | Non
 def _on_key(answer: t.Chain, name: str, solved: Scalar, ground: GradingGround) -> Judgement:
     """Does the answer hold where the key does, and nowhere else?"""
     there = replace(ground, scope=ground.scope.with_scalars({name: solved}))
-    if are_equal(*answer.items, ground).is_proved:
+    left, right = answer.items
+    if are_equal(left, right, ground).is_proved:
         return j.wrong("identity")
-    verdict = are_equal(*answer.items, there)
+    verdict = are_equal(left, right, there)
     if verdict.is_refuted:
         return replace(j.wrong("other equation"), witness=verdict.witness)
     own = _linear(answer, name, ground)

@@ -40,13 +40,13 @@ _BETWEEN = r"[/,;&+|?]|\b(?:or|and|o|y|u|maybe|perhaps|quizás?)\b"
 _OTHER = re.compile(rf"(?:^|{_BETWEEN})\s*[(\[]?([A-Za-z]|\d{{1,3}})(?=[)\].:?\s]*(?:$|{_BETWEEN}))", re.IGNORECASE)
 
 
-def judge_choice(text: str, key: ChoiceKey | ComparisonKey) -> Judgement:
+def judge_choice(text: str, key: ChoiceKey) -> Judgement:
     """The judgement on a chosen option; words after its label go to the teacher."""
     if not text.strip():
         return j.EMPTY
     found = _FIRST.match(text)
     place = place_of(found[1], len(key.options)) if found else None
-    if place is None:
+    if found is None or place is None:
         return _unread("not an option", text=text[:40], options=labels(len(key.options)))
     rest = text[found.end() :].strip()
     others = {place_of(word[1], len(key.options)) for word in _OTHER.finditer(rest)}
@@ -60,7 +60,7 @@ def _unread(key: str, **slots: str) -> Judgement:
     return Judgement(Status.INVALID, remarks=(Remark(key, slots),))
 
 
-def _wrong_option(key: ChoiceKey | ComparisonKey, place: int) -> Judgement:
+def _wrong_option(key: ChoiceKey, place: int) -> Judgement:
     slip = key.options[place].slip
     return Judgement(Status.WRONG, remarks=j.slip_remarks(slip) if slip else (Remark("wrong option"),), slip=slip)
 
@@ -73,13 +73,12 @@ def judge_order(text: str, key: OrderKey) -> Judgement:
     parts = [part for part in re.split(r"[\s,;>→\-–]+", text[:LONGEST]) if part]
     if len(parts) == 1 and len(parts[0]) == count > 1:
         parts = list(parts[0])
-    order = tuple(place_of(part, count) for part in parts)
-    if sorted(place for place in order if place is not None) != list(range(count)) or len(order) != count:
+    order = tuple(place for part in parts if (place := place_of(part, count)) is not None)
+    if sorted(order) != list(range(count)) or len(parts) != count:
         return _unread("not an order", options=labels(count))
     if key.accepts(order):
         return j.RIGHT
-    place = {piece: at for at, piece in enumerate(order)}
-    kept = sum(place[before] < place[after] for before, after in key.before)
+    kept = sum(order.index(before) < order.index(after) for before, after in key.before)
     credit = max(Fraction(2 * kept, len(key.before)) - 1, Fraction(0))
     remark = Remark("wrong order", {"right": str(kept), "all": str(len(key.before))})
     return Judgement(Status.PARTLY if credit else Status.WRONG, credit, (remark,))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from typing import Any
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
@@ -87,9 +88,9 @@ def _marked(item: m.Item, case: Case) -> Mark:
     text = case.answers.get(item.id, "")
     text = "" if j.GIVES_UP.fullmatch(text) else text
     if isinstance(item.key, m.BlanksKey):
-        typed = blank_texts(text, item, case.answers)
+        typed = blank_texts(text, item.key, item.id, case.answers)
         text = text if text.strip() else "; ".join(typed[number] for number in sorted(typed)).strip("; ")
-    found = JUDGES[type(item.key)](text, item, case)
+    found = JUDGES[type(item.key)](text, item.key, item, case)
     case.judged[item.id] = found
     return Mark(item.id, text, found, found.credit * item.points, item.points)
 
@@ -107,25 +108,23 @@ def decided(mark: Mark, told: str) -> Mark:
 # --- one judge for each kind of key
 
 
-def _formula(text: str, item: m.Item, case: Case) -> Judgement:
-    key: m.FormulaKey = item.key
+def _formula(text: str, key: m.FormulaKey, item: m.Item, case: Case) -> Judgement:
     ground = case.ground(item, key.value, key.left)
     carried = tuple(own for follow in key.follows if (own := own_formula(follow, case)) is not None)
     found = judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
-    if found.status is Status.WRONG and found.slip is None and with_numbers_put_in(text, item, case):
+    if found.status is Status.WRONG and found.slip is None and with_numbers_put_in(text, key, item, case):
         return Judgement(Status.UNDECIDED, remarks=(Remark("numbers put in"),))
     return found
 
 
-def _number(text: str, item: m.Item, case: Case) -> Judgement:
-    key: m.NumberKey = item.key
+def _number(text: str, key: m.NumberKey, item: m.Item, case: Case) -> Judgement:
     carried = [own for follow in key.follows if (own := own_number(follow, key, case)) is not None]
     return judge_number(text, wanted(key, carried, case.desk.language))
 
 
-def _comparison(text: str, item: m.Item, case: Case) -> Judgement:
+def _comparison(text: str, key: m.ComparisonKey, item: m.Item, case: Case) -> Judgement:
     """The choice earns the first line of the rubric; the reasons are the teacher's to mark."""
-    found = judge_choice(text, item.key)
+    found = judge_choice(text, key)
     if not item.rubric or not item.points:
         return found
     share = min(item.rubric[0].points / item.points, Fraction(1))
@@ -133,14 +132,13 @@ def _comparison(text: str, item: m.Item, case: Case) -> Judgement:
     return replace(found, credit=found.credit * share, status=status)
 
 
-def _explanation(text: str, item: m.Item, case: Case) -> Judgement:
+def _explanation(text: str, key: m.ExplanationKey, item: m.Item, case: Case) -> Judgement:
     return Judgement(Status.OPEN, remarks=(Remark("open"),)) if text.strip() else j.EMPTY
 
 
-def _blanks(text: str, item: m.Item, case: Case) -> Judgement:
-    key: m.BlanksKey = item.key
-    typed = blank_texts(text, item, case.answers)
-    found = [_blank(typed.get(blank.number, ""), blank, item, case) for blank in key.blanks]
+def _blanks(text: str, key: m.BlanksKey, item: m.Item, case: Case) -> Judgement:
+    typed = blank_texts(text, key, item.id, case.answers)
+    found = [_blank(typed.get(blank.number, ""), blank, key.names, case.ground(item, blank.value)) for blank in key.blanks]
     if all(one.status is Status.EMPTY for one in found):
         return j.EMPTY
     whole = sum((blank.points for blank in key.blanks), Fraction(0))
@@ -157,42 +155,38 @@ def _blanks(text: str, item: m.Item, case: Case) -> Judgement:
     )
 
 
-def _blank(text: str, blank: m.Blank, item: m.Item, case: Case) -> Judgement:
-    ground = case.ground(item, blank.value)
-    return judge_formula(text, Sought(blank.value, ground, None, frozenset(item.key.names), blank.anticipated))
+def _blank(text: str, blank: m.Blank, names: tuple[str, ...], ground: GradingGround) -> Judgement:
+    return judge_formula(text, Sought(blank.value, ground, None, frozenset(names), blank.anticipated))
 
 
-def blank_texts(text: str, item: m.Item, answers: Answers) -> dict[int, str]:
+def blank_texts(text: str, key: m.BlanksKey, id: str, answers: Answers) -> dict[int, str]:
     """What stands in each blank: from columns “3.1”, “3.2”, or from one cell, separated by semicolons or lines."""
-    numbers = [blank.number for blank in item.key.blanks]
-    own = {number: answers[f"{item.id}.{number}"] for number in numbers if f"{item.id}.{number}" in answers}
+    numbers = [blank.number for blank in key.blanks]
+    own = {number: answers[f"{id}.{number}"] for number in numbers if f"{id}.{number}" in answers}
     if own:
         return own
     return dict(zip(numbers, re.split(r"[;\n]", text), strict=False))
 
 
-def _slip(text: str, item: m.Item, case: Case) -> Judgement:
-    key: m.SlipKey = item.key
+def _slip(text: str, key: m.SlipKey, item: m.Item, case: Case) -> Judgement:
     if not text.strip():
         return j.EMPTY
     found = re.match(
         r"\s*(?:line|línea|linea)?\s*[(\[]?([A-Za-z]|\d{1,3})[)\].:,]?(?:\s+|$|(?<=[:)\].,]))", text, re.IGNORECASE
     )
     place = place_of(found[1], len(key.lines)) if found else None
-    if place is None:
+    if found is None or place is None:
         options = f"1 – {len(key.lines)}"
         return Judgement(Status.INVALID, remarks=(Remark("not an option", {"text": text[:40], "options": options}),))
     if place != key.wrong:
         return j.wrong("wrong line")
     rest = text[found.end() :].strip()
-    return _correction(rest, item, case) if rest else j.RIGHT
+    return _correction(rest, key.corrected, case.ground(item, key.corrected)) if rest else j.RIGHT
 
 
-def _correction(text: str, item: m.Item, case: Case) -> Judgement:
+def _correction(text: str, corrected: t.Node, ground: GradingGround) -> Judgement:
     """The corrected formula beside the line: its last side is compared."""
-    corrected = item.key.corrected
     sides = corrected.items if isinstance(corrected, t.Chain) else (corrected,)
-    ground = case.ground(item, corrected)
     found = judge_formula(text, Sought(sides[-1], ground, sides[0] if len(sides) > 1 else None))
     if found.credit == 1 or _says_the_same(text, sides, ground):
         return j.RIGHT
@@ -212,13 +206,13 @@ def _says_the_same(text: str, sides: tuple[t.Node, ...], ground: GradingGround) 
     return all(any(are_equal(own, side, ground).is_proved for side in sides) for own in read.items)
 
 
-JUDGES: Mapping[type, Callable[[str, m.Item, Case], Judgement]] = {
+JUDGES: Mapping[type, Callable[[str, Any, m.Item, Case], Judgement]] = {
     m.FormulaKey: _formula,
     m.NumberKey: _number,
-    m.ChoiceKey: lambda text, item, case: judge_choice(text, item.key),
+    m.ChoiceKey: lambda text, key, item, case: judge_choice(text, key),
     m.ComparisonKey: _comparison,
-    m.OrderKey: lambda text, item, case: judge_order(text, item.key),
-    m.SignsKey: lambda text, item, case: judge_signs(text, item.key),
+    m.OrderKey: lambda text, key, item, case: judge_order(text, key),
+    m.SignsKey: lambda text, key, item, case: judge_signs(text, key),
     m.BlanksKey: _blanks,
     m.SlipKey: _slip,
     m.ExplanationKey: _explanation,

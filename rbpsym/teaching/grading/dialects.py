@@ -89,7 +89,8 @@ def based_logarithms(text: str, book: Book) -> str:
 
 def arguments_from(text: str, start: int) -> tuple[list[str], int] | None:
     """(arguments between commas, where the parenthesis ends); None if it never does."""
-    depth, parts, begin = 0, [], start
+    parts: list[str] = []
+    depth, begin = 0, start
     for place in range(start, len(text)):
         char = text[place]
         if char in ")]" and depth == 0:

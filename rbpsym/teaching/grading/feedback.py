@@ -133,7 +133,7 @@ def feedback_page(worksheet: Worksheet, marks: tuple[Mark, ...], student: str) -
         student=student,
         code=worksheet.code,
         words=words,
-        total=_points(sum(mark.points for mark in marks), worksheet),
+        total=_points(sum((mark.points for mark in marks), Fraction(0)), worksheet),
         most=_points(worksheet.points, worksheet),
         rows=[_row(mark, worksheet) for mark in marks],
     )

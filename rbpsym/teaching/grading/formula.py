@@ -95,7 +95,7 @@ def _fits(read: t.Node, sought: Sought) -> bool:
 def judge_tree(read: t.Node, sought: Sought) -> Judgement:
     """The judgement on an answer that was read."""
     answer = _right_side(read, sought)
-    found = _equation(read, sought) if answer is None else _judged(answer, sought)
+    found = _equation(read, sought) if answer is None and isinstance(read, t.Chain) else _judged(answer or read, sought)
     if found.status is Status.UNDECIDED and any(divides_by_zero(part, sought.ground) for part in _sides(read)):
         return Judgement(Status.INVALID, remarks=(Remark("zero division"),))
     if found.status is Status.RIGHT and isinstance(read, t.Chain):
@@ -187,11 +187,11 @@ def _unfinished(answer: t.Node, sought: Sought) -> Judgement | None:
     extra = sorted(t.names(answer) - sought.allowed - set(sought.ground.scope.scalars))
     if not extra or not sought.ground.has_motion or not is_small(answer):
         return None
-    pair = [_value(side, sought.ground) for side in (answer, sought.value)]
-    if None in pair:
+    own, key = _value(answer, sought.ground), _value(sought.value, sought.ground)
+    if own is None or key is None:
         return None
     for depth in (sought.ground.on_motion, sought.ground.along):
-        if _same(*(_tried(depth, value) for value in pair), sought.ground):
+        if _same(_tried(depth, own), _tried(depth, key), sought.ground):
             slots = {"names": tuple(t.Sym(name) for name in extra)}
             return Judgement(Status.UNFINISHED, j.HALF, (Remark("unfinished", slots),))
     return None

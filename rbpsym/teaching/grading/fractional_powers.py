@@ -62,7 +62,7 @@ class Roots(Frozen):
     def meanings(self, given: Assumptions) -> dict[str, Scalar]:
         """What the positive symbols under roots are: x = u³."""
         plain = (base for base in self.orders if _is_positive_symbol(base, given))
-        return {base.name: symbol(self.names[base]) ** self.orders[base] for base in plain}
+        return {name: symbol(self.names[base]) ** self.orders[base] for base in plain for name in t.names(base)}
 
     def reduced(self, value: Scalar, scope: Scope, given: Assumptions) -> Scalar:
         """A polynomial in which no root stands to its order or more."""
@@ -74,7 +74,7 @@ class Roots(Frozen):
 
 def equal_with_roots(answer: t.Node, key: t.Node, assumptions: Assumptions, scope: Scope) -> Verdict | None:
     """PROVED or UNDECIDED for formulas with cube roots and the like; None for formulas without."""
-    if not any(_is_root(part) for side in (answer, key) for part in t.walk(side)):
+    if not any(_root_of(part) for side in (answer, key) for part in t.walk(side)):
         return None
     for factors in (assumptions, NONE):  # positive factors taken out, then radicands as they stand
         found = _decided(answer, key, Roots(factors, scope=scope), assumptions)
@@ -101,15 +101,16 @@ def _reduced(value: Scalar, name: str, order: int, base: Scalar) -> Scalar:
     return sum((Scalar(part) * base ** (k // order) * symbol(name) ** (k % order) for k, part in parts), NOTHING)
 
 
-def _is_root(node: t.Node) -> bool:
+def _root_of(node: t.Node) -> Power | None:
+    """What is under a root of higher order, and the exponent."""
     exponent = number_of(node.exponent) if isinstance(node, t.Pow) else None
-    return exponent is not None and exponent.denominator > 2
+    return (node.base, exponent) if isinstance(node, t.Pow) and exponent is not None and exponent.denominator > 2 else None
 
 
 def _powers(node: t.Node, given: Assumptions) -> Iterator[Power]:
     """The factors of a root of higher order, each with its exponent; nothing for any other node."""
-    if _is_root(node):
-        yield from _split(node.base, number_of(node.exponent), given)
+    if root := _root_of(node):
+        yield from _split(*root, given)
 
 
 def _split(base: t.Node, exponent: Fraction, given: Assumptions) -> Iterator[Power]:
@@ -118,16 +119,22 @@ def _split(base: t.Node, exponent: Fraction, given: Assumptions) -> Iterator[Pow
     elif isinstance(base, t.Num) and 0 < base.value < LARGEST_NUMBER:
         yield from ((t.Num(prime), exponent * count) for prime, count in primes(Fraction(base.value)).items())
     elif isinstance(base, (t.Mul, t.Div, t.Pow, t.Sqrt)) and _is_positive(base, given):
-        parts = {
-            t.Mul: lambda: [(factor, exponent) for factor in base.factors],
-            t.Div: lambda: [(base.num, exponent), (base.den, -exponent)],
-            t.Pow: lambda: [(base.base, exponent * number_of(base.exponent))],
-            t.Sqrt: lambda: [(base.arg, exponent / 2)],
-        }[type(base)]()
-        for part, power in parts:
+        for part, power in _taken_apart(base, exponent):
             yield from _split(part, power, given)
     else:
         yield base, exponent
+
+
+def _taken_apart(base: t.Node, exponent: Fraction) -> list[Power]:
+    match base:
+        case t.Mul(factors=factors):
+            return [(factor, exponent) for factor in factors]
+        case t.Div(num=num, den=den):
+            return [(num, exponent), (den, -exponent)]
+        case t.Pow(base=inner, exponent=power):
+            return [(inner, exponent * (number_of(power) or 1))]
+        case _:
+            return [(child, exponent / 2) for child in t.children(base)]  # of a root
 
 
 def _is_positive(node: t.Node, given: Assumptions) -> bool:

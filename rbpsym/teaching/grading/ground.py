@@ -34,8 +34,8 @@ class Book(Frozen):
     """
 
     names: frozenset[str]
-    typed: Mapping[str, str] = field(default_factory=dict)
-    table: SymbolTable | None = None
+    typed: Mapping[str, str]
+    table: SymbolTable
     language: str = "en"
 
     def named(self, word: str) -> str | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import reduce
+from functools import partial, reduce
 from operator import add
 from typing import Any
 
@@ -38,16 +38,16 @@ class Sampling(Frozen):
     def differ(self, left: Node, right: Node, most: int = MOST_POINTS) -> Verdict:
         """REFUTED with a point at which the sides differ, else UNDECIDED."""
         for point in self._points(left, right)[:most]:
-            sides = self._at(left, point), self._at(right, point)
-            if None not in sides and e.are_disjoint(*sides):
+            sides = self._both(left, right, point)
+            if sides and e.are_disjoint(*sides):
                 return refuted("the sides differ at a point", _witness(point, *sides))
         return undecided("neither a proof nor a point at which the sides differ was found")
 
     def ratio(self, left: Node, right: Node) -> Fraction | None:
         """The ratio of the sides at one point, if it is a short fraction other than 0 and 1."""
         for point in self._points(left, right)[:1]:
-            sides = self._at(left, point), self._at(right, point)
-            if None in sides or not all(e.sign_of(side) for side in sides):
+            sides = self._both(left, right, point)
+            if not sides or not all(e.sign_of(side) for side in sides):
                 return None
             low, high = e.ends(sides[0] * e.reciprocal(sides[1]))
             near = Fraction(low).limit_denominator(MOST_DENOMINATOR)
@@ -57,11 +57,17 @@ class Sampling(Frozen):
 
     def are_near(self, left: Node, right: Node, share: Fraction) -> bool:
         """Do the sides differ by at most this share of the right one, at all points?"""
-        sides = [(self._at(left, point), self._at(right, point)) for point in self._points(left, right)]
-        if not sides or not all(None not in pair and e.sign_of(pair[1]) for pair in sides):
+        pairs = [self._both(left, right, point) for point in self._points(left, right)]
+        told = [pair for pair in pairs if pair and e.sign_of(pair[1])]
+        if not told or len(told) < len(pairs):
             return False
-        ratios = [end for one, other in sides for end in e.ends(one * e.reciprocal(other))]
+        ratios = [end for one, other in told for end in e.ends(one * e.reciprocal(other))]
         return all(abs(ratio - 1) <= share for ratio in ratios)
+
+    def _both(self, left: Node, right: Node, point: Point) -> tuple[Number, Number] | None:
+        """The values of the sides at a point, where both have one."""
+        sides = self._at(left, point), self._at(right, point)
+        return None if sides[0] is None or sides[1] is None else (sides[0], sides[1])
 
     def _points(self, left: Node, right: Node) -> list[Point]:
         names = frozenset((t.names(left) | t.names(right)) - {"pi"})
@@ -127,7 +133,9 @@ def _power(node: t.Pow, point: Point, scope: Scope) -> Number:
     if exponent is None:
         raise Outside("no rule")
     if exponent.denominator == 1:
-        raised = reduce(lambda power, _: _short(power * base), range(abs(exponent.numerator)), Fraction(1))
+        raised: Number = Fraction(1)
+        for _ in range(abs(exponent.numerator)):
+            raised = _short(raised * base)
         return raised if exponent >= 0 else e.reciprocal(raised)
     if exponent.denominator == 2:
         return enclosed(t.Pow(t.Sqrt(node.base), t.Num(exponent.numerator)), point, scope)
@@ -156,14 +164,18 @@ def _symbol(node: t.Sym, point: Point, scope: Scope) -> Number:
 
 
 def _function(node: t.Fn, point: Point, scope: Scope) -> Number:
-    turned = isinstance(node.arg, t.Sym) and point.parts.get(node.arg.name) == 1
-    if turned and node.name in TURNS and node.arg.name not in scope.scalars:
-        return TURNS[node.name](*point.angles[node.arg.name])
+    angle = node.arg.name if isinstance(node.arg, t.Sym) else ""
+    if point.parts.get(angle) == 1 and node.name in TURNS and angle not in scope.scalars:
+        return TURNS[node.name](*point.angles[angle])
     return FUNCTIONS[node.name](enclosed(node.arg, point, scope))
 
 
 def _over(above: Number, below: Number) -> Number:
     return above * e.reciprocal(below)
+
+
+def _turned(turn: Callable[[Number, Number], Number], angle: Number) -> Number:
+    return turn(*e.turn_of(angle))
 
 
 TURNS: Mapping[str, Callable[[Number, Number], Number]] = {
@@ -175,7 +187,7 @@ TURNS: Mapping[str, Callable[[Number, Number], Number]] = {
     "csc": lambda c, s: e.reciprocal(s),
 }
 FUNCTIONS: Mapping[str, Callable[[Number], Number]] = {
-    **{name: lambda x, turn=turn: turn(*e.turn_of(x)) for name, turn in TURNS.items()},
+    **{name: partial(_turned, turn) for name, turn in TURNS.items()},
     "exp": lambda x: e.exp(_bounded(x)),
     "ln": e.ln,
     "asin": e.asin,

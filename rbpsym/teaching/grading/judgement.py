@@ -82,9 +82,9 @@ def wrong(key: str = "wrong", **slots: Any) -> Judgement:
     return Judgement(Status.WRONG, remarks=(Remark(key, slots),))
 
 
-def invalid(error: Exception) -> Judgement:
+def invalid(error: Exception | None) -> Judgement:
     """An answer that can't be read, with the sentence that says why, and the place under a caret."""
-    slots = {"why": str(error), "shown": ""}
+    slots: dict[str, object] = {"why": str(error), "shown": ""}
     if isinstance(error, RbpsymError):
         why = " ".join(filter(None, (sentence(error.what), error.instead)))
         slots = {"why": why, "shown": _shown(error), "error": error}

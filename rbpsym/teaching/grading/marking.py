@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
+from fractions import Fraction
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
@@ -225,7 +227,7 @@ def _told(order: GradingOrder, row: AnswerRow, sheet: Worksheet, marks: tuple[Ma
     return {
         "student": row.student,
         "code": sheet.code,
-        "total": number_text(sum(mark.points for mark in marks)),
+        "total": number_text(sum((mark.points for mark in marks), Fraction(0))),
         "most": number_text(sheet.points),
         "items": [[mark.item, number_text(mark.points), remarks_text(mark, sheet)] for mark in marks],
         "teacher": [mark.item for mark in marks if mark.judgement.is_for_teacher],
@@ -235,7 +237,7 @@ def _told(order: GradingOrder, row: AnswerRow, sheet: Worksheet, marks: tuple[Ma
     }
 
 
-def _graded(found: list[dict], table: AnswerTable, listed: ClassList) -> Graded:
+def _graded(found: list[dict[str, Any]], table: AnswerTable, listed: ClassList) -> Graded:
     whole = [one for one in found if "error" not in one]
     items = list(dict.fromkeys(item for one in whole for item, _, _ in one["items"]))
     header = ["student", "code", "total", "of", "teacher", *(c for item in items for c in (item, f"{item} remarks"))]
@@ -259,7 +261,7 @@ def _graded(found: list[dict], table: AnswerTable, listed: ClassList) -> Graded:
     )
 
 
-def _row(one: dict, items: list[str]) -> list[str]:
+def _row(one: dict[str, Any], items: list[str]) -> list[str]:
     if "error" in one:
         return [one["student"], one["code"], "", "", "all", *([""] * (2 * len(items) - 1)), one["error"]][
             : 5 + 2 * len(items)

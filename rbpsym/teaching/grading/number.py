@@ -166,9 +166,9 @@ def _missed(meant: Typed, unit: Remark | None, sought: Wanted) -> Judgement:
     remarks = (*told, *((unit,) if unit else ()))
     seen = Fraction(known is not None and known.key != "too few figures")
     figures = Fraction(_figures_remark(meant, sought.tolerance) is None)
-    found = _marked(Status.WRONG, Fraction(0), seen * (unit is None), seen * figures, sought, *remarks)
+    judged = _marked(Status.WRONG, Fraction(0), seen * (unit is None), seen * figures, sought, *remarks)
     slip = known.slots.get("slip") if known else None
-    return replace(found, status=Status.PARTLY if found.credit else Status.WRONG, slip=slip)
+    return replace(judged, status=Status.PARTLY if judged.credit else Status.WRONG, slip=slip)
 
 
 Look = Callable[[Typed, Wanted], Remark | None]

@@ -21,7 +21,7 @@ from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.quantity import read_quantity
 from rbpsym.teaching.grading.reading import read_all, read_formula
-from rbpsym.teaching.model import BlanksKey, FollowOn, Item, NumberKey
+from rbpsym.teaching.model import BlanksKey, FollowOn, FormulaKey, Item, NumberKey
 
 if TYPE_CHECKING:
     from rbpsym.teaching.grading.desk import Case
@@ -35,10 +35,9 @@ def own_formula(follow: FollowOn, case: Case) -> t.Node | None:
     sources = _sources(follow)
     if not _is_any_wrong(sources, case):
         return None
-    own = {name: _own_tree(item, blank, name, case) for item, name, blank in sources}
-    if any(tree is None or set(own) & t.names(tree) for tree in own.values()):
-        return None
-    return replaced(follow.formula, own)
+    found = {name: _own_tree(item, blank, name, case) for item, name, blank in sources}
+    own = {name: tree for name, tree in found.items() if tree is not None and not found.keys() & t.names(tree)}
+    return replaced(follow.formula, own) if len(own) == len(found) else None
 
 
 def own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
@@ -48,8 +47,9 @@ def own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
     try:
         if not _is_any_wrong(sources, case):
             return None
-        own = {name: _own_value(item, blank, name, given, case) for item, name, blank in sources}
-        if not all(own.values()):
+        found = {name: _own_value(item, blank, name, given, case) for item, name, blank in sources}
+        own = {name: value for name, value in found.items() if value}
+        if len(own) < len(found):
             return None
         problem = case.problem(_item(follow.item, case))
         return number(scalar(follow.formula, case.desk.ground(problem).scope), {**given, **own})
@@ -57,19 +57,19 @@ def own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
         return None
 
 
-def with_numbers_put_in(text: str, item: Item, case: Case) -> bool:
+def with_numbers_put_in(text: str, key: FormulaKey, item: Item, case: Case) -> bool:
     """Does an answer without some of the symbols agree with the key at the numbers of the paper, as far as numbers tell?"""
-    ground, given = case.ground(item, item.key.value), case.worksheet.part_of(item.id).given
+    ground, given = case.ground(item, key.value), case.worksheet.part_of(item.id).given
     numbers = {name: float(m.value) * read_unit(m.unit).factor for name, m in given.items()}
     for tree in _read(text, ground):
         try:
-            own, key = scalar(tree, ground.scope), scalar(item.key.value, ground.scope)
-            free = sorted((t.names(tree) | t.names(item.key.value)) - numbers.keys())
+            own, right = scalar(tree, ground.scope), scalar(key.value, ground.scope)
+            free = sorted((t.names(tree) | t.names(key.value)) - numbers.keys())
             states = [{**numbers, **{name: 0.3 + 0.17 * (k + n) for n, name in enumerate(free)}} for k in range(3)]
-            pairs = [(number(own, state), number(key, state)) for state in states]
+            pairs = [(number(own, state), number(right, state)) for state in states]
         except (RbpsymError, ZeroDivisionError):
             continue
-        if t.names(tree) - {"pi"} < t.names(item.key.value) and all(abs(a - b) <= ROUNDED * abs(b) for a, b in pairs):
+        if t.names(tree) - {"pi"} < t.names(key.value) and all(abs(a - b) <= ROUNDED * abs(b) for a, b in pairs):
             return True
     return False
 
@@ -83,10 +83,8 @@ def _sources(follow: FollowOn) -> tuple[Source, ...]:
 
 def _is_any_wrong(sources: tuple[Source, ...], case: Case) -> bool:
     """Is each of the earlier answers valid, and one of them wrong?"""
-    found = [case.judged.get(item) for item, _, _ in sources]
-    if any(judged is None or judged.status in NOT_VALID for judged in found):
-        return False
-    return any(judged.status is not Status.RIGHT for judged in found)
+    found = {case.judged[item].status if item in case.judged else Status.EMPTY for item, _, _ in sources}
+    return not found & NOT_VALID and found != {Status.RIGHT}
 
 
 def _item(id: str, case: Case) -> Item:
@@ -97,7 +95,7 @@ def _own_text(item: Item, blank: int, case: Case) -> str:
     from rbpsym.teaching.grading.desk import blank_texts
 
     text = case.answers.get(item.id, "")
-    return blank_texts(text, item, case.answers).get(blank or 1, "") if isinstance(item.key, BlanksKey) else text
+    return blank_texts(text, item.key, item.id, case.answers).get(blank or 1, "") if isinstance(item.key, BlanksKey) else text
 
 
 def _own_tree(id: str, blank: int, name: str, case: Case) -> t.Node | None:
@@ -119,10 +117,11 @@ def replaced(node: t.Node, by: Mapping[str, t.Node]) -> t.Node:
     """The tree with symbols replaced, all at once; of the root of a square (θ̇ from θ̇²) an even power has no root."""
     if isinstance(node, t.Sym):
         return t.Group(by[node.name]) if node.name in by else node
-    if isinstance(node, t.Pow) and isinstance(node.base, t.Sym) and isinstance(by.get(node.base.name), t.Sqrt):
+    root = by.get(node.base.name) if isinstance(node, t.Pow) and isinstance(node.base, t.Sym) else None
+    if isinstance(node, t.Pow) and isinstance(root, t.Sqrt):
         power = number_of(node.exponent)
         if power is not None and power % 2 == 0:
-            return t.Pow(t.Group(by[node.base.name].arg), t.Num(int(power) // 2))
+            return t.Pow(t.Group(root.arg), t.Num(int(power) // 2))
     return t.mapped(node, lambda part: replaced(part, by))
 
 

@@ -148,16 +148,16 @@ def with_integral(text: str, book: Book, read: Callable[[str, Book], t.Node]) ->
 
     Raises ReadError for one without limits, or over what is no quantity of the problem.
     """
-    call, sign = _CALL.search(text), _SIGN.search(text)
+    call = _CALL.search(text)
     if call is None and "∫" not in text:
         return None
-    parts, end = _of_call(text, call) if call else _of_sign(sign)
-    if len(parts) != 4 or (variable := lookup(parts[1].strip(), book)) is None:
+    found = call or _SIGN.search(text)
+    parts, end = _of_call(text, call) if call else _of_sign(found)
+    if found is None or len(parts) != 4 or (variable := lookup(parts[1].strip(), book)) is None:
         raise ReadError("this integral can't be read", instead="Write Integral(f, theta, a, b): of f, from a to b.")
     integrand, lower, upper = (read(parts[k], book) for k in (0, 2, 3))
     whole = t.Integral(integrand, variable, lower, upper)
-    begin = (call or sign).start()
-    rest = read(f"{text[:begin]} {HELD} {text[end:]}", replace(book, names=book.names | {HELD}))
+    rest = read(f"{text[: found.start()]} {HELD} {text[end:]}", replace(book, names=book.names | {HELD}))
     return _filled(rest, whole)
 
 

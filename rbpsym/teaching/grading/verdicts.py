@@ -16,6 +16,7 @@ from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.tree import Node
+from rbpsym.field import Scalar
 from rbpsym.field.evaluate import at_start, rate, scalar
 from rbpsym.teaching.grading.fractional_powers import equal_with_roots
 from rbpsym.teaching.grading.ground import GradingGround
@@ -127,11 +128,14 @@ def _equal_along(answer: Node, key: Node, ground: GradingGround) -> Verdict:
     moved = {name: ground.on_motion(scalar(t.Sym(name), scope)) for name in t.names(answer) | t.names(key)}
     on_motion = scope.with_scalars({**scope.scalars, **moved})
 
+    def both(of: Callable[[Node], Scalar]) -> tuple[Scalar, Scalar]:
+        return of(answer), of(key)
+
     def decided() -> Verdict:
-        grown = scalars_equal(*(ground.along(rate(side, on_motion)) for side in (answer, key)), assumptions)
+        grown = scalars_equal(*both(lambda side: ground.along(rate(side, on_motion))), assumptions)
         if not grown.is_proved:
             return grown
-        return scalars_equal(*(at_start(ground.on_motion(scalar(side, scope)), scope) for side in (answer, key)), assumptions)
+        return scalars_equal(*both(lambda side: at_start(ground.on_motion(scalar(side, scope)), scope)), assumptions)
 
     return _tried(decided)
 
@@ -154,8 +158,9 @@ def _tried(decide: Callable[[], Verdict]) -> Verdict:
 def _open_powers(node: Node, ground: GradingGround) -> set[Node]:
     """The powers x^a, read as exp(a ln x), whose base may be negative: (x^2)^a is then not x^(2a)."""
     calls = (part.arg for part in t.walk(node) if isinstance(part, t.Fn) and part.name == "exp")
-    raised = [part for part in calls if isinstance(part, t.Mul) and isinstance(part.factors[-1], t.Fn)]
-    return {p for p in raised if p.factors[-1].name == "ln" and not _is_positive(p.factors[-1].arg, ground)}
+    raised = [(part, part.factors[-1]) for part in calls if isinstance(part, t.Mul)]
+    logs = [(part, last.arg) for part, last in raised if isinstance(last, t.Fn) and last.name == "ln"]
+    return {part for part, base in logs if not _is_positive(base, ground)}
 
 
 def _is_positive(base: Node, ground: GradingGround) -> bool:

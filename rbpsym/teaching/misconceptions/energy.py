@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, ORIGIN, Scalar, is_zero, short, symbol
+from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, is_zero, short, symbol
 from rbpsym.mechanics.motion import ForceWork, Work, along_motion
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import BodyRef
@@ -16,7 +16,6 @@ from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site, Sites, of_bodies
-from rbpsym.teaching.targets import axes
 
 KINETIC = ENERGY | {"kinetic"}
 SUMS = frozenset({"momentum", "kinetic"})
@@ -159,13 +158,13 @@ def _sine_for_cosine(study: Study) -> Changes:
 
 def _speed_of_end(study: Study) -> Iterator[Site]:
     """The speed of the far end taken for that of the centre of mass."""
-    for name in axes(study):
-        state, arm = study.system.bodies[name], change.arm_of(study, name)
+    for name, arm in change.arms(study).items():
+        state = study.system.bodies[name]
         velocity = state.velocity + arm.turned() * state.omega
         yield Site({"body": BodyRef(name)}, partial(_with_velocity, study, name, velocity))
 
 
-def _with_velocity(study: Study, name: str, velocity) -> Study:
+def _with_velocity(study: Study, name: str, velocity: Vector) -> Study:
     """Another velocity in momenta and energies, and in the speed that follows from the energy."""
     wrong = change.with_kinematics(study, change.with_body(study, name, velocity=velocity))
     del wrong.__dict__["squares"]
@@ -190,11 +189,16 @@ def _works(wrong: Callable[[Study, ForceWork], Halves]) -> Sites:
     def sites(study: Study) -> Iterator[Site]:
         for item in study.works:
             if values := wrong(study, item):
-                halves = {half: Work(getattr(item, half).parts, value) for half, value in values.items()}
-                turned = partial(_replaced, item, replace(item, **halves))
+                turned = partial(_replaced, item, _with_halves(item, values))
                 yield Site({"force": t.Vec(item.force), "body": BodyRef(item.on)}, partial(_with_works, study, turned))
 
     return sites
+
+
+def _with_halves(item: ForceWork, values: Halves) -> ForceWork:
+    """The works of a force with other values of one half or both."""
+    parts: dict[str, Any] = {half: Work(getattr(item, half).parts, value) for half, value in values.items()}
+    return replace(item, **parts)
 
 
 def _replaced(old: ForceWork, new: ForceWork, item: ForceWork) -> ForceWork:
@@ -210,8 +214,8 @@ def _always_cancel(study: Study, item: ForceWork) -> Halves:
 def _never_cancel(study: Study, item: ForceWork) -> Halves:
     """Both works of a force of contact with the same sign: they would add up instead of cancelling."""
     work = item.rotational
-    turns = study.dynamics.workless.get(item.force) and work.parts and work.value is not None
-    return {"rotational": -work.value} if turns else {}
+    turns = study.dynamics.workless.get(item.force) and work.parts
+    return {"rotational": -work.value} if turns and work.value is not None else {}
 
 
 def _opposite(study: Study, item: ForceWork) -> Halves:
@@ -245,14 +249,13 @@ def _all_in(half: str) -> Sites:
 
 
 def _joined(half: str, item: ForceWork) -> ForceWork:
-    values = (item.translational.value, item.rotational.value)
-    return item if None in values else replace(item, **{half: Work(getattr(item, half).parts, sum(values, NOTHING))})
+    first, second = item.translational.value, item.rotational.value
+    return item if first is None or second is None else _with_halves(item, {half: first + second})
 
 
 def _torque_about_axis(study: Study) -> Iterator[Site]:
     """The torque about the fixed axis, instead of the centre of mass, in the rotational work."""
-    for name in axes(study):
-        arm = change.arm_of(study, name)
+    for name, arm in change.arms(study).items():
         forces = tuple(
             replace(f, couple=f.couple + arm.cross(f.vector)) if f.on == name else f for f in study.system.forces
         )

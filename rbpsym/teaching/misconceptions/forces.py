@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from math import prod
+from typing import Any
 
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, depends_on, is_zero, substitute
+from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, depends_on, is_zero, short, substitute
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.dynamics import newton_euler_rows
-from rbpsym.mechanics.elimination import short, solve_linear
+from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
@@ -104,26 +105,37 @@ def slope_under(study: Study, body: str) -> Vector | None:
     return None
 
 
+def _slope(study: Study, force: Force) -> Vector | None:
+    return slope_under(study, force.on)
+
+
+def _lever(study: Study, force: Force) -> Vector | None:
+    return change.arms(study).get(force.on)
+
+
 def _leaning(study: Study, force: Force) -> Vector | None:
     """The lever arm from a fixed axis, else the slope."""
-    return change.arm_of(study, force.on) or slope_under(study, force.on)
+    return _lever(study, force) or _slope(study, force)
 
 
-def _weights_with(direction: Callable[[Study, Force], Vector | None]) -> Callable[[Study], list[Force]]:
-    return lambda study: [force for force in weights(study) if direction(study, force) is not None]
+def _weights_along(
+    direction: Callable[[Study, Force], Vector | None], wrong: Callable[[Study, Force, Vector], Force]
+) -> tuple[change.Pick, change.Wrong]:
+    """The weights of bodies that have such a direction, and what becomes of them."""
 
+    def changed(study: Study, force: Force) -> Force | None:
+        along = direction(study, force)
+        return None if along is None else wrong(study, force, along)
 
-_on_slope = _weights_with(lambda study, force: slope_under(study, force.on))
-_on_axis = _weights_with(lambda study, force: change.arm_of(study, force.on))
+    return lambda study: [force for force in weights(study) if direction(study, force) is not None], changed
 
 
 def _with_couple(force: Force, more: Scalar) -> Force:
     return replace(force, couple=force.couple + more)
 
 
-def _mirrored(study: Study, force: Force) -> Force:
+def _mirrored(study: Study, force: Force, along: Vector) -> Force:
     """The vector with its components along and across a direction exchanged, their signs kept: sine for cosine."""
-    along = _leaning(study, force)
     square, across = short(along.dot(along)), along.turned()
     first, second = along.dot(force.vector), across.dot(force.vector)
     way = prod(change.sign_of(study, value) or 1 for value in (first, second))
@@ -138,17 +150,15 @@ def _sine_in_arm(study: Study, force: Force) -> Force:
     return _with_couple(force, wrong * prod(ways) - right)
 
 
-def _at_other_end(study: Study, force: Force) -> Force:
-    return replace(force, point=study.system.bodies[force.on].center + change.arm_of(study, force.on))
+def _at_other_end(study: Study, force: Force, arm: Vector) -> Force:
+    return replace(force, point=study.system.bodies[force.on].center + arm)
 
 
-def _whole_along(study: Study, force: Force) -> Force:
-    along = slope_under(study, force.on)
+def _whole_along(study: Study, force: Force, along: Vector) -> Force:
     return replace(force, vector=along * (force.vector.y * -(change.sign_of(study, along.dot(force.vector)) or 1)))
 
 
-def _whole_across(study: Study, force: Force) -> Force:
-    along = slope_under(study, force.on)
+def _whole_across(study: Study, force: Force, along: Vector) -> Force:
     across = along.turned()
     way = change.sign_of(study, across.dot(force.vector)) or 1
     return replace(force, vector=along * along.dot(force.vector) + across * (force.vector.y * -way))
@@ -169,7 +179,7 @@ def _as_at_rest(study: Study) -> Iterator[Site]:
 
 def _resting(study: Study) -> Study:
     """ΣF = 0 for every body, the torques left aside."""
-    still = {"acceleration": ORIGIN, "alpha": NOTHING, "velocity": ORIGIN}
+    still: dict[str, Any] = {"acceleration": ORIGIN, "alpha": NOTHING, "velocity": ORIGIN}
     system = replace(study.system, bodies={name: replace(state, **still) for name, state in study.system.bodies.items()})
     rows = [value for _, axis, value in newton_euler_rows(system) if axis != "rotation"]
     found = solve_linear(rows, system.unknowns, keep_free=True).values
@@ -228,7 +238,9 @@ def _inertia_of_others(study: Study) -> Iterator[Site]:
             yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, mass=NOTHING))
 
 
-def _changed(name: str, pick, wrong, about: frozenset[str], tells: frozenset[str] | None = None, **how: object) -> Misconception:
+def _changed(
+    name: str, pick: change.Pick, wrong: change.Wrong, about: frozenset[str], tells: frozenset[str] | None = None, **how: Any
+) -> Misconception:
     return Misconception(name, of_forces(pick, wrong, **how), about, tells)
 
 
@@ -236,10 +248,10 @@ MISCONCEPTIONS = (
     Misconception("force-sign", _force_sign, MOTION, NO_FORCES),
     _changed("torque-sign", _turning_contacts, lambda s, f: _with_couple(f, -2 * _turning(s, f)), MOTION, WELL, drawn=t.Sym),
     # the weight of a body that turns about its end at its other end: the whole length for the half
-    _changed("whole-length-for-lever-arm", _on_axis, _at_other_end, MOTION, WELL),
+    _changed("whole-length-for-lever-arm", *_weights_along(_lever, _at_other_end), MOTION, WELL),
     _changed("weight-at-middle-of-shape", _off_middle,
              lambda s, f: replace(f, point=s.system.bodies[f.on].pose.origin), MOTION, WELL),
-    _changed("sine-for-cosine", _weights_with(_leaning), _mirrored, MOTION),
+    _changed("sine-for-cosine", *_weights_along(_leaning, _mirrored), MOTION),
     _changed("sine-for-cosine-in-lever-arm", _slanting_contacts, _sine_in_arm, MOTION, WELL, drawn=t.Sym),
     Misconception("forces-as-at-rest", _as_at_rest, FORCES, WELL),
     Misconception("f-is-ma-at-contact-point", _at_the_contact, FORCES),
@@ -251,8 +263,8 @@ MISCONCEPTIONS = (
     _changed("force-acts-at-center", _off_center, lambda s, f: _with_couple(f, -_turning(s, f)), MOTION),
     _changed("weight-sign", _falling, _opposite, DRIVEN, NO_FORCES),
     _changed("weight-left-out", lambda s: _falling(s) if len(s.system.bodies) > 1 else [], lambda s, f: None, MOTION, NO_FORCES),
-    _changed("whole-weight-along-slope", _on_slope, _whole_along, DRIVEN | {"friction"}),
-    _changed("normal-force-is-weight", _on_slope, _whole_across, MOTION),
+    _changed("whole-weight-along-slope", *_weights_along(_slope, _whole_along), DRIVEN | {"friction"}),
+    _changed("normal-force-is-weight", *_weights_along(_slope, _whole_across), MOTION),
     _changed("one-of-two-parts-of-string", _strings_with_two_parts, lambda s, f: replace(f, vector=f.vector * HALF), MOTION),
     _changed("action-along-reaction", _reactions, _opposite, MOTION),
     _changed("third-law-forgotten", _reactions, lambda s, f: None, MOTION),

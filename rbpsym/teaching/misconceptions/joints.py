@@ -14,7 +14,7 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
 from rbpsym.proof.step import BodyRef
-from rbpsym.statement.model import Element
+from rbpsym.statement.model import Body, Element
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.energy import with_energy
 from rbpsym.teaching.misconceptions.model import (
@@ -52,9 +52,9 @@ def _free_as_welded(study: Study) -> Iterator[Site]:
 
 def _welded(study: Study, element: Element, body: str) -> Study:
     """The statement with a weld for the bearing; what told the body's own angle goes."""
-    own = t.names(study.problem.body(body).angle)
+    own = study.problem.body(body).angle
     used = {n for b in study.problem.bodies if b.name != body for n in _names(b)}
-    gone = {c.name for c in study.problem.coordinates if c.name in own - used}
+    gone = (t.names(own) if own else set()) - used
     weld = Element(
         element.name, "weld", {**element.values, "angle": None, "couple": f"tau_{element.name}"}, element.place
     )
@@ -67,7 +67,7 @@ def _welded(study: Study, element: Element, body: str) -> Study:
     return Study(problem)
 
 
-def _names(body) -> set[str]:
+def _names(body: Body) -> set[str]:
     nodes = [body.angle, *(body.placed[1] if body.placed else ())]
     return {name for node in nodes if node is not None for name in t.names(node)}
 
@@ -151,9 +151,10 @@ def _static_friction_drains(study: Study) -> Iterator[Site]:
     """The work of static friction on the centre of mass is counted as lost."""
     energy, known = study.first_integral, study.reactions_along_motion or {}
     for element in _rolling(study):
-        own = [w for w in study.works if w.force == element["friction"] and w.translational.value is not None]
+        works = (w.translational.value for w in study.works if w.force == element["friction"])
+        own = [value for value in works if value is not None]
         if energy is not None and len(own) == 1 and element["friction"] in known:
-            yield Site(_slots(element), partial(with_energy, study, energy - own[0].translational.value))
+            yield Site(_slots(element), partial(with_energy, study, energy - own[0]))
 
 
 def _friction_is_mu_n(study: Study) -> Iterator[Site]:

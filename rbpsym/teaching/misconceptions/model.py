@@ -72,7 +72,7 @@ def with_parts(study: Study, **parts: object) -> Study:
     return wrong
 
 
-def with_body(study: Study, name: str, **changes: object) -> System:
+def with_body(study: Study, name: str, **changes: Any) -> System:
     """The system with the state of one body changed."""
     bodies = {**study.system.bodies, name: replace(study.system.bodies[name], **changes)}
     return replace(study.system, bodies=bodies)
@@ -118,8 +118,12 @@ def opposite(force: Force) -> Force:
     return replace(force, vector=-force.vector, couple=-force.couple)
 
 
+Pick = Callable[[Study], Iterable[Force]]
+Wrong = Callable[[Study, Force], Force | None]
+
+
 def of_forces(
-    pick: Callable[[Study], Iterable[Force]], wrong: Callable[[Study, Force], Force | None], drawn: Callable = Vec
+    pick: Pick, wrong: Wrong, drawn: Callable[[str], Node] = Vec
 ) -> Sites:
     """At each force that is picked the study in which it alone is another one, or none."""
 
@@ -131,11 +135,13 @@ def of_forces(
     return sites
 
 
-def _with_one(study: Study, force: Force, wrong: Callable[[Study, Force], Force | None]) -> Study:
+def _with_one(study: Study, force: Force, wrong: Wrong) -> Study:
     return with_forces(study, lambda f: wrong(study, f) if f is force else f)
 
 
-def of_elements(pick: Callable[[Study], Iterable[Element]], wrong: Callable[[Element], Element], slots: Callable) -> Sites:
+def of_elements(
+    pick: Callable[[Study], Iterable[Element]], wrong: Callable[[Element], Element], slots: Callable[[Element], Mapping[str, Any]]
+) -> Sites:
     """At each element of the statement that is picked the study in which it alone is another one."""
     return lambda study: (Site(slots(e), partial(with_element, study, e, wrong(e))) for e in pick(study))
 
@@ -161,8 +167,10 @@ def with_reactions(study: Study, found: Mapping[str, Scalar]) -> Study:
 def with_elements(study: Study, change: Callable[[Element], Element | None]) -> Study:
     """Interactions and constraints of the statement changed (None drops one), all else derived anew."""
     problem = study.problem
-    kept = {key: tuple(filter(None, map(change, getattr(problem, key)))) for key in ("interactions", "constraints")}
-    return Study(replace(problem, **kept))
+    def kept(elements: tuple[Element, ...]) -> tuple[Element, ...]:
+        return tuple(filter(None, map(change, elements)))
+
+    return Study(replace(problem, interactions=kept(problem.interactions), constraints=kept(problem.constraints)))
 
 
 def with_element(study: Study, element: Element, changed: Element | None) -> Study:
@@ -185,12 +193,11 @@ def sign_of(study: Study, value: Scalar) -> int:
     return 0 if abs(found) < 1e-9 else 1 if found > 0 else -1
 
 
-def arm_of(study: Study, name: str) -> Vector | None:
-    """From the fixed axis about which a body turns to its centre of mass; None if there is no such axis."""
+def arms(study: Study) -> dict[str, Vector]:
+    """From the fixed axis to the centre of mass, for each body that turns about one."""
     from rbpsym.teaching.targets import axes
 
-    found = axes(study).get(name)
-    return None if found is None else study.system.bodies[name].center - study.origins[found[0]]
+    return {name: study.system.bodies[name].center - study.origins[label] for name, (label, _) in axes(study).items()}
 
 
 def weights(study: Study, body: str | None = None) -> list[Force]:
@@ -203,6 +210,6 @@ def spinning(study: Study) -> Iterable[tuple[str, BodyState]]:
     return [(n, s) for n, s in study.system.bodies.items() if s.moment and s.omega and not is_zero(s.omega)]
 
 
-def is_nonzero(node: object) -> bool:
+def is_nonzero(node: Any) -> bool:
     """Whether a tree of a statement has a value that does not vanish identically."""
     return node is not None and not is_zero(scalar(node))

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
-from rbpsym.document.model import Block, Display, FigureBlock, Inlines, Math, Paragraph
+from rbpsym.document.model import Block, Display, FigureBlock, Inlines, Math, OwnBlock, Paragraph
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
-from rbpsym.frozen import Frozen
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 
 
-class Lead(Frozen):
+class Lead(OwnBlock):
     """The beginning of a task: its number, its question, and at the right what it earns."""
 
     number: str
@@ -20,33 +20,33 @@ class Lead(Frozen):
     points: str
 
 
-class AnswerOptions(Frozen):
+class AnswerOptions(OwnBlock):
     """Answers to choose from, marked a, b, c; `right` (from 0) is ticked in a key."""
 
     items: tuple[Inlines, ...]
     right: int | None = None
 
 
-class Marked(Frozen):
+class Marked(OwnBlock):
     """Formulas below each other, each with its mark (a letter or a number) at the left."""
 
     lines: tuple[tuple[str, Node], ...]
 
 
-class Rules(Frozen):
+class Rules(OwnBlock):
     """Rules to write answers on, each after some words or a formula; `width` in cm."""
 
     items: tuple[Inlines, ...]
     width: float = 6.0
 
 
-class EmptySpace(Frozen):
+class EmptySpace(OwnBlock):
     """Empty paper, in cm."""
 
     height: float
 
 
-class Form(Frozen):
+class Form(OwnBlock):
     """A table whose cells are filled in by hand; the cells of a key are filled in already."""
 
     header: tuple[Inlines, ...]
@@ -62,7 +62,7 @@ LINE, ROW, LETTERS_A_LINE = 0.5, 1.2, 80
 
 def height(blocks: Iterable[Block]) -> float:
     """The height in cm, rather too much than too little."""
-    return sum(HEIGHTS.get(type(block), lambda _: ONE_PAGE)(block) for block in blocks)
+    return sum(HEIGHTS[type(block)](block) if type(block) in HEIGHTS else ONE_PAGE for block in blocks)
 
 
 def fits_a_page(blocks: Iterable[Block]) -> bool:
@@ -82,16 +82,14 @@ def _text(inlines: Inlines) -> float:
     return LINE * (1 + letters // LETTERS_A_LINE)
 
 
-Measure = Callable[[Block], float]
-
-HEIGHTS: Mapping[type, Measure] = {
+HEIGHTS: Mapping[type, Callable[[Any], float]] = {
     Paragraph: lambda block: 0.3 + _text(block.inlines),
     Lead: lambda block: 0.7 + _text(block.inlines),
     Display: lambda block: 0.4 + ROW * rows(block.node),
     FigureBlock: lambda block: 5.5,
     AnswerOptions: lambda block: 0.4 + ROW * len(block.items),
     Form: lambda block: 0.6 + ROW * (1 + len(block.rows)),
-    Marked: lambda block: 0.4 + sum(ROW * rows(node) for _, node in block.lines),
+    Marked: lambda block: 0.4 + ROW * sum(rows(node) for _, node in block.lines),
     Rules: lambda block: 0.4 + len(block.items),
     EmptySpace: lambda block: block.height,
 }

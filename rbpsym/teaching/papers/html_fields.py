@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 from markupsafe import escape
 
@@ -45,16 +46,16 @@ def sampled(node: Node, points: Sequence[Mapping[str, float]]) -> list[float] | 
 # ---
 
 
-Fields = Iterator[tuple[str, dict | None]]
+Fields = Iterator[tuple[str, dict[str, object] | None]]
 
 
-def _choice(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+def _choice(key: m.ChoiceKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     rows = "".join(
         f'<label><input type="radio" name="t{item.id}" value="{k}"> {LETTERS[k]}) {content(option.content, page)}</label>'
-        for k, option in enumerate(item.key.options)
+        for k, option in enumerate(key.options)
     )
-    comments = [_comment(o.slip, item, worksheet, page) if o.slip else "" for o in item.key.options]
-    yield rows, {"check": "choose", "right": item.key.right, "comments": comments}
+    comments = [_comment(o.slip, item, worksheet, page) if o.slip else "" for o in key.options]
+    yield rows, {"check": "choose", "right": key.right, "comments": comments}
 
 
 def _comment(slip: m.Slip, item: m.Item, worksheet: m.Worksheet, page: Page) -> str:
@@ -67,11 +68,10 @@ def _field(label: str, about: str) -> str:
     )
 
 
-def _number(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    key = item.key
+def _number(key: m.NumberKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     dimension = offered()[key.units[0]][0] if key.units and key.units[0] in OFFERED else None
     units = {unit: scale for unit, (known, scale) in offered().items() if known == dimension} or {key.measure.unit: 1.0}
-    slips = [{"exact": si(a.number), "comment": _comment(a.slip, item, worksheet, page)} for a in key.anticipated]
+    slips = [{"exact": si(a.number), "comment": _comment(a.slip, item, worksheet, page)} for a in key.anticipated if a.number]
     left = f"{inline_math(key.left, page)} ="
     yield (
         _field(left, to_text(key.left, page.notation)),
@@ -86,34 +86,35 @@ def _number(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     )
 
 
-def _formula(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    key = item.key
+def _formula(key: m.FormulaKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     found = _formula_key(key.value, key.anticipated, key.names, item, worksheet, page)
     yield _field(f"{inline_math(key.left, page)} =", to_text(key.left, page.notation)), found
 
 
-def _blanks(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    for blank in item.key.blanks:
-        found = _formula_key(blank.value, blank.anticipated, item.key.names, item, worksheet, page)
+def _blanks(key: m.BlanksKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    for blank in key.blanks:
+        found = _formula_key(blank.value, blank.anticipated, key.names, item, worksheet, page)
         yield _field(f"{inline_math(m.blank(blank.number), page)} =", str(blank.number)), found
 
 
-def _formula_key(value: Node, anticipated, names, item: m.Item, worksheet: m.Worksheet, page: Page) -> dict | None:
+def _formula_key(
+    value: Node, anticipated: tuple[m.Anticipated, ...], names: tuple[str, ...], item: m.Item, worksheet: m.Worksheet, page: Page
+) -> dict[str, object] | None:
     points = sample_points(sorted({*names}), 5)
     values = sampled(value, points)
     if values is None:
         return None
-    slips = [(a, sampled(a.formula, points)) for a in anticipated if a.formula is not None]
+    slips = [(slip, sampled(formula, points)) for formula, slip in m.wrong_formulas(anticipated)]
     return {
         "check": "formula",
         "points": points,
         "values": values,
         "spellings": spellings(names, page.notation),
-        "slips": [{"values": v, "comment": _comment(a.slip, item, worksheet, page)} for a, v in slips if v is not None],
+        "slips": [{"values": v, "comment": _comment(slip, item, worksheet, page)} for slip, v in slips if v is not None],
     }
 
 
-def spellings(names, notation: Notation) -> dict[str, str]:
+def spellings(names: tuple[str, ...], notation: Notation) -> dict[str, str]:
     """How the names may be typed: as in the file, as printed, and in plain letters where that is not ambiguous."""
     found: dict[str, str] = {}
     for name in names:
@@ -131,14 +132,12 @@ def spellings(names, notation: Notation) -> dict[str, str]:
 LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₓ", "0123456789x")
 
 
-def _order(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    key = item.key
+def _order(key: m.OrderKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     label = escape(plain_text("paper.order", page.language)) + ":"
     yield _field(label, "order"), {"check": "order", "count": len(key.pieces), "before": sorted(key.before)}
 
 
-def _slip(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    key = item.key
+def _slip(key: m.SlipKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     radios = "".join(
         f'<label class="beside"><input type="radio" name="t{item.id}" value="{k}"> {k + 1}</label>'
         for k in range(len(key.lines))
@@ -148,7 +147,7 @@ def _slip(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     yield f"<div>{label}: {radios}</div>", {"check": "choose", "right": key.wrong, "comments": comments}
 
 
-def _signs(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+def _signs(key: m.SignsKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     choices = "".join(
         f'<option value="{sign}">{escape(plain_text(f"signs.{word}", page.language))}</option>'
         for sign, word in SIGN_WORDS.items()
@@ -159,16 +158,21 @@ def _signs(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     heads = ("force", "translational", "rotational", "cancels")
     head = "".join(f"<th>{escape(plain_text(f'signs.{key}', page.language))}</th>" for key in heads)
     cells = f"<td>{select}</td><td>{select}</td><td>{letter}</td>"
-    rows = "".join(f"<tr><td>{page.inlines(row.label)}</td>{cells}</tr>" for row in item.key.rows)
+    rows = "".join(f"<tr><td>{page.inlines(row.label)}</td>{cells}</tr>" for row in key.rows)
     table = f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'
-    yield table, {"check": "signs", "rows": [(r.translational, r.rotational, r.cancels) for r in item.key.rows]}
+    yield table, {"check": "signs", "rows": [(r.translational, r.rotational, r.cancels) for r in key.rows]}
 
 
-def _none(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+def _none(key: m.ExplanationKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     yield from ()
 
 
-FIELDS: Mapping[type, Callable[[m.Item, m.Worksheet, Page], Fields]] = {
+def fields_of(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    """The fields of a task, each with what it is checked against."""
+    return FIELDS[type(item.key)](item.key, item, worksheet, page)
+
+
+FIELDS: Mapping[type, Callable[[Any, m.Item, m.Worksheet, Page], Fields]] = {
     m.ChoiceKey: _choice,
     m.ComparisonKey: _choice,
     m.NumberKey: _number,

@@ -21,7 +21,7 @@ from rbpsym.document.writers.plain_text import plain_text as bare
 from rbpsym.expr.tree import Node
 from rbpsym.teaching import model as m
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked
-from rbpsym.teaching.papers.html_fields import FIELDS
+from rbpsym.teaching.papers.html_fields import fields_of
 from rbpsym.teaching.papers.layout import key_document, paper_document, points_text
 from rbpsym.teaching.wording import plain_text
 
@@ -34,7 +34,7 @@ def write_html(worksheet: m.Worksheet, *, is_key: bool = False) -> str:
     """The file; with the key it checks itself."""
     document = numbered(_without_areas(paper_document(worksheet)))
     page = page_for(document, PAPER, COLUMN)
-    keys: dict[str, dict] = {}
+    keys: dict[str, object] = {}
     body = "\n".join(_sections(document, worksheet, page, keys, is_key=is_key))
     language, student = worksheet.language, worksheet.student
     words = {verdict: plain_text(f"paper.{key}", language) for verdict, key in VERDICTS.items()}
@@ -72,32 +72,33 @@ def _without_areas(document: Document) -> Document:
     return replace(document, sections=tuple(map(kept, document.sections)))
 
 
-def _sections(document: Document, worksheet: m.Worksheet, page: Page, keys: dict, *, is_key: bool) -> Iterator[str]:
+def _sections(document: Document, worksheet: m.Worksheet, page: Page, keys: dict[str, object], *, is_key: bool) -> Iterator[str]:
     """Statements and tasks; under each task its fields and, with the key, the fold with it."""
-    tasks = filter(_is_task, numbered(key_document(worksheet)).sections) if is_key else ()
-    solved = {part.blocks[0].number: part for part in tasks}
+    tasks = filter(_number, numbered(key_document(worksheet)).sections) if is_key else ()
+    solved = {_number(part): part for part in tasks}
     for part in document.sections:
-        if not _is_task(part):
+        if not (number := _number(part)):
             yield titled_section(part, page)
             continue
-        item = worksheet.item(part.blocks[0].number)
+        item = worksheet.item(number)
         yield page.blocks(part.blocks, "\n")
         if not is_key:
-            yield from (f'<div class="answer">{fields}</div>' for fields, _ in FIELDS[type(item.key)](item, worksheet, page))
+            yield from (f'<div class="answer">{fields}</div>' for fields, _ in fields_of(item, worksheet, page))
             continue
         yield from _areas(item, page, worksheet, keys)
         fold = page.blocks(solved[item.id].blocks, "\n")
         yield f'<details class="key"><summary>{escape(plain_text("paper.key", page.language))}</summary>{fold}</details>'
 
 
-def _is_task(part: Section) -> bool:
-    return bool(part.blocks) and isinstance(part.blocks[0], Lead)
+def _number(part: Section) -> str:
+    """The number of the task that a section is; "" for another section."""
+    return part.blocks[0].number if part.blocks and isinstance(part.blocks[0], Lead) else ""
 
 
-def _areas(item: m.Item, page: Page, worksheet: m.Worksheet, keys: dict) -> Iterator[str]:
+def _areas(item: m.Item, page: Page, worksheet: m.Worksheet, keys: dict[str, object]) -> Iterator[str]:
     """The fields of a task, each group with a button and what it is checked against."""
     button = escape(plain_text("paper.show", page.language))
-    for place, (fields, key) in enumerate(FIELDS[type(item.key)](item, worksheet, page)):
+    for place, (fields, key) in enumerate(fields_of(item, worksheet, page)):
         name = f"{item.id}.{place}"
         if key is None:
             yield f'<div class="answer">{fields}</div>'

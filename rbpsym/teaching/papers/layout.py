@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from typing import Any
 
 from rbpsym.document import model as d
 from rbpsym.document.language import usual_notation
@@ -24,7 +25,7 @@ def points_text(points: Fraction, language: str) -> str:
     return plain_text("paper.points", language, count=count, points=shown)
 
 
-def head(worksheet: m.Worksheet, escape: Callable[[str], str], *, is_key: bool) -> dict[str, object]:
+def head(worksheet: m.Worksheet, escape: Callable[[str], str], *, is_key: bool) -> dict[str, Any]:
     """What stands at the top and the foot of a paper or a key, written for a format by `escape`."""
 
     def said(key: str, **slots: str) -> str:
@@ -62,33 +63,33 @@ def task_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     inlines = first.inlines if isinstance(first, d.Paragraph) else ()
     yield Lead(item.id, inlines, points_text(item.points, worksheet.language))
     yield from rest if isinstance(first, d.Paragraph) else item.prompt
-    yield from AREAS[type(item.key)](item, worksheet)
+    yield from AREAS[type(item.key)](item.key, item, worksheet)
 
 
-def _choices(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield AnswerOptions(tuple(option.content for option in item.key.options))
+def _choices(key: m.ChoiceKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    yield AnswerOptions(tuple(option.content for option in key.options))
     if item.kind == "compare":
         yield EmptySpace(float(item.space))
 
 
-def _number_line(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+def _number_line(key: m.NumberKey | m.FormulaKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield EmptySpace(float(item.space))
-    yield Rules(((d.Math(t.relation(item.key.left, "=", t.Word(""))),),))
+    yield Rules(((d.Math(t.relation(key.left, "=", t.Word(""))),),))
 
 
-def _pieces(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield Marked(tuple(zip(LETTERS, (piece.statement for piece in item.key.pieces), strict=False)))
+def _pieces(key: m.OrderKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    yield Marked(tuple(zip(LETTERS, (piece.statement for piece in key.pieces), strict=False)))
     yield Rules((d.words(plain_text("paper.order", worksheet.language) + ": "),), 8.0)
 
 
-def _lines(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield Marked(tuple((str(k), piece.statement) for k, piece in enumerate(item.key.lines, 1)))
+def _lines(key: m.SlipKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    yield Marked(tuple((str(k), piece.statement) for k, piece in enumerate(key.lines, 1)))
     language = worksheet.language
     yield Rules(tuple(d.words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected", "reason")), 8.0)
 
 
-def _sign_table(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    rows = tuple((row.label, (), (), ()) for row in item.key.rows)
+def _sign_table(key: m.SignsKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    rows = tuple((row.label, (), (), ()) for row in key.rows)
     yield Form(_sign_header(worksheet.language), rows)
 
 
@@ -96,15 +97,15 @@ def _sign_header(language: str) -> tuple[d.Inlines, ...]:
     return tuple(say(f"signs.{key}", language) for key in ("force", "translational", "rotational", "cancels"))
 
 
-def _blank_rules(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield Rules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in item.key.blanks))
+def _blank_rules(key: m.BlanksKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    yield Rules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in key.blanks))
 
 
-def _space(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+def _space(key: m.ExplanationKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield EmptySpace(float(item.space))
 
 
-Area = Callable[[m.Item, m.Worksheet], Iterator[d.Block]]
+Area = Callable[[Any, m.Item, m.Worksheet], Iterator[d.Block]]
 
 AREAS: Mapping[type, Area] = {
     m.ChoiceKey: _choices,
@@ -149,7 +150,7 @@ def key_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     """The answer to a task, its rubric and the known slips."""
     yield Lead(item.id, tuple(_answer(item, worksheet)), points_text(item.points, worksheet.language))
     if type(item.key) in KEYS:
-        yield from KEYS[type(item.key)](item, worksheet)
+        yield from KEYS[type(item.key)](item.key, item, worksheet)
     if item.rubric:
         yield d.ItemList(tuple(_criterion(c, worksheet) for c in item.rubric))
     slips = tuple(_slips(item, worksheet))
@@ -161,15 +162,15 @@ def solution_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     """The answer to a task, and how it is found."""
     yield Lead(item.id, tuple(_answer(item, worksheet)), points_text(item.points, worksheet.language))
     if isinstance(item.key, (m.SignsKey, m.BlanksKey)):
-        yield from KEYS[type(item.key)](item, worksheet)
+        yield from KEYS[type(item.key)](item.key, item, worksheet)
     if not isinstance(item.key, m.BlanksKey):
         yield from item.solution
 
 
-def _answer(item: m.Item, worksheet: m.Worksheet) -> Iterator:
+def _answer(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Inline]:
     """The answer in a line, where it fits one."""
     key, mark = item.key, worksheet.notation.decimal
-    if isinstance(key, (m.ChoiceKey, m.ComparisonKey)):
+    if isinstance(key, m.ChoiceKey):
         yield d.Strong(d.words(f"{LETTERS[key.right]})"))
         yield d.Text(" ")
         yield from key.options[key.right].content
@@ -185,24 +186,24 @@ def _answer(item: m.Item, worksheet: m.Worksheet) -> Iterator:
         yield d.Text(f"{plain_text('paper.corrected', worksheet.language)}: ")
 
 
-def _slip_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield d.Display(item.key.corrected, numbered=False)
-    yield d.Paragraph(feedback(item.key.slip, item, worksheet))
+def _slip_key(key: m.SlipKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    yield d.Display(key.corrected, numbered=False)
+    yield d.Paragraph(feedback(key.slip, item, worksheet))
 
 
-def _signs_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+def _signs_key(key: m.SignsKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     language = worksheet.language
-    groups = list(dict.fromkeys(row.cancels for row in item.key.rows if row.cancels))
+    groups = list(dict.fromkeys(row.cancels for row in key.rows if row.cancels))
     rows = []
-    for row in item.key.rows:
+    for row in key.rows:
         signs = (say(f"signs.{SIGN_WORDS[s]}", language) for s in (row.translational, row.rotational))
         group = d.words(LETTERS[groups.index(row.cancels)]) if row.cancels else say("signs.nothing", language)
         rows.append((row.label, *signs, group))
     yield Form(_sign_header(language), tuple(rows))
 
 
-def _blanks_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    for answer in item.key.blanks:
+def _blanks_key(key: m.BlanksKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    for answer in key.blanks:
         yield d.Display(t.equation(m.blank(answer.number), answer.value), numbered=False)
 
 
@@ -211,7 +212,7 @@ KEYS: Mapping[type, Area] = {
     m.SlipKey: _slip_key,
     m.SignsKey: _signs_key,
     m.BlanksKey: _blanks_key,
-    m.ExplanationKey: lambda item, worksheet: iter(item.key.sample),
+    m.ExplanationKey: lambda key, item, worksheet: iter(key.sample),
 }
 
 
@@ -228,11 +229,11 @@ def _slips(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Inlines]:
     if isinstance(key, m.ChoiceKey):
         found = [(d.words(f"{LETTERS[k]})"), o.slip) for k, o in enumerate(key.options) if o.slip]
     elif isinstance(key, m.NumberKey):
-        found = [(d.words(measure_text(a.number, mark)), a.slip) for a in key.anticipated]
+        found = [(d.words(measure_text(a.number, mark)), a.slip) for a in key.anticipated if a.number]
     elif isinstance(key, m.FormulaKey):
-        found = [((d.Math(a.formula),), a.slip) for a in key.anticipated]
+        found = [((d.Math(formula),), slip) for formula, slip in m.wrong_formulas(key.anticipated)]
     elif isinstance(key, m.BlanksKey):
-        found = [((d.Math(a.formula),), a.slip) for b in key.blanks for a in b.anticipated]
+        found = [((d.Math(formula),), slip) for b in key.blanks for formula, slip in m.wrong_formulas(b.anticipated)]
     else:
         found = []
     for answer, slip in found:

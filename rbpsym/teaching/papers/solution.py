@@ -113,7 +113,7 @@ def all_steps(derivation: Derivation) -> frozenset[str]:
 
 def labels_in(section: Section) -> set[str]:
     """What a section's blocks may be referred to by."""
-    found = {block.label for block in section.blocks if getattr(block, "label", "")}
+    found = {getattr(block, "label", "") for block in section.blocks} - {""}
     return found | {label for block in section.blocks for label in getattr(block, "also", ())}
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
-from rbpsym.document.model import Document, Section
+from rbpsym.document.model import Document, Inlines, Section
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text as bare
@@ -62,7 +62,7 @@ def form(block: Form, page: Page) -> str:
     return f"#form-table({len(block.header)}, {rows})"
 
 
-def cells(row: tuple, page: Page) -> str:
+def cells(row: tuple[Inlines, ...], page: Page) -> str:
     """The cells of a row."""
     return f"({', '.join(f'[{page.inlines(cell)}]' for cell in row)},)"
 

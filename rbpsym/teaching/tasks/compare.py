@@ -9,11 +9,11 @@ from typing import Any
 
 from rbpsym.decide.signs import sign
 from rbpsym.document.model import Display, Math, Paragraph
+from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import UNITY, Scalar, is_zero, substitute, symbol
+from rbpsym.field import UNITY, Scalar, is_zero, short, substitute, symbol
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import LENGTH, MASS
@@ -40,6 +40,9 @@ class Variant(Frozen):
     value: Callable[[ProblemBench, Target], Scalar | None]
 
 
+Decided = tuple[Variant, int, Scalar]  # with the place of the right answer, and the value
+
+
 def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a quantity for which a variant can be compared for all values of the parameters."""
     fits = lambda x: x.kind in ASKED  # noqa: E731
@@ -50,13 +53,13 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
             yield _prepared(bench, wish, target, joined or found)
 
 
-def _decided(bench: ProblemBench, target: Target) -> Iterator[tuple[Variant, int, Scalar]]:
+def _decided(bench: ProblemBench, target: Target) -> Iterator[Decided]:
     """Variants with the place of the right answer, proved, and their values."""
     right = target.value(bench.study)
     for variant in variants(bench):
         value = _tried(variant, bench, target)
-        answer = None if value is None else _answer(right, value, bench.study)
-        if answer is not None and (answer != SAME or _is_involved(bench, target, variant)):
+        answer = None if value is None or right is None else _answer(right, value, bench.study)
+        if value is not None and answer is not None and (answer != SAME or _is_involved(bench, target, variant)):
             yield variant, answer, value
 
 
@@ -81,10 +84,9 @@ def _answer(right: Scalar, other: Scalar, study: Study) -> int | None:
     if is_zero(other - right):
         return SAME
     ratio = short(other / right)
-    kind = sign(ratio - UNITY, study.assumptions).kind
-    return (
-        {"positive": SECOND, "negative": FIRST}.get(kind) if sign(ratio, study.assumptions).kind == "positive" else None
-    )
+    if sign(ratio, study.assumptions).kind != "positive":
+        return None
+    return {"positive": SECOND, "negative": FIRST}.get(sign(ratio - UNITY, study.assumptions).kind or "")
 
 
 def variants(bench: ProblemBench) -> Iterator[Variant]:
@@ -130,17 +132,16 @@ def _doubled(bench: ProblemBench, target: Target, name: str) -> Scalar | None:
     return None if value is None else short(substitute(value, {name: symbol(name) * 2}))
 
 
-def _prepared(bench: ProblemBench, wish: Wish, target: Target, found) -> Prepared:
+def _prepared(bench: ProblemBench, wish: Wish, target: Target, found: tuple[Decided, ...]) -> Prepared:
     def make(setting: ItemSetting) -> Item:
-        variant, right, value = setting.draws.one_of(found)
-        return _item(bench, setting, wish, target, variant, right, value)
+        return _item(bench, setting, wish, target, setting.draws.one_of(found))
 
     return Prepared("compare", target, (), make)
 
 
-def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, target: Target, variant: Variant, right: int, value) -> Item:
-    said = setting.said
-    slots = {k: _shape(said, v) if k in ("first", "second") else v for k, v in variant.slots.items()}
+def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, target: Target, chosen: Decided) -> Item:
+    said, (variant, right, value) = setting.said, chosen
+    slots = {k: spoken(said, f"shape.{v}") if k in ("first", "second") else v for k, v in variant.slots.items()}
     change = spoken(said, variant.phrase, **slots)
     prompt = spoken(said, f"ask.compare.{target.kind}", **{**target.slots, "left": target.left, "change": change})
     options = tuple(Option(spoken(said, f"compare.{name}")) for name in ("first", "second", "same"))
@@ -153,17 +154,13 @@ def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, target: Target,
     )  # fmt: skip
 
 
-def _shape(said, kind: str):
-    return spoken(said, f"shape.{kind}")
-
-
-def _pair(said, target: Target, pair) -> Iterator[Paragraph | Display]:
+def _pair(said: Words, target: Target, pair: tuple[t.Node, t.Node]) -> Iterator[Paragraph | Display]:
     for name, formula in zip(("one", "other"), pair, strict=True):
         yield Paragraph(spoken(said, f"compare.{name}"))
         yield Display(t.equation(target.left, formula), numbered=False)
 
 
-def _rubric(setting: ItemSetting, target: Target, points: Fraction, pair) -> Iterator[Criterion]:
+def _rubric(setting: ItemSetting, target: Target, points: Fraction, pair: tuple[t.Node, t.Node]) -> Iterator[Criterion]:
     """A third for the choice, a third for each of the two formulas or the words that say the same."""
     yield Criterion(points / 3, spoken(setting.said, "rubric.choice"))
     for name, formula in zip(("one", "other"), pair, strict=True):

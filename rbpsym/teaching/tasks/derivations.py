@@ -190,9 +190,12 @@ def _terms_beside(bench: ProblemBench, steps: tuple[Step, ...], id: str) -> list
     return [gap for gap in gaps(statement) if gap.is_term and has_value(bench, gap.node)][-1:]
 
 
-def _with_blanks(bench: ProblemBench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]):
+def _with_blanks(
+    bench: ProblemBench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]
+) -> tuple[dict[str, t.Node], list[Blank]]:
     """Statements by id, and the answers, numbered in reading order."""
-    statements, answers = {}, []
+    statements: dict[str, t.Node] = {}
+    answers: list[Blank] = []
     for step in steps:
         statement = step.statement
         for gap in chosen.get(step.id, ()):

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 from rbpsym.document.model import Math, Paragraph
 from rbpsym.expr import tree as t
@@ -34,7 +35,7 @@ def _formula_task(bench: b.ProblemBench, wish: Wish, target: Target) -> b.Prepar
     found = bench.pool.of(target)
     anticipated = tuple(Anticipated(d.slip, d.formula) for d in found)
     right = b.formula_of(bench, target)
-    names = in_order(bench, names_in(target.value(bench.study)))
+    names = in_order(bench, names_in(target.known(bench.study)))
 
     def make(setting: b.ItemSetting) -> Item:
         follows = tuple(follow_ons(bench, target, setting.before, "formula"))
@@ -48,7 +49,7 @@ def _formula_task(bench: b.ProblemBench, wish: Wish, target: Target) -> b.Prepar
     return b.Prepared("formula", target, (), make, content=b.asks_for(bench, target))
 
 
-def in_order(bench: b.ProblemBench, names: set[str]) -> tuple[str, ...]:
+def in_order(bench: b.ProblemBench, names: frozenset[str]) -> tuple[str, ...]:
     """Names in the order of the statement: parameters, starts, coordinates, then speeds."""
     problem = bench.study.problem
     order = [q.name for q in problem.parameters] + [c.name for c in problem.coordinates]
@@ -67,7 +68,7 @@ def numbers(bench: b.ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[b.P
 
 def _number_task(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Target) -> b.Prepared:
     found = _with_numbers(bench, scenery, target)
-    right = target.along(bench.study)
+    right = target.known(bench.study, along=True)
 
     def make(setting: b.ItemSetting) -> Item | None:
         return _number_item(bench, setting, target, wish, found)
@@ -76,7 +77,7 @@ def _number_task(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Ta
     rows = frozenset(row for row in asked if isinstance(row, tuple))  # all that is to be found, where nothing in it moves
     is_moving = names_in(right) & bench.study.system.scope.rates.keys()
     content = Content(asks=frozenset() if is_moving else rows, numbers=asked)
-    return b.Prepared("number", target, (right, *(d.along for d in found), *terms(right)), make, content)
+    return b.Prepared("number", target, (right, *(d.along for d in found if d.along is not None), *terms(right)), make, content)
 
 
 NEAR_ZERO = 0.03  # of the largest term: there it changes its sign or has hardly begun, and a rounded number decides
@@ -121,7 +122,9 @@ def _number_item(
     return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=3)
 
 
-def _anticipated(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, right: Measure, found: tuple[Distractor, ...]):
+def _anticipated(
+    bench: b.ProblemBench, setting: b.ItemSetting, target: Target, right: Measure, found: tuple[Distractor, ...]
+) -> Iterator[Anticipated]:
     """What misconceptions make of it, as far as that differs in print."""
     kept = [right]
     for place, (distractor, value) in enumerate(zip(found, setting.values[1:], strict=False)):
@@ -131,13 +134,13 @@ def _anticipated(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, 
             continue
         if all(apart(measure, other) for other in kept):
             kept.append(measure)
-            formula = bench.once(("along", target.id, place), lambda d=distractor: _formula(bench, target, d))
+            formula = bench.once(("along", target.id, place), partial(_formula, bench, target, distractor))
             yield Anticipated(distractor.slip, formula, measure)
 
 
-def _formula(bench: b.ProblemBench, target: Target, distractor: Distractor) -> t.Node:
-    formula = shown(distractor.along, bench.study)
-    return target.reading.node(formula) if target.reading else formula
+def _formula(bench: b.ProblemBench, target: Target, distractor: Distractor) -> t.Node | None:
+    formula = None if distractor.along is None else shown(distractor.along, bench.study)
+    return target.reading.node(formula) if target.reading and formula else formula
 
 
 # --- choose: the right formula or number among what misconceptions make of it
@@ -165,9 +168,9 @@ def _choices_of(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Tar
             f"and of the right dimension; {wish.options - 1} are needed",
             f"write options = {len(found) + 1}." if len(found) + 1 >= FEWEST else "ask for another quantity.",
         )
-    values = (target.value(bench.study), *(d.value for d in found))
+    values = (target.known(bench.study), *(d.value for d in found))
     if wish.answers == "number":
-        values = (target.along(bench.study), *(d.along for d in found))
+        values = (target.known(bench.study, along=True), *(d.along for d in found if d.along is not None))
     right = b.formula_of(bench, target)
 
     def make(setting: b.ItemSetting) -> Item | None:
@@ -184,7 +187,10 @@ def _with_numbers(bench: b.ProblemBench, scenery: Scenery, target: Target) -> tu
     return tuple(d for d in bench.pool.of(target) if d.along is not None and names_in(d.along) <= known)
 
 
-def chosen(setting: b.ItemSetting, target: Target, wish: Wish, found: tuple[Distractor, ...]):
+Kept = tuple[int, Distractor | None, Measure]
+
+
+def chosen(setting: b.ItemSetting, target: Target, wish: Wish, found: tuple[Distractor, ...]) -> list[Kept] | None:
     """(place in values, distractor or None for the key, measure) in a drawn order; None if too few differ in print."""
     measures = [in_print(value, target, wish.answers == "number") for value in setting.values]
     if measures[0] is None:
@@ -217,7 +223,9 @@ def in_print(value: float, target: Target, reads: bool) -> Measure | None:
         return None
 
 
-def _choice_item(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, wish: Wish, right: t.Node, kept) -> Item:
+def _choice_item(
+    bench: b.ProblemBench, setting: b.ItemSetting, target: Target, wish: Wish, right: t.Node, kept: list[Kept]
+) -> Item:
     numbers = wish.answers == "number"
     options = tuple(_option(bench, setting, target, right, d, m, numbers) for _, d, m in kept)
     key = ChoiceKey(options, next(at for at, (place, _, _) in enumerate(kept) if place == 0))

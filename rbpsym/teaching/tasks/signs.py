@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from rbpsym.document.model import Block, FigureBlock, Math, Paragraph, Table
+from rbpsym.document.model import Block, FigureBlock, Inlines, Math, Paragraph, Table
 from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING
@@ -41,7 +41,8 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
     """One item for all forces, if their works are known along the motion."""
     rows, values = _rows(bench), [half.value if half.parts else NOTHING for half in _halves(bench)]
     known = set(scenery.ranges) | {scenery.coordinate or ""}
-    if scenery.coordinate is None or any(v is None or not names_in(v) <= known for v in values) or not rows:
+    told = [value for value in values if value is not None and names_in(value) <= known]
+    if scenery.coordinate is None or len(told) < len(values) or not rows:
         if wish.at is not None:
             raise wish.error(
                 f"the works of all forces are not known along the motion of “{bench.name}”",
@@ -53,9 +54,9 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
         signs = _signs(bench, setting.values)
         return None if signs is None else _item(bench, setting, wish, rows, signs)
 
-    told = claims(step.statement for step in bench.derivation.steps if step.rule == "workless")
-    works = frozenset(unsigned(value) for value in values if value)
-    yield Prepared("signs", None, tuple(values), make, Content(signs=told | works))
+    shown = claims(step.statement for step in bench.derivation.steps if step.rule == "workless")
+    works = frozenset(unsigned(value) for value in told if value)
+    yield Prepared("signs", None, tuple(told), make, Content(signs=shown | works))
 
 
 def _rows(bench: ProblemBench) -> tuple[ForceRow, ...]:
@@ -95,8 +96,9 @@ def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, rows: tuple[For
         )
     )
     coordinate = next(c for c in bench.study.problem.coordinates if c.name == setting.scenery.coordinate)
-    start = t.equation(t.Sym(coordinate.name), coordinate.start)
-    end = given_as(*setting.situation.place, setting.said.notation)
+    start = t.equation(t.Sym(coordinate.name), coordinate.start or t.ZERO)
+    place = setting.situation.place
+    end = given_as(*place, setting.said.notation) if place else start
     prompt = spoken(setting.said, "ask.signs", start=start, end=end, count=len(bench.study.system.bodies))
     asked = AskedQuantity(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole")
     solution = bench.once(("signs", setting.language), lambda: tuple(_solution(bench, setting.said)))
@@ -104,7 +106,7 @@ def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, rows: tuple[For
     return wish.item(setting, asked, (Paragraph(prompt), figure), key, min(len(rows), MOST_POINTS), solution=solution)
 
 
-def _label(bench: ProblemBench, row: ForceRow, said: Words):
+def _label(bench: ProblemBench, row: ForceRow, said: Words) -> Inlines:
     """The force, and on which body if there are several."""
     if len(bench.study.system.bodies) == 1:
         return (Math(row.symbol),)

@@ -77,16 +77,16 @@ def _told(bench: ProblemBench, target: Target, wish: Wish) -> Iterator[Told]:
 def _with_slip(bench: ProblemBench, target: Target, place: int) -> Told | None:
     wrong = bench.pool.wrongs[place]
     hidden = MISCONCEPTIONS[wrong.misconception.name].tells or frozenset()
-    right = [s for s in lines_to(bench, target.step, MOST) if s.chapter not in hidden]
-    lines = bench.pool.retold(place).steps(s.id for s in right) if len(right) >= FEWEST else None
+    usual = [s for s in lines_to(bench, target.step, MOST) if s.chapter not in hidden]
+    lines = bench.pool.retold(place).steps(s.id for s in usual) if len(usual) >= FEWEST else None
     if lines is None:
         return None
     short = SHORT | (SPLITS if _has_negative_moment(wrong.study) else frozenset())
-    lines, right = (tuple(brief(step, short) for step in row) for row in (lines, right))
-    first = next((k for k, (a, b) in enumerate(zip(lines, right, strict=True)) if a.statement != b.statement), None)
-    if first is None or lines[-1].statement == right[-1].statement or not _reads_well(lines[first], right[first]):
+    shown, right = (tuple(brief(step, short) for step in row) for row in (lines, usual))
+    first = next((k for k, (a, b) in enumerate(zip(shown, right, strict=True)) if a.statement != b.statement), None)
+    if first is None or shown[-1].statement == right[-1].statement or not _reads_well(shown[first], right[first]):
         return None
-    told = Told(bench.pool.slip(place), lines, right, first)
+    told = Told(bench.pool.slip(place), shown, right, first)
     return told if _is_the_only_one(bench, told) else None
 
 
