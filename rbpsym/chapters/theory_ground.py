@@ -8,7 +8,8 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, space_derivative, symbol, value
 from rbpsym.field.calculus import substitute
-from rbpsym.frozen import Frozen, field, replace
+from rbpsym.frozen import field
+from rbpsym.proof.context import Ground, replace
 
 XI, ETA = symbol("xi"), symbol("eta")
 OMEGA, ALPHA, MASS, MOMENT = symbol("omega"), symbol("alpha"), symbol("M"), symbol("I_cm")
@@ -152,7 +153,7 @@ PARTICLES = _particles()
 FORCES = _forces()
 
 
-class TheoryContext(Frozen):
+class TheoryContext(Ground):
     """The same questions as `Context`, asked of an arbitrary body."""
 
     body: object = by_moments

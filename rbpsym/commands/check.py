@@ -11,7 +11,6 @@ import click
 
 from rbpsym.commands.arguments import FILE, FOLDER, ShelfName
 from rbpsym.commands.progress import Progress
-from rbpsym.commands.solve import verdict_of
 from rbpsym.frozen import Frozen, field
 
 if TYPE_CHECKING:
@@ -299,7 +298,7 @@ def verdicts(made: Derivation) -> list[Verdict]:
     """The verdicts on all steps and on the independent roads, in every phase."""
     parts = (made, *(phase.derivation for phase in made.phases))
     roads = [road for part in parts for road in (*part.agreement.values(), part.lagrange) if road is not None]
-    return [*(verdict_of(step) for step in made.all_steps), *roads]
+    return [*(step.certificate.verdict for step in made.all_steps), *roads]
 
 
 def doubtful(made: Derivation) -> Iterator[Link]:
@@ -308,6 +307,6 @@ def doubtful(made: Derivation) -> Iterator[Link]:
     from rbpsym.typeset.text import to_text
 
     for step in made.all_steps:
-        verdict = verdict_of(step)
+        verdict = step.certificate.verdict
         if not verdict.is_proved:
             yield Link(to_text(step.statement), Outcome(str(verdict.kind)), detail=f"{step.id}: {verdict}")

@@ -108,10 +108,9 @@ def lines(derivation: Derivation, detail: str, method: str, language: str, repor
 
 def verdicts(derivation: Derivation) -> dict[str, Verdict]:
     """What became of the checks of each step, by the label of its formula."""
-    from rbpsym.commands.solve import verdict_of
     from rbpsym.commands.why import readings
 
-    return {prefix + id: verdict_of(step) for _, prefix, steps in readings(derivation) for id, step in steps.items()}
+    return {prefix + id: step.certificate.verdict for _, prefix, steps in readings(derivation) for id, step in steps.items()}
 
 
 def document_of(derivation: Derivation, detail: str, method: str, language: str) -> Document:

@@ -120,7 +120,7 @@ def _problem(path: Path, wish: NotesWish, kept: KeptDerivations) -> tuple[Docume
 def _course(path: Path, wish: NotesWish, kept: KeptDerivations) -> tuple[Document, bool]:
     """The document of a course, and whether all of it is proved."""
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.solve import exit_code, verdict_of
+    from rbpsym.commands.solve import exit_code
     from rbpsym.courses import derive_course
     from rbpsym.document.notes import course_notes
     from rbpsym.statement.course import load_course
@@ -130,7 +130,7 @@ def _course(path: Path, wish: NotesWish, kept: KeptDerivations) -> tuple[Documen
         derived = derive_course(course, progress=progress.step, derived=kept.derivation)
         document = course_notes(derived, wish.language, wish.detail, plots=wish.plots)
     steps = [step for lesson in derived.lessons.values() for step in lesson.steps]
-    fine = all(verdict_of(step).is_proved for step in steps)
+    fine = all(step.certificate.verdict.is_proved for step in steps)
     return document, fine and all(exit_code(d.summary()) == 0 for d in derived.derivations.values())
 
 

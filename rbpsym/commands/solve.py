@@ -12,8 +12,6 @@ from rbpsym.commands.arguments import name_argument
 from rbpsym.frozen import Frozen
 
 if TYPE_CHECKING:
-    from rbpsym.decide.verdict import Verdict
-    from rbpsym.proof.step import Step
     from rbpsym.statement.model import Problem
 
 FINE, DOUBTFUL = 0, 1
@@ -73,12 +71,6 @@ def exit_code(verdicts: Mapping[str, Any]) -> int:
     simulation = verdicts["simulation"] or {"max_relative_error": 0.0}
     apart = not simulation["max_relative_error"] <= CLOSE  # also if it is not a number
     return DOUBTFUL if doubtful or apart or verdicts["lagrange"] not in ("PROVED", None) else FINE
-
-
-def verdict_of(step: Step) -> Verdict:
-    """What became of the checks of a step of a whole derivation."""
-    assert step.certificate is not None
-    return step.certificate.verdict
 
 
 def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:

@@ -7,7 +7,6 @@ from time import perf_counter
 
 import click
 
-from rbpsym.commands.solve import verdict_of
 from rbpsym.document.model import Display, Document
 from rbpsym.document.notes import notation_of
 from rbpsym.document.numbering import numbered, parts
@@ -65,7 +64,7 @@ def traced(
     derivation: Derivation, steps: Mapping[str, Step], step: Step, marks: Mapping[str, str], notation: Notation
 ) -> Iterator[str]:
     """The lines for one step."""
-    verdict, checks = verdict_of(step), step.certificate.checks if step.certificate else ()
+    verdict, checks = step.certificate.verdict, step.certificate.checks
     sign, colour = MARKS[verdict.kind]
     yield f"{click.style(step.id, bold=True)} {marks.get(step.id, '')}"
     yield f"  {one_line(step, notation)}"

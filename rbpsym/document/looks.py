@@ -20,7 +20,7 @@ from rbpsym.document.writers.page import body, page_for
 from rbpsym.expr.glyphs import DEFAULT, Notation, notation_for
 from rbpsym.expr.tree import Node
 from rbpsym.mechanics.study import Study
-from rbpsym.proof.step import Derivation, DerivedCourse, Excerpt, Lesson, Step
+from rbpsym.proof.step import UNCHECKED, Derivation, DerivedCourse, Excerpt, Lesson, Step
 from rbpsym.statement.model import Problem
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.text import to_text
@@ -108,7 +108,7 @@ def verdict_words(verdict: Verdict) -> Inlines:
 def step_blocks(step: Step) -> tuple[Block, ...]:
     """The formula of a step, and what became of its check."""
     shown = Display(step.statement, "", False, step.is_result)
-    return (shown,) if step.certificate is None else (shown, Paragraph(checked(step)))
+    return (shown,) if step.certificate is UNCHECKED else (shown, Paragraph(checked(step)))
 
 
 def checked(step: Step) -> Inlines:

@@ -91,7 +91,7 @@ def _in_its_words(step: Step) -> set[Node]:
 
 
 def _open(by_id: Mapping[str, Step], step: Step, shown: Set[str]) -> list[Node]:
-    found = [duty.relation for duty in step.certificate.verdict.open_obligations] if step.certificate else []
+    found = [duty.relation for duty in step.certificate.verdict.open_obligations]
     if step.is_result:
         hidden, seen = [id for id in step.premises if id in by_id and id not in shown], set()
         while hidden:

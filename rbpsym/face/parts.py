@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.telling import latex_of
-from rbpsym.decide.verdict import Verdict, undecided
+from rbpsym.decide.verdict import Verdict
 from rbpsym.document.notes import notation_of
 from rbpsym.face.late import mechanics, sympy
 from rbpsym.face.writing import alphabet
@@ -48,7 +48,7 @@ def relations_of(derivation: Derivation) -> Iterator[StepRelation]:
     for number, (own, steps) in enumerate(((derivation, derivation.steps), *later), 1):
         names, notation = alphabet(own.study, own.letters), notation_of(own)
         for step in steps:
-            verdict = step.certificate.verdict if step.certificate else undecided("it was not checked")
+            verdict = step.certificate.verdict
             duties = dict.fromkeys((*step.obligations, *(duty.relation for duty in verdict.open_obligations)))
             yield StepRelation(
                 f"phase{number}.{step.id}" if number > 1 else step.id,

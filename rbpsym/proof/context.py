@@ -8,6 +8,7 @@ of the speeds from the first integral as well).
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import Undecided
@@ -24,7 +25,33 @@ from rbpsym.proof.step import Step
 INNER: Mapping[type[Node], str] = {Deriv: "of", Bracket: "arg", Limit: "arg", Integral: "integrand"}
 
 
-class Context(Frozen):
+class Ground(Frozen):
+    """What a check asks beside values: here nothing is tied or unsolved, and all may be used without being noted."""
+
+    is_hasty = False
+
+    @property
+    def ties(self) -> tuple[Condition, ...]:
+        """The conditions that tie coordinates to each other without an explicit solution."""
+        return ()
+
+    @property
+    def unsolved(self) -> tuple[str, ...]:
+        """The accelerations, where there is no closed formula for them."""
+        return ()
+
+    def use(self, id: str) -> None:
+        """Notes that a premise is used."""
+
+    def reach(self, goal: Scalar) -> None:
+        """Notes what was found to vanish."""
+
+    def agree_by_numbers(self, gap: Scalar, depth: str) -> bool | None:
+        """Whether a gap seems to close at that depth; None if numbers do not tell."""
+        return None
+
+
+class Context(Ground):
     """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
 
     `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name. `introduced`: by which step or
@@ -42,7 +69,7 @@ class Context(Frozen):
     steps: dict[str, Step] = field(default_factory=dict)
     facts: dict[str, Fact] = field(default_factory=dict)
     rests: dict[str, frozenset[str]] = field(default_factory=dict)
-    rows: dict[object, object] = field(default_factory=dict)
+    rows: dict[object, Any] = field(default_factory=dict)
     assumed: Assumptions | None = None
 
     @property
@@ -85,7 +112,7 @@ class Context(Frozen):
             raise Undecided(f"the mass moment of order {min(unknown)} of “{body}” is not known")
         return sum((Scalar(part) * moments[power] for power, part in parts.items()), NOTHING)
 
-    def parts(self, node: Node, *kinds: type[Node]) -> tuple[Node, ...]:
+    def parts(self, node: Node, *kinds: type[Node]) -> tuple[Any, ...]:
         """The parts of a tree that are of these kinds; each tree is walked once."""
         key = ("parts", id(node))
         if key not in self.rows:
@@ -98,12 +125,11 @@ class Context(Frozen):
 
     def grows(self, node: Node) -> bool:
         """Whether it holds what is summed up along the motion: an integral, a change, a work."""
-        return bool(self.parts(node, Integral, PathIntegral, Delta)) or any(
-            part.name in self.works for part in self.parts(node, Sym)
-        )
+        summed = self.parts(node, Integral, PathIntegral, Delta)
+        return bool(summed) or any(part.name in self.works for part in self.parts(node, Sym))
 
-    def value(self, node: Node) -> Value:
-        """The value of a tree in coordinates, speeds, accelerations and unknown forces."""
+    def value(self, node: Node) -> Any:
+        """The value of a tree in coordinates, speeds, accelerations and unknown forces: a number, or a vector."""
         for part in self.parts(node, *INNER):
             self._refuse_unknown(part)
         return value(node, self.scope)
@@ -150,7 +176,7 @@ class Context(Frozen):
         """The value in the start state."""
         return at_start(found, self.scope)
 
-    def on_motion(self, found: Value) -> Value:
+    def on_motion(self, found: Any) -> Any:
         """Accelerations and unknown forces replaced."""
         if isinstance(found, Space):
             plane = {angle: self.study.on_motion(length) for angle, length in found.plane.parts.items()}

@@ -13,13 +13,14 @@ from rbpsym.field import NOTHING, Scalar, Space, Vector, apart, ask_for_more, at
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
-from rbpsym.proof.assertions import Said, settled, told
+from rbpsym.proof.assertions import settled, told
 from rbpsym.proof.context import Context
 from rbpsym.proof.facts import MOTION, facts_of
 from rbpsym.proof.forms import Forms
+from rbpsym.proof.grounds import Said
 from rbpsym.proof.letters import fixed, introduce, introducers
 from rbpsym.proof.rules import examined
-from rbpsym.proof.step import STANDARD, Skipped, Step
+from rbpsym.proof.step import STANDARD, UNCHECKED, Skipped, Step
 
 TELLS_MOTION = ("solution", "first_integral", "substitution")  # rules of steps that say what the motion is
 SIGNED = ("vanishing", "equilibrium")  # rules that decide signs on ranges: costly where they fail
@@ -30,15 +31,13 @@ def bound(context: Context, step: Step, named: Iterable[str]) -> Step:
     """The step with its premises, what else its author cites, and its certificate."""
     named = tuple(dict.fromkeys(named))
     with proofs_alone():
-        found, used, kept = None, set(), _needed(context, step, named, hasty=True)
-    if kept is not None:
-        found, used = examined(context, step, kept)
+        kept = _needed(context, step, named, hasty=True)
+    found, used = (UNCHECKED, set[str]()) if kept is None else examined(context, step, kept)
     if kept is None or not found.verdict.is_proved or set(kept) - used:  # numbers mislead: the long way
         with proofs_alone():
             kept = _needed(context, step, named, hasty=False)
-        found = None if kept is None else examined(context, step, kept)[0]
-    if kept is None:
-        kept, (found, _) = named, examined(context, step, _widest(context, step, named))
+        found, _ = examined(context, step, _widest(context, step, named) if kept is None else kept)
+    kept = named if kept is None else kept
     context.rests[step.id] = frozenset(introducers(context, [step.statement])) | fixed(context)
     return replace(step, premises=kept, cites=tuple(id for id in named if id not in kept), certificate=found)
 
@@ -67,7 +66,7 @@ def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tu
     near = (*named, *letters, *sorted(fixed(context)))
     quiet = [id for id in said if id not in works]
     few = [*quiet, *laws] if len(laws) <= MOST_LAWS else []
-    steps_up = ((), quiet, said, few, (*said, *told), (MOTION,), (*said, *told, MOTION))
+    steps_up: tuple[Iterable[str], ...] = ((), quiet, said, few, (*said, *told), (MOTION,), (*said, *told, MOTION))
     if step.rule in SIGNED or any(op != "=" for _, op, _ in t.relations(step.statement)):
         steps_up = tuple((*more, *ranges) for more in ((), (*said, *told), (*said, *told, MOTION)))
     tried = set()
@@ -111,7 +110,7 @@ class Draft:
         premises: Iterable[str] = (),
         level: int = STANDARD,
         is_result: bool = False,
-        obligations: tuple[t.Node, ...] = (),
+        obligations: tuple[t.Chain, ...] = (),
         data: dict[str, Any] | None = None,
         **slots: Any,
     ) -> Step:
@@ -215,7 +214,7 @@ class Draft:
         """Whether the system is one body."""
         return len(self.study.system.bodies) == 1
 
-    def asked(self, demands: Iterable[Demand]) -> tuple[t.Node, ...]:
+    def asked(self, demands: Iterable[Demand]) -> tuple[t.Chain, ...]:
         """Conditions on parameters as obligations of a step."""
         return tuple(t.relation(self.show(item.value, factor=True), item.op, t.ZERO) for item in demands)
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
+from typing import Any
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import Condition, conditions, divisors, nonzero, obligations
@@ -37,7 +38,7 @@ def duties(view: View, step: Step) -> tuple[Obligation, ...]:
     return (*(duty for duty in made if duty.is_discharged), *map(Obligation, left))
 
 
-def merged(relations: Iterable[t.Node]) -> tuple[t.Node, ...]:
+def merged(relations: Iterable[Any]) -> tuple[t.Node, ...]:
     """Conditions of the form “… > 0”, “… ≥ 0” or “… ≠ 0”, each quantity once: what is positive is not zero."""
     ops: dict[t.Node, set[str]] = {}
     for one in relations:
@@ -83,8 +84,8 @@ def _discharged(view: View, one: Condition) -> Obligation:
             [other] = obligations([Condition(one.node, one.op, seen)], view.whole.assumptions)
             made = replace(made, why=other.why)
         view.rows[key] = made if made.is_discharged else _open(view, one)
-    made = view.rows[key]
-    return replace(made, relation=one.relation) if made.is_discharged else made
+    known: Obligation = view.rows[key]
+    return replace(known, relation=one.relation) if known.is_discharged else known
 
 
 def _open(view: View, one: Condition) -> Obligation:
@@ -122,7 +123,7 @@ def _told(view: View, one: Condition) -> str:
     """The step before it that says so of the very letter, if that was proved."""
     said = t.relation(one.node, ">", t.ZERO)
     told = (step for step in view.steps.values() if step.rule == "stays" and step.statement == said)
-    return next((step.id for step in told if step.certificate is not None and step.certificate.verdict.is_proved), "")
+    return next((step.id for step in told if step.certificate.verdict.is_proved), "")
 
 
 def _along(view: View, value: Scalar) -> Scalar | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Set
 from contextlib import suppress
 from itertools import combinations
-from typing import Protocol
+from typing import Any, Protocol
 
 from rbpsym.errors import NoNumber
 from rbpsym.field import NOTHING, ONE, UNITY, Monomial, Poly, Scalar, atoms, generator, is_zero, short, times
@@ -86,10 +86,13 @@ def _note(pivot: Pivot, notes: Notes) -> None:
 # --- the same by numbers: whether it is worth while, and with which rows
 
 
-Pivots = dict[Monomial, tuple[dict[Monomial, int], frozenset[str]]]  # rows by the unknown that they are used for, in order
+Image = tuple[dict[Monomial, int], frozenset[str]]  # of a row, with its sources
+Pivots = dict[Monomial, Image]  # rows by the unknown that they are used for, in order
 
 
-def used_by_numbers(rows: Iterable[Row], goal: Scalar, unknown: Set[str], even: Set[str], known: dict):
+def used_by_numbers(
+    rows: Iterable[Row], goal: Scalar, unknown: Set[str], even: Set[str], known: dict[object, Any]
+) -> frozenset[str] | None:
     """The sources of the rows of which a value is a linear combination, modulo a prime at one point; None if of none.
 
     `unknown`: the names (beside those with a prime) of which products are unknowns of their own; `even`: of these the
@@ -101,9 +104,9 @@ def used_by_numbers(rows: Iterable[Row], goal: Scalar, unknown: Set[str], even: 
 
     def image(value: Scalar) -> dict[Monomial, int]:
         key = ("image", value, names_in(value) & unknown, bool(even))
-        found = known.get(key)
-        if found is None:
-            found = known[key] = _image(value, counts, even)
+        if key not in known:
+            known[key] = _image(value, counts, even)
+        found: dict[Monomial, int] = known[key]
         return found
 
     images = [(image(row.value), row.sources) for row in rows]
@@ -117,7 +120,7 @@ def used_by_numbers(rows: Iterable[Row], goal: Scalar, unknown: Set[str], even: 
     return None if left else sources
 
 
-def _pivots(images: Iterable[tuple[dict[Monomial, int], frozenset[str]]]) -> Pivots:
+def _pivots(images: Iterable[Image]) -> Pivots:
     pivots: Pivots = {}
     for image, told_by in images:
         found, sources = _reduced_image(image, pivots)
@@ -134,16 +137,16 @@ def _parts(key: Monomial) -> Iterator[Monomial]:
         yield from combinations(key, size)
 
 
-def _products(images: Iterable[tuple[dict[Monomial, int], frozenset[str]]], by: Iterable[Monomial]) -> Iterator:
+def _products(images: Iterable[Image], by: Iterable[Monomial]) -> Iterator[Image]:
     for part in sorted(by):
         for image, sources in images:
             yield {times(key, part): value for key, value in image.items()}, sources
 
 
-def _reduced_image(found: dict[Monomial, int], pivots: Pivots) -> tuple[dict[Monomial, int], frozenset[str]]:
+def _reduced_image(found: dict[Monomial, int], pivots: Pivots) -> Image:
     if found.keys().isdisjoint(pivots):
         return found, frozenset()
-    found, sources = dict(found), frozenset()
+    found, sources = dict(found), frozenset[str]()
     for key, (row, rests_on) in pivots.items():
         if factor := found.get(key, 0):
             sources |= rests_on
@@ -164,7 +167,7 @@ def _image(value: Scalar, counts: Callable[[str], bool], even: Set[str]) -> dict
                 factor = factor * pow(_residue(atom.arg, counts), exponent // 2, PRIME) % PRIME
                 key += [(index, 1)] if exponent % 2 else []
                 continue
-            is_free = bool(name) and counts(name)
+            is_free = name is not None and counts(name)
             kept = 0 if not is_free else exponent - exponent % 2 if name in even else exponent
             key += [(index, kept)] if kept else []
             rest += [(index, exponent - kept)] if exponent != kept else []
@@ -239,9 +242,12 @@ def _pivot(value: Scalar, name: str, sources: frozenset[str], row: Scalar) -> Pi
     return Pivot(name, short(-(substitute(value, {name: NOTHING}) / slope)), slope, sources, row)
 
 
+Made = tuple[Pivot, Scalar, dict[int, Scalar]]  # an equation as it is used, and by what those before are multiplied in it
+
+
 def cofactors(known: Known, goal: Scalar) -> list[Scalar] | None:
     """By what the equations are multiplied to give the goal as their sum, those that count; None if it is no such sum."""
-    made: list[tuple[Pivot, Scalar, dict[int, Scalar]]] = []
+    made: list[Made] = []
     for place, pivot in enumerate(known.pivots):
         made.append((pivot, *_combined(pivot.row, {place: UNITY}, made)))
     left, combination = _combined(goal, {}, made)
@@ -257,7 +263,7 @@ def _without_poles(value: Scalar) -> Scalar:
     return value
 
 
-def _combined(value: Scalar, combination: dict[int, Scalar], made: list) -> tuple[Scalar, dict[int, Scalar]]:
+def _combined(value: Scalar, combination: dict[int, Scalar], made: list[Made]) -> tuple[Scalar, dict[int, Scalar]]:
     for pivot, row, inner in made:
         if factor := derivative(value, pivot.name):
             factor = short(factor / pivot.divisor)

@@ -105,7 +105,13 @@ def nearby(
 
 
 @lru_cache(maxsize=256)
-def _nearby(rows, conditions, names, places, ties) -> Nearby:
+def _nearby(
+    rows: tuple[Scalar, ...],
+    conditions: tuple[Scalar, ...],
+    names: tuple[str, ...],
+    places: tuple[tuple[str, Scalar], ...],
+    ties: tuple[tuple[str, Sequence[Scalar]], ...],
+) -> Nearby:
     at, tied = dict(places), dict(ties)
     shifts = {name: symbol(f"{name} away") for name in names}
     moved = {name: total(a * s for a, s in zip(parts, shifts.values(), strict=True)) for name, parts in tied.items()}
@@ -118,5 +124,5 @@ def _nearby(rows, conditions, names, places, ties) -> Nearby:
     def matrix(mark: str) -> list[list[Scalar]]:
         return [[part(row.slope, f"{name} {mark}") for name in names] for row in found]
 
-    ties = [part(row.slope, f"{name} away") for row in held for name in names]
-    return Nearby(matrix("_ddot"), matrix("_dot"), matrix("away"), [row.value for row in (*found, *held)], ties)
+    slopes = [part(row.slope, f"{name} away") for row in held for name in names]
+    return Nearby(matrix("_ddot"), matrix("_dot"), matrix("away"), [row.value for row in (*found, *held)], slopes)

@@ -7,37 +7,34 @@ declared ones.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from rbpsym.decide.verdict import PROVED
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.events import vanishes_before, ways_of
-from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import Force
+from rbpsym.mechanics.system import Force, System
 from rbpsym.proof.step import Step
 from rbpsym.statement.curves import toucher
 
-if TYPE_CHECKING:
-    from rbpsym.proof.context import Context
-
 
 class Said(Frozen):
-    """What a sentence is about: a system, the step that it tells or those that it sums up, what their letters mean."""
+    """What a sentence is about: a system, the step that it tells or those that it sums up, what their letters mean; what is
+    None is none of its matters."""
 
-    study: Study | None = None
-    step: Step | None = None
+    study: Any = None
+    step: Any = None
     steps: Sequence[Step] = ()
-    context: Context | None = None
+    context: Any = None
     summary: dict[str, Any] = field(default_factory=dict)
 
     @property
-    def system(self):
+    def system(self) -> System:
         """The assembled system."""
-        return self.study.system
+        found: System = self.study.system
+        return found
 
     @property
     def moving(self) -> set[str]:
@@ -52,13 +49,12 @@ class Said(Frozen):
 
     def slot(self, name: str) -> str:
         """The name of the body or the letter in a slot."""
-        return self.step.slots[name].name
+        return str(self.step.slots[name].name)
 
     @property
     def forces(self) -> list[Force]:
         """The forces that the step is about: those of the name in its slot."""
-        name = self.step.id.split(".")[1]
-        return self.system.named(name)
+        return self.system.named(self.step.id.split(".")[1])
 
 
 # --- steps by themselves
@@ -66,7 +62,7 @@ class Said(Frozen):
 
 def is_proved(said: Said) -> bool:
     """Its formula is proved."""
-    return said.step.certificate is not None and said.step.certificate.verdict.kind is PROVED
+    return bool(said.step.certificate.verdict.is_proved)
 
 
 def ends_in_zero(said: Said) -> bool:

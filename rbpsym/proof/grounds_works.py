@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rbpsym.decide.assumptions import Assumptions
+from typing import Any
+
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED
 from rbpsym.errors import Undecided
@@ -47,7 +48,7 @@ def gives_to_centre(said: Said) -> bool:
     return works_cancel_as_points_move_together(said) and sign(_centre_work(said), _ahead(said)).is_nonnegative
 
 
-def _centre_work(said: Said) -> Scalar:
+def _centre_work(said: Said) -> Any:
     """The translational work of the force of a step. Raises Undecided where it has no closed form."""
     value = next(w for w in said.study.works if w.force == said.forces[0].name).translational.value
     if value is None:
@@ -55,7 +56,7 @@ def _centre_work(said: Said) -> Scalar:
     return value
 
 
-def _ahead(said: Said) -> Assumptions:
+def _ahead(said: Said) -> Any:
     """The coordinate of the work lies ahead of the start, where it surely never comes behind it."""
     study = said.study
     given = study.assumptions
@@ -284,12 +285,12 @@ def methods_differ(said: Said) -> bool:
 
 def lagrange_agrees(said: Said) -> bool:
     """Proved."""
-    return said.summary["lagrange"] == str(PROVED)
+    return bool(said.summary["lagrange"] == str(PROVED))
 
 
 def simulation_agrees(said: Said) -> bool:
     """The relative error is that of the arithmetic."""
-    return said.summary["simulation"]["max_relative_error"] <= MOST_ERROR
+    return bool(said.summary["simulation"]["max_relative_error"] <= MOST_ERROR)
 
 
 def most_are_checked_twice(said: Said) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from rbpsym.expr import tree as t
 from rbpsym.proof.context import Context
@@ -39,11 +40,10 @@ def _said(context: Context, row: t.Chain) -> t.Node | None:
 
 def letters(context: Context, node: t.Node) -> list[str]:
     """Names in a formula that have a meaning of their own (an unknown force has none: its vector has)."""
-    found = {part.name for part in context.parts(node, t.Sym, t.Vec) if _is_letter(context, part)}
-    return sorted(found)
+    return sorted({part.name for part in context.parts(node, t.Sym, t.Vec) if _is_letter(context, part)})
 
 
-def _is_letter(context: Context, part: t.Sym | t.Vec) -> bool:
+def _is_letter(context: Context, part: Any) -> bool:
     if isinstance(part, t.Vec):
         return part.name in context.vectors
     if part.name in context.scalars or part.name in context.works:
@@ -67,7 +67,8 @@ def _introducers(context: Context, node: t.Node) -> tuple[str, ...]:
                 found[made_by] = None
                 left += [] if said is None else letters(context, said)
         context.rows[key] = (node, tuple(found))  # with the node, whose address is its name
-    return context.rows[key][1]
+    made: tuple[str, ...] = context.rows[key][1]
+    return made
 
 
 def fixed(context: Context) -> frozenset[str]:
@@ -75,4 +76,5 @@ def fixed(context: Context) -> frozenset[str]:
     if "fixed" not in context.rows:
         found = (id for id, fact in context.facts.items() if fact.kind in ("start", "shape"))
         context.rows["fixed"] = frozenset(found)
-    return context.rows["fixed"]
+    known: frozenset[str] = context.rows["fixed"]
+    return known

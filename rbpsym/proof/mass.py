@@ -87,7 +87,10 @@ def kinetic_energy(system: System, body: str) -> Scalar:
     return (square + mixed + spin * spin * second_moment) * Fraction(1, 2)
 
 
-def _frame(system: System, body: str):
+Axis = tuple[Scalar, Scalar]
+
+
+def _frame(system: System, body: str) -> tuple[Vector, Vector, Axis, Axis, Scalar]:
     state = system.bodies[body]
     place, angle = state.pose.origin, state.pose.angle
     c, s = cosine(angle), sine(angle)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 
 from rbpsym.decide.verdict import undecided
@@ -155,7 +155,7 @@ def examined(context: Context, step: Step, premises: tuple[str, ...], *, hasty: 
     """
     view = seen_by(context, step, premises, hasty=hasty)
     checks = RULES[step.rule]
-    verdict = c.weakest(c.guarded(lambda check=check: check(view, step)) for check in checks)
+    verdict = c.weakest(c.guarded(partial(check, view, step)) for check in checks)
     open_ = [id for id in view.used if id in context.steps and not context.steps[id].certificate.verdict.is_proved]
     if verdict.is_proved and open_:
         verdict = undecided(f"it follows from “{min(open_)}”, which is not proved")

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import KW_ONLY
 from typing import Any
 
-from rbpsym.decide.verdict import PROVED, Verdict
-from rbpsym.expr.tree import Node
+from rbpsym.decide.verdict import PROVED, Verdict, undecided
+from rbpsym.expr.tree import Chain, Node
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.study import Study
 from rbpsym.showing import Shown
@@ -56,6 +56,9 @@ class Certificate(Frozen):
     verdict: Verdict
 
 
+UNCHECKED = Certificate((), undecided("it was not checked"))
+
+
 class Step(Shown):
     """One step.
 
@@ -77,9 +80,9 @@ class Step(Shown):
     cites: tuple[str, ...] = ()
     level: int = STANDARD
     is_result: bool = False
-    obligations: tuple[Node, ...] = ()
+    obligations: tuple[Chain, ...] = ()
     data: Mapping[str, Any] = field(default_factory=dict)
-    certificate: Certificate | None = None
+    certificate: Certificate = UNCHECKED
 
     @property
     def reasons(self) -> tuple[str, ...]:

@@ -51,7 +51,7 @@ class Granted:
     def __init__(self, view: View) -> None:
         self._view = view
 
-    def __getattr__(self, name: str) -> object:
+    def __getattr__(self, name: str) -> Any:
         view = object.__getattribute__(self, "_view")
         if name in GRANTS:
             view.use(GRANTS[name])
@@ -62,7 +62,7 @@ class View(Context):
     """A context as one step sees it. `order`: ids that it may use; `used`: those that it did use. `is_hasty`: what is
     not proved at once need not be refuted."""
 
-    step: Step | None = None
+    step: Any = None
     order: tuple[str, ...] = ()
     is_hasty: bool = False
     trail: list[set[str]] = field(default_factory=lambda: [set()])
@@ -104,7 +104,7 @@ class View(Context):
             self.opaque.update(before)
 
     @property
-    def study(self) -> Granted:
+    def study(self) -> Any:
         """The mechanics, as far as the premises grant it."""
         return Granted(self)
 
@@ -151,7 +151,8 @@ class View(Context):
     @cached_property
     def _sought(self) -> frozenset[str]:
         """Speeds at the start that are not declared but follow from the conditions."""
-        return frozenset(self.whole.instant.sought if self.whole.at_start else ())
+        instant = self.whole.instant if self.whole.at_start else None
+        return frozenset(instant.sought if instant else ())
 
     @property
     def unsettled(self) -> frozenset[str]:
@@ -162,7 +163,7 @@ class View(Context):
         id = f"start.{key.removesuffix('_dot')}"
         return id not in self.facts or id in self.premises
 
-    def meaning(self, letter: str, table: Mapping, opaque: Callable[[View, str], Value]) -> Value:
+    def meaning(self, letter: str, table: Mapping[str, Value], opaque: Callable[[View, str], Value]) -> Any:
         """What a letter stands for: as the step that introduced it says, if this is the step itself or a premise."""
         id, said = self.introduced.get(letter, ("", None))
         if self.step is not None and id == self.step.id:
@@ -216,9 +217,10 @@ class View(Context):
 
     def rate(self, node: t.Node) -> Scalar:
         """d/dt of a tree; an integral along the motion begins at the start, which must be a premise."""
-        return self._once("rate", node, self._rate)
+        found: Scalar = self._once("rate", node, self._rate)
+        return found
 
-    def value(self, node: t.Node) -> Value:
+    def value(self, node: t.Node) -> Any:
         """The value of a tree in what the premises grant."""
         return self._once("value", node, self._value)
 
@@ -227,12 +229,13 @@ class View(Context):
             self.start(symbol(part.var))
         return super().rate(node)
 
-    def _value(self, node: t.Node) -> Value:
+    def _value(self, node: t.Node) -> Any:
         for part in self.parts(node, t.Delta, t.At):
-            self.start(value(part.arg, self.scope))
+            inner: Any = value(part.arg, self.scope)
+            self.start(inner)
         return super().value(node)
 
-    def _once(self, kind: str, node: t.Node, find: Callable[[t.Node], Value]) -> Value:
+    def _once(self, kind: str, node: t.Node, find: Callable[[t.Node], Value]) -> Any:
         """What is found, if no other view with the same premises for these letters has found it already."""
         same, rests = self._resting(node)
         key = (kind, id(same), self.step.id if self.step.id in rests else "", (rests | fixed(self)) & self.premises)
@@ -252,9 +255,10 @@ class View(Context):
         if key not in self.rows:
             same = self.rows.setdefault(("node", node), node)
             self.rows[key] = (node, same, frozenset(introducers(self, [node])))
-        return self.rows[key][1:]
+        _, same, rests = self.rows[key]
+        return same, rests
 
-    def on_motion(self, found: Value) -> Value:
+    def on_motion(self, found: Any) -> Any:
         """Accelerations, unknown forces and letters replaced by what the premises say of them."""
         if isinstance(found, Space):
             x, y, z = (self.on_motion(part) for part in found.components())
@@ -281,6 +285,10 @@ class View(Context):
         return with_squares(found, self.whole.squares)
 
     # --- what the premises say
+
+    def reach(self, goal: Scalar) -> None:
+        """Notes a goal."""
+        self.goals.append(goal)
 
     def agree_by_numbers(self, gap: Scalar, depth: str) -> bool | None:
         """Whether a gap seems to close at that depth, with what is used noted; None if numbers do not tell."""
@@ -316,7 +324,8 @@ class View(Context):
         if wanted and key not in self.rows:
             rows = [row for one in self._keys for row in self.rows[one][0]]
             self.rows[key] = known_by(rows, wanted, self._rank, speeds)
-        return self.rows[key] if wanted else NOTHING_KNOWN
+        known: Known = self.rows[key] if wanted else NOTHING_KNOWN
+        return known
 
     @cached_property
     def _keys(self) -> tuple[object, ...]:
@@ -354,17 +363,17 @@ class View(Context):
 
 def seen_by(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False) -> View:
     """The context as a step with these premises sees it."""
-    shared = (getattr(context, name) for name in SHARED)
-    return View(*shared, step, premises, hasty)
+    shared = {name: getattr(context, name) for name in SHARED}
+    return View(**shared, step=step, order=premises, is_hasty=hasty)
 
 
-class _Letters(Mapping):
+class _Letters(Mapping[str, Any]):
     """A table of letters that gives those meanings alone which the view grants."""
 
     def __init__(self, view: View, table: Mapping[str, Value], opaque: Callable[[View, str], Value]) -> None:
         self._view, self._table, self._opaque = view, table, opaque
 
-    def __getitem__(self, name: str) -> Value:
+    def __getitem__(self, name: str) -> Any:
         if name not in self._table:
             raise KeyError(name)
         return self._view.meaning(name, self._table, self._opaque)

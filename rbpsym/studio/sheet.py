@@ -55,7 +55,7 @@ class Sheet(Frozen):
     def steps(self) -> dict[str, Step]:
         """The proved steps by id, in their order."""
         steps = (*self.begins, *self.derivation.steps)
-        return {self.prefix + step.id: step for step in steps if step.certificate and step.certificate.verdict.is_proved}
+        return {self.prefix + step.id: step for step in steps if step.certificate.verdict.is_proved}
 
     @cached_property
     def own(self) -> frozenset[str]:

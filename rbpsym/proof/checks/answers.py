@@ -18,7 +18,7 @@ from rbpsym.decide.verdict import Verdict, all_of, proved, undecided
 from rbpsym.field import NOTHING, UNITY, Scalar, Scope, atoms, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.present.forms import present
-from rbpsym.proof.checks.of_steps import relations, same
+from rbpsym.proof.checks.of_steps import right_sides, same
 from rbpsym.proof.checks.parameters import KINDS, side_of
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Step
@@ -29,13 +29,13 @@ OTHER = "other_{}"
 def put_in(context: Context, step: Step) -> Verdict:
     """Each stated value is the formula of another one, read with these meanings of its letters (`data`: "value", "image")."""
     read = scalar(present(step.data["value"]), Scope(step.data["image"]))
-    return all_of(same(context, context.value(right), read) for _, _, right in relations(step.statement))
+    return all_of(same(context, value, read) for value in right_sides(context, step))
 
 
 def no_change(context: Context, step: Step) -> Verdict:
     """The value is the best one, which is told, whatever the named quantities are (`data`: "value", "names", "best", "given")."""
     value, names, best, given = (step.data[key] for key in ("value", "names", "best", "given"))
-    told = [same(context, context.value(right), best) for _, _, right in relations(step.statement)]
+    told = [same(context, value, best) for value in right_sides(context, step)]
     return all_of([*told, scalars_equal(_renamed(value, names), best, _alike(given, names))])
 
 
@@ -161,6 +161,6 @@ def greatest_of(context: Context, step: Step) -> Verdict:
     """No other value lies beyond the best one (`data`: "best", "others": values with what is given where each is compared,
     "sense")."""
     best, others, sense = (step.data[key] for key in ("best", "others", "sense"))
-    told = [same(context, context.value(right), best) for _, _, right in relations(step.statement)]
+    told = [same(context, value, best) for value in right_sides(context, step)]
     pairs = (((other, best) if sense > 0 else (best, other), given) for other, given in others)
     return all_of([*told, *(compare(*ends, given, strict=False) for ends, given in pairs)])

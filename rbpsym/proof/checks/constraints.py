@@ -6,15 +6,15 @@ Momenta are summed over the mass itself, forces are put in one by one with what 
 
 from __future__ import annotations
 
-from rbpsym.decide.verdict import UNDECIDED, Verdict
-from rbpsym.expr.tree import relations
+from rbpsym.decide.verdict import Verdict, undecided
+from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, short, symbol, tidy, time_derivative
 from rbpsym.field.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.system import Condition, System, at_point, by_letters, in_state
-from rbpsym.proof.checks.of_steps import agree, difference, first_proved, same, weakest
+from rbpsym.proof.checks.of_steps import agree, difference, differences, first_proved, same, weakest
 from rbpsym.proof.context import Context
 from rbpsym.proof.facts import MOTION, law_rows
 from rbpsym.proof.mass import angular_momentum, power, torque
@@ -43,7 +43,7 @@ def conditions_kept(context: Context, step: Step) -> Verdict:
 def _use_conditions(context: Context, step: Step) -> None:
     """The steps that tell of the conditions in which the quantity stands; where it starts, if only its rate is tied."""
     kept = context.study.system.conditions
-    for left, _, _ in relations(step.statement):
+    for left, _, _ in t.relations(step.statement):
         name = getattr(left, "name", "")
         tying = {c.constraint for c in kept if depends_on(c.value, name.removesuffix("_dot"))}
         for id in (f"{kind}.{one}" for one in sorted(tying) for kind in ("condition", "no_slip", "taut")):
@@ -133,7 +133,7 @@ def kept_condition(context: Context, step: Step) -> Verdict:
     return first_proved((same(context, value, stated) for value in kept), NOT_KNOWN)
 
 
-NOT_KNOWN = Verdict(UNDECIDED, reason="it is not among what is known at the start")
+NOT_KNOWN = undecided("it is not among what is known at the start")
 
 
 def rate_at_start(context: Context, step: Step) -> Verdict:
@@ -160,9 +160,6 @@ def law_at_start(context: Context, step: Step) -> Verdict:
     """Each relation is one of the equations of a law where the motion starts, up to its sign (`data`: "law")."""
     context.use(step.data["law"])
     rows = [context.start(row) for row in law_rows(context.whole, context.facts[step.data["law"]])]
-    found = []
-    for left, _, right in relations(step.statement):
-        gap = context.value(left) - context.value(right)
-        verdicts = (agree(context, row, way, "motion") for row in rows for way in (gap, -gap))
-        found.append(first_proved(verdicts, NOT_KNOWN))
-    return weakest(found)
+    gaps = differences(context, step.statement)
+    found = ((agree(context, row, way, "motion") for row in rows for way in (gap, -gap)) for gap in gaps)
+    return weakest([first_proved(verdicts, NOT_KNOWN) for verdicts in found])

@@ -6,6 +6,7 @@ A coordinate that an equation with the time ties is checked by this equation its
 from __future__ import annotations
 
 from contextlib import suppress
+from typing import Any
 
 from rbpsym.decide.equal import compare, scalars_equal
 from rbpsym.decide.signs import sign
@@ -16,7 +17,6 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.proof.checks.places import UNSEEN, own_place
 from rbpsym.proof.context import Context
 from rbpsym.proof.mass import primitive
-from rbpsym.statement.model import Phase
 
 
 def course_of(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
@@ -35,7 +35,8 @@ def course_of(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
 def _still(context: Context) -> dict[str, Scalar]:
     """Coordinates with their starts, and their speeds, that begin at rest and have no acceleration there, wherever the others
     are: they stay."""
-    system, wanted = context.study.system, {}
+    system = context.study.system
+    wanted: dict[str, Scalar] = {}
     for name in context.study.resting:
         if name in system.coordinates and is_zero(context.start(symbol(f"{name}_dot"))):
             wanted |= {name: context.start(symbol(name)), f"{name}_dot": NOTHING}
@@ -68,13 +69,13 @@ def at_time(time: Scalar, value: Scalar) -> Scalar:
     return substitute(value, {"t": time})
 
 
-def is_driven(context: Context, phase: Phase | None) -> bool:
+def is_driven(context: Context, phase: Any) -> bool:
     """Whether a phase ends where such a coordinate has a value."""
     is_alone = phase is not None and phase.event == "reaches" and not context.study.system.independent
     return is_alone and any(depends_on(tie.value, phase.subject) for tie in context.study.ties)
 
 
-def left_then(context: Context, phase: Phase) -> Scalar:
+def left_then(context: Context, phase: Any) -> Scalar:
     """What vanishes at the moment, as a function of the time."""
     return substitute(_tie(context, phase.subject), {phase.subject: scalar(phase.value)})
 
@@ -84,7 +85,7 @@ def _tie(context: Context, name: str) -> Scalar:
     return found
 
 
-def comes_there(context: Context, phase: Phase) -> Verdict:
+def comes_there(context: Context, phase: Any) -> Verdict:
     """The value lies ahead of the start, in the sense of a speed that keeps its sign all the way."""
     begin, end = context.start(symbol(phase.subject)), scalar(phase.value)
     speed = context.study.system.scope.rates[phase.subject]
@@ -93,7 +94,7 @@ def comes_there(context: Context, phase: Phase) -> Verdict:
     return compare(NOTHING, (end - begin) * ways.pop(), context.assumptions) if len(ways) == 1 and 0 not in ways else UNSEEN
 
 
-def state_said(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+def state_said(context: Context, ending: Any, what: str, name: str, stated: Scalar) -> Verdict:
     """The stated place, or speed, meets the equation, or its rate, at that time; what depends on it, by its formula."""
     subject, state = ending.phase.subject, ending.state
     value = _tie(context, subject) if name == subject else own_place(context, name)

@@ -7,13 +7,14 @@ integral differentiated, a moment taken over the mass itself, a solution substit
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from typing import Any
 
 from rbpsym.decide.equal import compare, scalars_equal
-from rbpsym.decide.verdict import PROVED, UNDECIDED, Verdict, undecided
+from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.expr.tree import relations
-from rbpsym.field import NOTHING, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol, total
 from rbpsym.field.division import divide, vanishes_on
 from rbpsym.field.normal import normal
 from rbpsym.proof.context import Context
@@ -26,7 +27,7 @@ Check = Callable[[Context, Step], Verdict]
 
 def weakest(verdicts: Iterable[Verdict]) -> Verdict:
     """The first verdict that is not PROVED, else the last of them."""
-    found = Verdict(UNDECIDED, reason="nothing was asserted")
+    found = undecided("nothing was asserted")
     for found in verdicts:
         if found.kind is not PROVED:
             return found
@@ -38,10 +39,25 @@ def first_proved(verdicts: Iterable[Verdict], otherwise: Verdict) -> Verdict:
     return next((verdict for verdict in verdicts if verdict.is_proved), otherwise)
 
 
+def each(step: Step, check: Callable[[t.Node, str, t.Node], Verdict]) -> Verdict:
+    """The weakest verdict on the relations that a step states; of one that can't be seen UNDECIDED."""
+    return weakest(guarded(partial(check, *row)) for row in t.relations(step.statement))
+
+
+def right_sides(context: Context, step: Step) -> list[Scalar]:
+    """The right sides of the relations that a step states."""
+    return [context.value(right) for _, _, right in t.relations(step.statement)]
+
+
 def right_side(context: Context, step: Step) -> Scalar:
     """The right side of the one relation that a step states."""
-    [(_, _, right)] = relations(step.statement)
-    return context.value(right)
+    [found] = right_sides(context, step)
+    return found
+
+
+def named_sides(context: Context, step: Step) -> list[tuple[str, Scalar]]:
+    """The letters at the left of the relations that a step states ("" for what is none), each with the right side."""
+    return [(getattr(left, "name", ""), context.value(right)) for left, _, right in t.relations(step.statement)]
 
 
 def premise_says(context: Context, id: str) -> Scalar:
@@ -50,10 +66,15 @@ def premise_says(context: Context, id: str) -> Scalar:
     return right_side(context, context.steps[id])
 
 
-def difference(context: Context, node: t.Node) -> Value:
+def differences(context: Context, node: t.Node) -> list[Scalar]:
+    """The left sides of relations minus their right sides."""
+    return [context.value(left) - context.value(right) for left, _, right in t.relations(node)]
+
+
+def difference(context: Context, node: t.Node) -> Scalar:
     """The left side of one relation minus its right side."""
-    [(left, _, right)] = relations(node)
-    return context.value(left) - context.value(right)
+    [found] = differences(context, node)
+    return found
 
 
 def guarded(check: Callable[[], Verdict]) -> Verdict:
@@ -62,7 +83,7 @@ def guarded(check: Callable[[], Verdict]) -> Verdict:
         with at_most(MOST_PRODUCTS):
             return check()
     except (RbpsymError, ZeroDivisionError) as error:
-        return Verdict(UNDECIDED, reason=str(error))
+        return undecided(str(error))
 
 
 def _components(found: Value) -> tuple[Scalar, ...]:
@@ -72,17 +93,17 @@ def _components(found: Value) -> tuple[Scalar, ...]:
 
 def same(context: Context, a: Scalar, b: Scalar) -> Verdict:
     """Whether two scalars are equal, on the conditions that tie the coordinates if there are any."""
-    if getattr(context, "is_hasty", False) and not _may_be_equal(a - b, context):
-        return Verdict(UNDECIDED, reason="not proved at once")
+    if context.is_hasty and not _may_be_equal(a - b, context):
+        return undecided("not proved at once")
     found = scalars_equal(a, b, context.assumptions)
     if found.kind is not PROVED and _is_unsolved(context, a - b):
         return _by_equations_of_motion(context, a - b)
-    ties = [condition.value for condition in getattr(context, "ties", ())]
+    ties = [condition.value for condition in context.ties]
     if found.kind is PROVED or not ties:
         return found
     if vanishes_on(a - b, ties):
-        return Verdict(PROVED, how="in the ideal of the conditions that tie the coordinates")
-    return Verdict(UNDECIDED, reason="the coordinates are tied by conditions that were not solved in closed form")
+        return proved("in the ideal of the conditions that tie the coordinates")
+    return undecided("the coordinates are tied by conditions that were not solved in closed form")
 
 
 def _may_be_equal(rest: Scalar, context: Context) -> bool:
@@ -93,8 +114,7 @@ def _may_be_equal(rest: Scalar, context: Context) -> bool:
 
 def _is_unsolved(context: Context, rest: Scalar) -> bool:
     """Whether accelerations stand in it for which there is no closed formula."""
-    unsolved = getattr(context, "unsolved", ())
-    return any(derivative(rest, name) for name in unsolved)
+    return any(derivative(rest, name) for name in context.unsolved)
 
 
 def _by_equations_of_motion(context: Context, rest: Scalar) -> Verdict:
@@ -102,39 +122,36 @@ def _by_equations_of_motion(context: Context, rest: Scalar) -> Verdict:
     study = context.study
     for known in (*study.motion_rows, study.power_balance):
         if is_zero(rest + known) or is_zero(rest - known):
-            return Verdict(PROVED, how="one of the equations of motion, or their balance of power")
-    return Verdict(UNDECIDED, reason="no closed formula for the accelerations of so many coupled coordinates was found")
+            return proved("one of the equations of motion, or their balance of power")
+    return undecided("no closed formula for the accelerations of so many coupled coordinates was found")
 
 
 def _each(context: Context, step: Step, depth: str) -> Verdict:
     def one(left: t.Node, op: str, right: t.Node) -> Verdict:
         a, b = context.value(left), context.value(right)
         if op == "=":
-            pairs = (
-                zip(_components(a), _components(b), strict=True)
-                if isinstance(a, Space) or isinstance(b, Space)
-                else [(a, b)]
-            )
+            is_vector = isinstance(a, Space) or isinstance(b, Space)
+            pairs = zip(_components(a), _components(b), strict=True) if is_vector else [(a, b)]
             return weakest([agree(context, x, y, depth) for x, y in pairs])
         a, b = seen(context, a, depth), seen(context, b, depth)
         low, high = (a, b) if op in ("<", "<=") else (b, a)
         return compare(low, high, context.assumptions, strict=op in ("<", ">"))
 
-    return weakest(guarded(lambda r=r: one(*r)) for r in relations(step.statement))
+    return each(step, one)
 
 
-def seen(context: Context, value: Scalar, depth: str) -> Scalar:
+def seen(context: Context, value: Scalar, depth: str) -> Any:
     """A value in every state ("state"), on the motion ("motion"), or along it from the start ("along")."""
     return context.along(value) if depth == "along" else context.on_motion(value) if depth == "motion" else value
 
 
 def agree(context: Context, a: Scalar, b: Scalar, depth: str) -> Verdict:
     """Whether two values are equal as seen at that depth."""
-    if getattr(context, "is_hasty", False) and (quick := context.agree_by_numbers(a - b, depth)) is not None:
-        return Verdict(PROVED, how="by numbers") if quick else Verdict(UNDECIDED, reason="not by numbers")
+    if context.is_hasty and (quick := context.agree_by_numbers(a - b, depth)) is not None:
+        return proved("by numbers") if quick else undecided("not by numbers")
     found = same(context, seen(context, a - b, depth), NOTHING)
-    if found.is_proved and depth != "state" and hasattr(context, "goals"):
-        context.goals.append(a - b)
+    if found.is_proved and depth != "state":
+        context.reach(a - b)
     return found
 
 
@@ -166,24 +183,24 @@ def _by_rates(context: Context, step: Step, *depths: str) -> Verdict:
                 return weakest([rates, same(context, begin(context, left), begin(context, right))])
         return rates
 
-    return weakest(guarded(lambda r=r: one(*r)) for r in relations(step.statement))
+    return each(step, one)
 
 
 def begin(context: Context, node: t.Node) -> Scalar:
     """The value at the start, where every integral along the motion is zero."""
-    if isinstance(node, (t.Integral, t.PathIntegral, t.Delta)):
-        return NOTHING
-    if isinstance(node, t.Add):
-        return sum((begin(context, term) for term in node.terms), NOTHING)
-    if isinstance(node, t.Sum):
-        return begin(context, node.term)
-    if isinstance(node, (t.Neg, t.Group)):
-        inner = begin(context, node.arg)
-        return -inner if isinstance(node, t.Neg) else inner
-    if isinstance(node, t.Sym) and node.name in context.works:
-        return NOTHING
-    if isinstance(node, t.Mul) and any(isinstance(f, (t.Integral, t.PathIntegral)) for f in node.factors):
-        return NOTHING
+    match node:
+        case t.Integral() | t.PathIntegral() | t.Delta():
+            return NOTHING
+        case t.Add(terms=terms):
+            return total(begin(context, term) for term in terms)
+        case t.Sum(term=inner) | t.Group(arg=inner):
+            return begin(context, inner)
+        case t.Neg(arg=inner):
+            return -begin(context, inner)
+        case t.Sym(name=name) if name in context.works:
+            return NOTHING
+        case t.Mul(factors=factors) if any(isinstance(factor, (t.Integral, t.PathIntegral)) for factor in factors):
+            return NOTHING
     return context.start(context.value(node))
 
 
@@ -200,20 +217,20 @@ def rates_on_motion(context: Context, step: Step) -> Verdict:
 def power_of_works(context: Context, step: Step) -> Verdict:
     """The rate of the works is as stated, whatever the unknown forces; an inequality holds for every state."""
 
-    def seen(node: t.Node) -> Scalar:
+    def seen(node: t.Node) -> Any:
         return context.rate(node.of) if isinstance(node, t.Deriv) else context.value(node)
 
     def one(left: t.Node, op: str, right: t.Node) -> Verdict:
         a, b = seen(left), seen(right)
         return same(context, a, b) if op == "=" else compare(a, b, context.assumptions, strict=op == "<")
 
-    return weakest(guarded(lambda r=r: one(*r)) for r in relations(step.statement))
+    return each(step, one)
 
 
 def integrals_by_differentiation(context: Context, step: Step) -> Verdict:
     """Each integral: its antiderivative is differentiated and compared with the integrand."""
     found = [node for node in t.walk(step.statement) if isinstance(node, t.Integral)]
-    return weakest([guarded(lambda n=n: _undone(context, n)) for n in found]) if found else _nothing()
+    return weakest(guarded(partial(_undone, context, node)) for node in found) if found else _nothing()
 
 
 def _undone(context: Context, node: t.Integral) -> Verdict:
@@ -224,7 +241,7 @@ def _undone(context: Context, node: t.Integral) -> Verdict:
 
 
 def _nothing() -> Verdict:
-    return Verdict(PROVED, how="nothing of this kind occurs")
+    return proved("nothing of this kind occurs")
 
 
 def derivatives_by_integration(context: Context, step: Step) -> Verdict:
@@ -233,7 +250,7 @@ def derivatives_by_integration(context: Context, step: Step) -> Verdict:
     `data`: "of" (a Scalar or Vector of positions) and "rate" (what was found, linear in speeds).
     """
     pairs = step.data.get("pairs", ())
-    return weakest([guarded(lambda p=p: _integrated(context, *p)) for p in pairs]) if pairs else _nothing()
+    return weakest(guarded(partial(_integrated, context, *pair)) for pair in pairs) if pairs else _nothing()
 
 
 def _integrated(context: Context, of: Scalar, found: Scalar) -> Verdict:
@@ -324,7 +341,7 @@ def value_there(context: Context, step: Step) -> Verdict:
     """What is stated is the value of a quantity at a place that another step found (`data`: "of", "at", "place")."""
     context.use(step.data["place"])
     there = substitute(context.along(symbol(step.data["of"])), step.data["at"])
-    return weakest(same(context, context.value(right), there) for _, _, right in relations(step.statement))
+    return weakest(same(context, value, there) for value in right_sides(context, step))
 
 
 def conservative(context: Context, step: Step) -> Verdict:
@@ -354,17 +371,17 @@ def divides(factor: Scalar, value: Scalar) -> Verdict:
     common = dict(num.content()[1])
     is_there = all(common.get(index, 0) >= power for index, power in by.content()[1] if power > 0)
     if not is_there or divide(num, by) is None:  # x/y is no reason why x should vanish with y
-        return Verdict(UNDECIDED, reason="the factor was not found in the force again")
-    return Verdict(PROVED, how="the factor divides the force")
+        return undecided("the factor was not found in the force again")
+    return proved("the factor divides the force")
 
 
 def holds_there(context: Context, step: Step) -> Verdict:
     """The stated relation holds at the place (`data`: "at"); without one, it is the factor (`data`: "factor")."""
 
-    def one(left: t.Node, right: t.Node) -> Verdict:
+    def one(left: t.Node, op: str, right: t.Node) -> Verdict:
         difference = context.value(left) - context.value(right)
         if step.data["at"]:
             return same(context, substitute(difference, step.data["at"]), NOTHING)
         return same(context, context.along(difference), step.data["factor"])
 
-    return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))
+    return each(step, one)

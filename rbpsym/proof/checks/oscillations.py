@@ -8,16 +8,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import permutations, zip_longest
+from itertools import chain, permutations, zip_longest
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.equal import compare
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.decide.verdict import UNDECIDED, Verdict
+from rbpsym.decide.verdict import Verdict, undecided
+from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, depends_on, derivative, short, substitute, symbol, total
 from rbpsym.mechanics.demands import assuming
-from rbpsym.proof.checks.of_steps import difference, first_proved, relations, right_side, same, weakest
+from rbpsym.proof.checks.of_steps import (
+    difference,
+    differences,
+    first_proved,
+    named_sides,
+    right_side,
+    right_sides,
+    same,
+    weakest,
+)
 from rbpsym.proof.context import Context
 from rbpsym.proof.expansion import Nearby, nearby
 from rbpsym.proof.step import Step
@@ -33,20 +43,17 @@ def still(context: Context, value: Scalar, at: Mapping[str, Scalar]) -> Scalar:
 def _forces_at_rest(context: Context) -> list[Scalar]:
     """Minus the slopes of the potential energy, if there is one."""
     study = context.study
-    conservative = study.potential is not None and not study.system.has_clock and not study.system.implicit
+    potential = None if study.system.has_clock or study.system.implicit else study.potential
     names = study.system.independent
-    forces = [-derivative(study.potential, n) for n in names] if conservative else list(study.dynamics.forcing)
+    forces = list(study.dynamics.forcing) if potential is None else [-derivative(potential, n) for n in names]
     return [still(context, force, {}) for force in forces]
 
 
 def forces_at_rest(context: Context, step: Step) -> Verdict:
     """Each row is the generalized force of one coordinate at rest."""
-    forces, found = _forces_at_rest(context), []
-    for left, _, right in relations(step.statement):
-        stated = context.value(left) - context.value(right)
-        verdicts = [same(context, stated, force) for force in forces]
-        found.append(first_proved(verdicts, verdicts[0]))
-    return weakest(found)
+    forces = _forces_at_rest(context)
+    rows = ([same(context, stated, force) for force in forces] for stated in differences(context, step.statement))
+    return weakest([first_proved(verdicts, verdicts[0]) for verdicts in rows])
 
 
 def force_vanishes(context: Context, step: Step) -> Verdict:
@@ -63,17 +70,16 @@ def force_vanishes(context: Context, step: Step) -> Verdict:
         asked = Scalar(factor.den) if item.stable is None else factor
         if sign(substitute(asked, {item.place: symbol(item.name)}), context.assumptions).is_nonzero:
             return same(context, stated * factor, there)
-    return found if found.is_proved else Verdict(UNDECIDED, reason="whether the factor between them vanishes is not decided")
+    return found if found.is_proved else undecided("whether the factor between them vanishes is not decided")
 
 
 def force_at_ends(context: Context, step: Step) -> Verdict:
     """The rows are the force at rest at the two ends of the range, in their order (`data`: "balance")."""
     item, [force] = step.data["balance"], _forces_at_rest(context)
     coordinate = context.study.problem.coordinate(item.name)
-    found = []
-    for (left, _, _), bound in zip(relations(step.statement), (coordinate.lower, coordinate.upper), strict=True):
-        found.append(same(context, context.value(left), substitute(force, {item.name: context.value(bound)})))
-    return weakest(found)
+    ends = [{item.name: context.value(bound)} for bound in (coordinate.lower, coordinate.upper) if bound is not None]
+    rows = zip(t.relations(step.statement), ends, strict=True)
+    return weakest([same(context, context.value(left), substitute(force, end)) for (left, _, _), end in rows])
 
 
 def series_in_balance(context: Context, step: Step) -> Verdict:
@@ -97,13 +103,10 @@ def series_in_balance(context: Context, step: Step) -> Verdict:
 
 def place_stated(context: Context, step: Step) -> Verdict:
     """What is stated is the place that was checked (`data`: "at")."""
-    found = []
-    for left, _, right in relations(step.statement):
-        name = getattr(left, "name", None)
-        if name not in step.data["at"]:
-            return Verdict(UNDECIDED, reason="the step does not name a coordinate")
-        found.append(same(context, context.value(right), step.data["at"][name]))
-    return weakest(found)
+    at, stated = step.data["at"], named_sides(context, step)
+    if any(name not in at for name, _ in stated):
+        return undecided("the step does not name a coordinate")
+    return weakest([same(context, value, at[name]) for name, value in stated])
 
 
 def at_rest(context: Context, step: Step) -> Verdict:
@@ -117,12 +120,12 @@ def series(context: Context, step: Step) -> Verdict:
 
     `data`: "name", "at".
     """
-    [(left, _, right)] = list(relations(step.statement))
+    [(left, _, right)] = t.relations(step.statement)
+    stated = context.value(right)
     study, at, gained = context.study, step.data["at"], symbol(f"{step.data['name']}_ddot")
-    apart = nearby((context.value(right) - study.on_motion(gained),), (), study.system.independent, at, {})
+    apart = nearby((stated - study.on_motion(gained),), (), study.system.independent, at, {})
     found = [same(context, value, NOTHING) for value in (*apart.rest, *apart.drag[0], *apart.pull[0])]
-    found.append(same(context, context.value(left), gained))
-    return weakest([*found, _is_linear(context, context.value(right), step)])
+    return weakest([*found, same(context, context.value(left), gained), _is_linear(context, stated, step)])
 
 
 def _is_linear(context: Context, value: Scalar, step: Step) -> Verdict:
@@ -143,7 +146,7 @@ def near_place(context: Context, step: Step) -> Nearby:
 def linear_rows(context: Context, step: Step) -> Verdict:
     """Row by row: what is stated is linear, and is the equation of motion to first order (`data`: "at", "tied")."""
     study, at, near = context.study, step.data["at"], near_place(context, step)
-    stated = [context.value(left) - context.value(right) for left, _, right in relations(step.statement)]
+    stated = differences(context, step.statement)
     own = nearby(stated, (), study.system.independent, at, {})
     found = [same(context, value, NOTHING) for value in (*near.rest, *near.ties, *own.rest)]
     for mine, there in ((own.mass, near.mass), (own.drag, near.drag), (own.pull, near.pull)):
@@ -167,7 +170,7 @@ def positive_minors(context: Context, step: Step) -> Verdict:
     """The stated values are the leading minors of the stiffness, and positive (`data`: "at")."""
     found = []
     expected = minors(held(context, step, near_place(context, step).pull))
-    for (left, _, right), minor in zip(relations(step.statement), expected, strict=True):
+    for (left, _, right), minor in zip(t.relations(step.statement), expected, strict=True):
         value = context.value(left)
         found += [same(context, value, minor), positive(context, step, value - context.value(right))]
     return weakest(found)
@@ -220,17 +223,15 @@ def secular(context: Context, step: Step) -> Verdict:
 def characteristic(context: Context, step: Step) -> Verdict:
     """Each stated λ makes K - λ M singular (`data`: "at"; no speeds occur)."""
     near = near_place(context, step)
-    found = [same(context, value, NOTHING) for row in near.drag for value in row]
-    for _, _, right in relations(step.statement):
-        found.append(same(context, _leibniz(_shifted(near, context.value(right))), NOTHING))
-    return weakest(found)
+    singular = (_leibniz(_shifted(near, square)) for square in right_sides(context, step))
+    return weakest([same(context, value, NOTHING) for value in (*chain.from_iterable(near.drag), *singular)])
 
 
 def mode_shape(context: Context, step: Step) -> Verdict:
     """(K - λ M) A = 0 for the amplitudes in the stated ratios to that of the first in the order, and A₁² Σ M_ij A_i A_j / A₁² = 1
     (`data`: "at", "square", "order")."""
     order, near = step.data["order"], near_place(context, step)
-    told = [context.value(right) for _, _, right in relations(step.statement)]
+    told = right_sides(context, step)
     ratios, sizes = dict(zip(order, (UNITY, *told), strict=False)), told[len(order) - 1 :]
     mass = total(near.mass[i][j] * ratios[i] * ratios[j] for i in order for j in order)
     rows = (total(row[k] * ratios[k] for k in order) for row in _shifted(near, step.data["square"]))
@@ -275,7 +276,7 @@ def polynomial(context: Context, step: Step) -> Verdict:
     found = weakest(same(context, part, mine * factor) for part, mine in zip(parts, own, strict=True))
     if sign(factor, context.assumptions).is_nonzero or not found.is_proved:
         return found
-    return Verdict(UNDECIDED, reason="it is not decided whether a common factor vanishes")
+    return undecided("it is not decided whether a common factor vanishes")
 
 
 def motion_of_mode(context: Context, step: Step) -> Verdict:
@@ -286,7 +287,7 @@ def motion_of_mode(context: Context, step: Step) -> Verdict:
         near = replace(near, drag=[[NOTHING] * len(row) for row in near.drag])
     decay, square = step.data["decay"], step.data["square"]
     gap = square - decay * decay
-    more = {"surely": [gap], "never": [-gap]}.get(step.data.get("swings"), [])
+    more = {"surely": [gap], "never": [-gap]}.get(step.data.get("swings", ""), [])
     signs = [positive(context, step, value) for value in (square, *([decay] if decay else []), *more)]
     return weakest([divides(context, near, (UNITY, decay * 2, square)), *signs])
 
@@ -294,11 +295,11 @@ def motion_of_mode(context: Context, step: Step) -> Verdict:
 def critical(context: Context, step: Step) -> Verdict:
     """(2γ)² - 4ϑ² = b² (c² - c_crit²) with b free of c, and c_crit > 0: the damping is weak below c_crit and nowhere else
     (`data`: "name" of c, "damping" 2γ, "square" ϑ²)."""
-    [(left, _, _)] = list(relations(step.statement))
+    [(left, _, _)] = list(t.relations(step.statement))
     name, damping, value = step.data["name"], step.data["damping"], context.value(left)
     each = damping / symbol(name)
     if depends_on(each, name) or depends_on(value, name):
-        return Verdict(UNDECIDED, reason="the damping is not proportional to the parameter")
+        return undecided("the damping is not proportional to the parameter")
     spread = damping * damping - step.data["square"] * 4
     found = same(context, spread, each * each * (symbol(name) * symbol(name) - value * value))
     return weakest([found, positive(context, step, value)])
@@ -313,7 +314,8 @@ def rate_of_mode(context: Context, step: Step) -> Verdict:
 
 def _routh(powers: Sequence[Scalar]) -> list[Scalar]:
     """Hurwitz's determinants Δ₁, Δ₂, …: products of the first column of Routh's table; zeros from the first that vanishes."""
-    above, row, found = list(powers[::2]), list(powers[1::2]), []
+    above, row = list(powers[::2]), list(powers[1::2])
+    found: list[Scalar] = []
     while row:
         found.append(row[0] * (found[-1] if found else UNITY))
         if not row[0]:
@@ -333,8 +335,8 @@ def hurwitz(context: Context, step: Step) -> Verdict:
     are where one of the open "conditions" is, from which it differs by a positive factor (`data`: "at", "powers")."""
     powers, known = step.data["powers"], step.data["conditions"]
     found = [divides(context, near_place(context, step), powers), positive(context, step, powers[0])]
-    for (left, op, right), value in zip(relations(step.statement), routh_conditions(powers), strict=True):
+    for (left, op, right), value in zip(t.relations(step.statement), routh_conditions(powers), strict=True):
         found.append(same(context, context.value(right if op == "=" else left), value))
         if op == "=" and not any(positive(context, step, value / condition).is_proved for condition in known):
-            found.append(Verdict(UNDECIDED, reason="none of the named conditions says that this is positive"))
+            found.append(undecided("none of the named conditions says that this is positive"))
     return weakest(found)

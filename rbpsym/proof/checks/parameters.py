@@ -21,11 +21,12 @@ from rbpsym.field import NOTHING, UNITY, Scalar, atoms, factors, generator, inve
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.field.normal import normal
 from rbpsym.field.roots import with_image
-from rbpsym.proof.checks.of_steps import first_proved, relations
+from rbpsym.proof.checks.of_steps import first_proved, right_sides
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Step
 
 Ends = Mapping[int, Scalar | None]  # the lower (1) and the upper (-1) bound of a region
+Way = tuple[str | None, Sequence[Scalar | None]]  # the coordinate along which a value varies, and the places that decide
 KINDS = {1: "positive", -1: "negative"}
 SENSES = {"positive": 1, "negative": -1}
 MOST_DERIVATIVES = 6
@@ -33,7 +34,7 @@ MOST_DERIVATIVES = 6
 
 def _told(context: Context, step: Step, values: Sequence[Scalar | None]) -> Verdict:
     """Whether each stated value is one of these."""
-    rows = [context.value(right) for _, _, right in relations(step.statement)]
+    rows = right_sides(context, step)
     known = [value for value in values if value is not None]
     given = step.data["given"]
     return all_of(_any_of(scalars_equal(row, value, given) for value in known) for row in rows)
@@ -52,7 +53,7 @@ def bound_told(context: Context, step: Step) -> Verdict:
     """What is stated are bounds, the lower one behind > and the upper one behind <; of the opposite the other way round."""
     way = -1 if step.data.get("opposite") else 1
     sides = {">": (way,), "<": (-way,), "=": (1, -1)}
-    rows = [(replace(step, statement=t.relation(*row)), sides[row[1][0]]) for row in relations(step.statement)]
+    rows = [(replace(step, statement=t.relation(*row)), sides[row[1][0]]) for row in t.relations(step.statement)]
     return all_of(_told(context, row, [step.data["ends"][side] for side in ways]) for row, ways in rows)
 
 
@@ -65,7 +66,7 @@ def limit_told(context: Context, step: Step) -> Verdict:
     """What is stated is, near the limit, the leading term; or the limit (`data`: "there", the quantity as a function of ε)."""
     name, order, end = (step.data[key] for key in ("name", "order", "coefficient"))
     ends = [end * symbol(name) ** order, *([NOTHING] if order > 0 else ())]
-    seen = (substitute(context.value(right), step.data["there"]) for _, _, right in relations(step.statement))
+    seen = (substitute(value, step.data["there"]) for value in right_sides(context, step))
     return all_of(_any_of(scalars_equal(value, one, step.data["given"]) for one in ends) for value in seen)
 
 
@@ -115,8 +116,10 @@ def side_of(value: Scalar, name: str | None, given: Assumptions) -> int:
     """1 or -1 where a value is surely positive or negative in the range of a quantity, as what rises from zero; else 0."""
     found = SENSES.get(sign(value, given).kind or "") or (0 if name is None else sign_along(value, name, given))
     way = 0 if found or name is None else SENSES.get(sign(shorter(derivative(value, name)), given).kind or "", 0)
-    limits = of_symbol(name, given) if way else None
-    for side, end, is_in in ((1, limits.lower, limits.lower_in), (-1, limits.upper, limits.upper_in)) if way else ():
+    if not way or name is None:
+        return found
+    limits = of_symbol(name, given)
+    for side, end, is_in in ((1, limits.lower, limits.lower_in), (-1, limits.upper, limits.upper_in)):
         there = NOTHING if end is None else rooted(substitute(value, {name: end}), given) * side * way
         if end is not None and not is_in and sign(there, given.without(name)).is_nonnegative:
             return side * way
@@ -159,9 +162,9 @@ def valley_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sens
     """Whether the value falls up to zero and rises from there (the other way round for a least one), and is beyond the best one
     at neither end."""
     limits, core = of_symbol(name, given), _core(shorter(derivative(value, name)), given)
-    ends = [limits.lower, limits.upper]
-    sides = ((ends[0], NOTHING, -sense), (NOTHING, ends[1], sense))
-    if None in ends or any(sign(core, given.with_range(name, low, high)).kind != KINDS[way] for low, high, way in sides):
+    ends = [end for end in (limits.lower, limits.upper) if end is not None]
+    sides = ((ends[0], NOTHING, -sense), (NOTHING, ends[-1], sense)) if len(ends) == 2 else ()
+    if not sides or any(sign(core, given.with_range(name, low, high)).kind != KINDS[way] for low, high, way in sides):
         return undecided("that it is monotone is not seen on a second road")
     return all_of(extreme_said(rooted(substitute(value, {name: end}), given), best, given, sense) for end in ends)
 
@@ -230,11 +233,11 @@ def bounds_hold(context: Context, step: Step) -> Verdict:
     return all_of([*inside, *_beyond(values, name, ends, way, given)])
 
 
-def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, given: Assumptions, sense: int) -> Verdict:
+def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way: Way, given: Assumptions, sense: int) -> Verdict:
     """Whether at one bound no value is negative, while at one place one vanishes there and is negative beyond."""
     [name] = there
-    ends = [end and rooted(substitute(end, there), given) for end in given.range_of(way[0])] if way[0] else []
-    within = given.with_range(way[0], *ends, given.sides_of(way[0])) if ends else given
+    low, high = (end and rooted(substitute(end, there), given) for end in given.range_of(way[0] or ""))
+    within = given.with_range(way[0], low, high, given.sides_of(way[0])) if way[0] else given
     is_kept = all(_is_kept(rooted(substitute(value, there), given), way, within) for value in values)
     worst = [value for whole in values for value in _there(whole, *way)]
     edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
@@ -247,13 +250,13 @@ def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, give
     return undecided("that this is the bound is not seen on a second road")
 
 
-def _is_kept(value: Scalar, way, given: Assumptions) -> bool:
+def _is_kept(value: Scalar, way: Way, given: Assumptions) -> bool:
     """Whether a value is nowhere negative on the way."""
     along = way[0]
     return sign(value, given).is_nonnegative or (along is not None and sign_along(value, along, given) > 0)
 
 
-def _ends_said(value: Scalar, slope: int, name: str, ends: Ends, way, given: Assumptions) -> tuple[bool, bool]:
+def _ends_said(value: Scalar, slope: int, name: str, ends: Ends, way: Way, given: Assumptions) -> tuple[bool, bool]:
     """Whether a value is not negative at the end that matters, and whether it vanishes there at one place."""
     bounds = [end for side, end in ends.items() if end is not None and (not slope or side == slope or ends[slope] is None)]
     kept, vanishes = sign(value, given).is_nonnegative, False
@@ -264,7 +267,7 @@ def _ends_said(value: Scalar, slope: int, name: str, ends: Ends, way, given: Ass
     return kept, vanishes
 
 
-def _beyond(values: Sequence[Scalar], name: str, ends: Ends, way, given: Assumptions) -> Iterator[Verdict]:
+def _beyond(values: Sequence[Scalar], name: str, ends: Ends, way: Way, given: Assumptions) -> Iterator[Verdict]:
     for bound, outer in ((ends[1], (None, ends[1])), (ends[-1], (ends[-1], None))):
         if bound is not None:
             outside = given.with_range(name, *outer)

@@ -6,16 +6,29 @@ summed over the mass itself; points are followed as points fixed in their bodies
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import Condition
 from rbpsym.decide.equal import compare, refuted_only_where
 from rbpsym.decide.rooted import sign_along
 from rbpsym.decide.signs import sign
-from rbpsym.decide.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, substitute, symbol, time_derivative
+from rbpsym.field import (
+    NOTHING,
+    ORIGIN,
+    UNITY,
+    Scalar,
+    depends_on,
+    derivative,
+    names_in,
+    short,
+    substitute,
+    symbol,
+    time_derivative,
+)
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
@@ -23,13 +36,12 @@ from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System, by_letters, in_state
 from rbpsym.proof.checks.constraints import slip_at
 from rbpsym.proof.checks.courses import at_time, comes_there, course_of, is_driven, left_then, moved_to, state_said
-from rbpsym.proof.checks.of_steps import agree, premise_says, relations, right_side, same, weakest
+from rbpsym.proof.checks.of_steps import agree, named_sides, premise_says, right_side, right_sides, same, weakest
 from rbpsym.proof.checks.places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.proof.context import Context
-from rbpsym.proof.entailment import short
 from rbpsym.proof.mass import angular_momentum, kinetic_energy, primitive, torque
 from rbpsym.proof.step import Step
-from rbpsym.statement.model import Element, Phase
+from rbpsym.statement.model import Element
 
 Values = Mapping[str, Scalar]
 SENSES = {"positive": 1, "negative": -1, "nonzero": -1}  # 1: surely positive
@@ -39,7 +51,7 @@ GIVE_WAY = ("lost", "slips")  # what ends so holds before: its force pushes, fri
 def slip(context: Context, step: Step) -> Verdict:
     """The stated speed is that of the two material points at the contact (`data`: "element")."""
     found = slip_at(context.study.system, step.data["element"])
-    return weakest(same(context, context.value(right), found) for _, _, right in relations(step.statement))
+    return weakest(same(context, value, found) for value in right_sides(context, step))
 
 
 def reached_then(context: Context, step: Step) -> Verdict:
@@ -49,7 +61,7 @@ def reached_then(context: Context, step: Step) -> Verdict:
 
 def first_then(context: Context, step: Step) -> Verdict:
     """The stated time comes after the start, and what vanishes then does not vanish before."""
-    context, (time,) = under(context, step, ">"), [context.value(right) for _, _, right in relations(step.statement)]
+    context, time = under(context, step, ">"), right_side(context, step)
     before = context.assumptions.with_range("t", NOTHING, time)
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in demanded(context, step)):
         ahead = compare(NOTHING, time, context.assumptions)
@@ -71,7 +83,7 @@ def _has_no_other_root(left: Scalar, time: Scalar, given: Assumptions) -> bool:
     mean, last = (sign(value, given) for value in _mean_and_last(left, time))
     ends = {"positive": ("positive", "nonnegative", "zero"), "negative": ("negative", "nonpositive", "zero")}
     pairs = ((mean.kind, last.kind), (last.kind, mean.kind))
-    return any(other in ends.get(kind, ()) for kind, other in pairs)
+    return any(other in ends.get(kind or "", ()) for kind, other in pairs)
 
 
 def _is_square(left: Scalar) -> bool:
@@ -86,7 +98,7 @@ def _mean_and_last(left: Scalar, time: Scalar) -> tuple[Scalar, Scalar]:
     return short(half * time + begin), short(half * time * 2 + begin)
 
 
-def _left(context: Context, step: Step) -> Scalar:
+def _left(context: Context, step: Step) -> Any:
     """What is left of the slip, or of the way to the value, as a function of the time."""
     phase, system = step.data["ending"].phase, context.study.system
     if is_driven(context, phase):
@@ -114,21 +126,21 @@ def first_there(context: Context, step: Step) -> Verdict:
     """Up to the stated place the speed is not zero, and what vanishes there does not vanish before; what gives way there holds
     before."""
     printed, context = demanded(context, step), under(context, step, ">")
-    (place,) = [context.value(right) for _, _, right in relations(step.statement)]
+    place = right_side(context, step)
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in printed):
         verdicts, between = way_to(context, step.data["name"], place, printed)
         goes = weakest(verdicts)
     if not goes.is_proved:
         return goes
     gap, name = _gap(context, step.data["ending"].phase), step.data["name"]
-    way = SENSES.get(sign(gap, between).kind) or sign_along(gap, name, between)
+    way = SENSES.get(sign(gap, between).kind or "") or sign_along(gap, name, between)
     is_free = way > 0 if step.data["ending"].phase.event in GIVE_WAY else bool(way)
     return Verdict(PROVED) if is_free else UNSEEN
 
 
-def _gap(context: Context, phase: Phase) -> Scalar:
+def _gap(context: Context, phase: Any) -> Any:
     """What vanishes where a phase ends."""
-    system, along = context.study.system, context.study.reactions_along_motion
+    system, along = context.study.system, context.study.reactions_along_motion or {}
     if phase.event == "reaches":
         return own_place(context, phase.subject) - scalar(phase.value)
     if phase.event == "rests":
@@ -156,29 +168,26 @@ def _rests(context: Context, name: str) -> bool:
 
 def state_then(context: Context, step: Step) -> Verdict:
     """Places and speeds at the end, from a motion integrated anew (`data`: "ending", "what", "letters")."""
-    ending, letters, found = step.data["ending"], step.data["letters"], []
+    ending, letters, stated = step.data["ending"], step.data["letters"], named_sides(context, step)
+    if any(letter not in letters for letter, _ in stated):
+        return undecided("the step does not say of what it gives the value")
     see = _by_what(context, ending)
-    for left, _, right in relations(step.statement):
-        name = letters.get(getattr(left, "name", ""))
-        if name is None:
-            return Verdict(UNDECIDED, reason="the step does not say of what it gives the value")
-        found.append(see(context, ending, step.data["what"], name, context.value(right)))
-    return weakest(found)
+    return weakest([see(context, ending, step.data["what"], letters[letter], value) for letter, value in stated])
 
 
-def _by_what(context: Context, ending):
+def _by_what(context: Context, ending: Any) -> Callable[..., Verdict]:
     """What checks a state: the tie to the time, a motion that is integrated twice, or the first integral."""
     if is_driven(context, ending.phase):
         return state_said
     return _uniform if ending.state.time is not None else _placed
 
 
-def _uniform(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+def _uniform(context: Context, ending: Any, what: str, name: str, stated: Scalar) -> Verdict:
     place, speed = moved_to(context, own_place(context, name), ending.state.time)
     return same(context, place if what == "place" else speed, stated)
 
 
-def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+def _placed(context: Context, ending: Any, what: str, name: str, stated: Scalar) -> Verdict:
     """By the first integral: the square of the stated speed is that of the motion at the stated place; by momenta that are
     kept, where they give it."""
     here = {n: v for n, v in ending.state.places.items() if n in context.study.system.independent}
@@ -196,7 +205,7 @@ def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> V
     return same(context, substitute(context.along(rate * rate), here), stated * stated)
 
 
-def _kept(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+def _kept(context: Context, ending: Any, what: str, name: str, stated: Scalar) -> Verdict:
     """With the speeds of the state each momentum that is kept is what it was. Where all of them are zero, the way is the
     integral of the speed, that of the coordinate which moves being 1."""
     [mover], state, momenta = context.study.squares, ending.state, context.study.kept_momenta.values()
@@ -214,9 +223,9 @@ def _kept(context: Context, ending, what: str, name: str, stated: Scalar) -> Ver
     return weakest([*found, *(same(context, value, NOTHING) for value in zeros), gone])
 
 
-def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]:
+def seen_then(context: Context, moment: Any, value: Scalar) -> tuple[Verdict, Scalar]:
     """The value with the places and speeds of a moment, and whether these are those of the motion, or of rest."""
-    state, found, image = moment.state, [Verdict(PROVED, how="nothing in it moves")], {}
+    state, found, image = moment.state, [proved("nothing in it moves")], {}
     for name in names_in(value) & {*state.places, *(f"{n}_dot" for n in state.speeds), "t"}:
         coordinate = name.removesuffix("_dot")
         if name == "t":
@@ -236,10 +245,10 @@ def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]
     return weakest(found), substitute(value, image)
 
 
-def _stays(context: Context, state, name: str) -> Verdict:
+def _stays(context: Context, state: Any, name: str) -> Verdict:
     """Whether nothing moves a coordinate at rest there, if that is no place of rest of all."""
     if any(item.at.get(name) == state.places[name] for item in context.study.equilibria):
-        return Verdict(PROVED, how="it is a place of rest")
+        return proved("it is a place of rest")
     return same(context, in_state(context.on_motion(symbol(f"{name}_ddot")), state.places, state.speeds), NOTHING)
 
 

@@ -11,7 +11,7 @@ from rbpsym.decide.domain import IMPLIED, Condition, conditions
 from rbpsym.decide.equal import compare, refuted_only_where
 from rbpsym.decide.rooted import neat, sign_along
 from rbpsym.decide.signs import SignResult, sign
-from rbpsym.decide.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, PI, ZERO, Scalar, cosine, depends_on, is_zero, quotient, sine, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -19,7 +19,7 @@ from rbpsym.field.roots import with_image, with_root_taken_out, without_even_roo
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.ways import taken
-from rbpsym.proof.checks.of_steps import along_motion, relations, weakest
+from rbpsym.proof.checks.of_steps import along_motion, weakest
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Step
 
@@ -32,7 +32,7 @@ def under(context: Context, step: Step, *ops: str) -> Context:
 
 def demanded(context: Context, step: Step) -> list[Demand]:
     """The conditions that the step prints."""
-    found = [relation for node in step.obligations for relation in relations(node)]
+    found = [relation for node in step.obligations for relation in t.relations(node)]
     demands = (Demand(context.value(left) - context.value(right), op) for left, op, right in found)
     return [demand for demand in demands if demand.value]
 
@@ -43,16 +43,16 @@ def stays(context: Context, step: Step) -> Verdict:
     found, until = along_motion(context, step), step.data["until"]
     if found.is_proved:
         return found
-    [(left, op, _)] = relations(step.statement)
+    [(left, op, _)] = t.relations(step.statement)
     value = context.along(context.value(left))
     bounds = [context.along(symbol(until))] if until else list(context.study.squares.values())
     if any(_is_kept(value, bound, context.assumptions, IMPLIED[op]) for bound in bounds):
-        return Verdict(PROVED, how="it is more than a multiple of what is not negative")
+        return proved("it is more than a multiple of what is not negative")
     begins = sign(context.start(value), context.assumptions).kind == "positive"
     if begins and any(_is_not_met(value, bound, context.assumptions) for bound in bounds):
-        return Verdict(PROVED, how="it has the sign at the start, and the motion never comes to where it vanishes")
+        return proved("it has the sign at the start, and the motion never comes to where it vanishes")
     if found.is_refuted and bounds:  # there, perhaps, the motion never comes
-        return Verdict(UNDECIDED, reason="whether it keeps its sign where the motion goes is not decided")
+        return undecided("whether it keeps its sign where the motion goes is not decided")
     return found
 
 
@@ -82,7 +82,7 @@ def _is_not_met(value: Scalar, bound: Scalar, given: Assumptions) -> bool:
 
 def has_sign_of_force(context: Context, step: Step) -> Verdict:
     """What is stated not to be negative is the force, but for a positive factor (`data`: "force")."""
-    [(left, _, _)] = relations(step.statement)
+    [(left, _, _)] = t.relations(step.statement)
     force, value = (context.along(v) for v in (symbol(step.data["force"]), context.value(left)))
     force = with_root_taken_out(Scalar(force.num)) / Scalar(force.den)  # as its condition is printed
     return compare(NOTHING, force / value, context.assumptions)
@@ -91,7 +91,7 @@ def has_sign_of_force(context: Context, step: Step) -> Verdict:
 def can_rest(context: Context, step: Step) -> Verdict:
     """The stated place exists, lies within the ranges, and no force there has the wrong sense (`data`: "at")."""
     context, printed = under(context, step), demanded(context, step)
-    nothing = Verdict(PROVED, how="no range, no one-sided force and no limit of friction forbids it")
+    nothing = proved("no range, no one-sided force and no limit of friction forbids it")
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in printed):
         return weakest([nothing, *_exists(context, step, printed), *_within(context, step), *_holds(context, step, printed)])
 
@@ -104,7 +104,7 @@ def comes_first(context: Context, step: Step) -> Verdict:
     return next((v for end in ends if end is not None and (v := _first(context, step, end)).is_proved), UNSEEN)
 
 
-UNSEEN = Verdict(UNDECIDED, reason="it is not decided whether the motion comes there first")
+UNSEEN = undecided("it is not decided whether the motion comes there first")
 
 
 def _first(context: Context, step: Step, end: Scalar) -> Verdict:
@@ -140,18 +140,18 @@ def way_to(
         goes = compare(NOTHING, square, between)
         if not goes.is_proved:
             is_kept = sign_along(square, name, between, lambda value: _follows(Demand(value, ">="), [*printed], given)) > 0
-            goes = Verdict(PROVED, how="from its slope on the way") if is_kept else goes
+            goes = proved("from its slope on the way") if is_kept else goes
         yield goes
 
     return verdicts(), between
 
 
 def _exists(context: Context, step: Step, printed: list[Demand]) -> Iterator[Verdict]:
-    for _, _, right in relations(step.statement):
+    for _, _, right in t.relations(step.statement):
         for condition in conditions(right, context.scope):
             met = IMPLIED[condition.op](sign(condition.value, context.assumptions))
             met = met or _follows(Demand(condition.value, condition.op), printed, context.assumptions)
-            yield Verdict(PROVED) if met else Verdict(UNDECIDED, reason="whether the place exists is not decided")
+            yield Verdict(PROVED) if met else undecided("whether the place exists is not decided")
 
 
 def _follows(asked: Demand, printed: list[Demand], given: Assumptions) -> bool:
@@ -172,9 +172,10 @@ def _within(context: Context, step: Step) -> Iterator[Verdict]:
         if name in context.whole.assumptions.ranges:
             context.use(f"range.{name}")
         lower, upper = context.assumptions.range_of(name)
-        is_turned = None not in (lower, upper) and is_zero(upper - lower - PI * 2) and is_zero(upper - place)
+        is_whole = lower is not None and upper is not None and is_zero(upper - lower - PI * 2)
+        is_turned = upper is not None and is_whole and is_zero(upper - place)
         for low, high in ((lower, place), (place, None if is_turned else upper)):  # the end of a turn is its beginning
-            if None not in (low, high):
+            if low is not None and high is not None:
                 found = _beyond(context, low, high)
                 is_end = not found.is_proved and is_zero(low - high)  # an end belongs to the range if the start is there
                 yield Verdict(PROVED) if is_end and is_zero(context.start(own_place(context, name)) - place) else found

@@ -13,15 +13,27 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.equal import compare
 from rbpsym.decide.rooted import neat, rooted
 from rbpsym.decide.signs import sign
-from rbpsym.decide.verdict import PROVED, UNDECIDED, Verdict
-from rbpsym.field import NOTHING, PI, UNITY, Scalar, atoms, generator, is_zero, symbol, time_derivative, without_roots_below
+from rbpsym.decide.verdict import Verdict, proved, undecided
+from rbpsym.expr import tree as t
+from rbpsym.field import (
+    NOTHING,
+    PI,
+    UNITY,
+    Scalar,
+    atoms,
+    generator,
+    has_roots,
+    is_zero,
+    short,
+    symbol,
+    time_derivative,
+    without_roots_below,
+)
 from rbpsym.field.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
-from rbpsym.field.roots import has_roots
 from rbpsym.mechanics.demands import Demand, assuming
-from rbpsym.proof.checks.of_steps import first_proved, premise_says, relations, right_side, same, weakest
+from rbpsym.proof.checks.of_steps import first_proved, named_sides, premise_says, right_side, same, weakest
 from rbpsym.proof.checks.phases import said_of
 from rbpsym.proof.context import Context
-from rbpsym.proof.entailment import short
 from rbpsym.proof.step import Step
 
 
@@ -39,17 +51,16 @@ def course(context: Context, step: Step) -> Verdict:
     """The stated function of the time solves the equation of motion, and starts as the motion does unless it is what is left
     at last (`data`: "name", "law", "steady"; "beside": all coordinates that the law ties), where a parameter has the value
     that the sentence says (`slots`: "where")."""
-    [(left, _, right)] = relations(step.statement)
-    name, at, tied = step.data["name"], {}, _tied(context, step, context.value(right))
+    [(letter, place)] = named_sides(context, step)
+    name, at, tied = step.data["name"], {}, _tied(context, step, place)
     gained = NOTHING if tied else _gained(context, step)
     if step.slots.get("where") is not None:
-        [(parameter, _, stated)] = relations(step.slots["where"])
+        parameter, stated = step.slots["where"].items
         at = {parameter.name: context.value(stated)}
-    place = context.value(right)
     speed = derivative(place, "t")
     follows = substitute(_with(gained, name, place, speed), at)
-    if left.name != name or names_in(follows) & {*context.study.system.coordinates, *context.study.system.speeds}:
-        return Verdict(UNDECIDED, reason="the acceleration is no function of the time with this")
+    if letter != name or names_in(follows) & {*context.study.system.coordinates, *context.study.system.speeds}:
+        return undecided("the acceleration is no function of the time with this")
     follows = neat(follows, _given(context, step)) if has_roots(follows) else follows
     found = tied or [same(context, derivative(speed, "t"), follows)]
     if not step.data["steady"]:
@@ -61,7 +72,7 @@ def course(context: Context, step: Step) -> Verdict:
 def _tied(context: Context, step: Step, stated: Scalar) -> list[Verdict]:
     """Where the law is a system of rows, or other coordinates stand in the acceleration: each row holds with all coordinates,
     of which the stated one is as said."""
-    law, moved = context.steps.get(step.data.get("law")), step.data.get("beside", {})
+    law, moved = context.steps.get(step.data.get("law") or ""), step.data.get("beside", {})
     if law is None:
         gains = {name: context.on_motion(symbol(f"{name}_ddot")) for name in moved}
         others = {key for name in moved if name != step.data["name"] for key in (name, f"{name}_dot")}
@@ -70,7 +81,7 @@ def _tied(context: Context, step: Step, stated: Scalar) -> list[Verdict]:
         rules = [(symbol(f"{name}_ddot"), gain) for name, gain in gains.items()]
     elif law.rule == "linear_system":
         context.use(law.id)
-        rules = [(context.value(left), context.value(right)) for left, _, right in relations(law.statement)]
+        rules = [(context.value(left), context.value(right)) for left, _, right in t.relations(law.statement)]
     else:
         return []
     speeds = {f"{name}_dot": derivative(place, "t") for name, place in moved.items()}
@@ -92,8 +103,8 @@ def reached(context: Context, step: Step) -> Verdict:
     moving = context.on_motion(symbol(name)) if name in system.unknowns else moving
     whole = moving - substitute(step.data["value"], system.dependent)
     used = [n for n in system.independent if names_in(whole) & {n, f"{n}_dot"}]
-    said = {n: said_of(context, n) for n in used}
-    at = {**said, **{f"{n}_dot": derivative(place, "t") for n, place in said.items()}}
+    said = {n: place for n in used if (place := said_of(context, n)) is not None}
+    at = said | {f"{n}_dot": derivative(place, "t") for n, place in said.items()}
     gap = substitute(whole, at)
     left = neat(substitute(gap, {"t": time}), context.assumptions)
     there = same(context, left, NOTHING)
@@ -153,17 +164,17 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
     given_, alike = _given(context, step).with_signs({"t": "positive"}), [gap, *(short(gap / factor) for factor in dying)]
     slopes = (sign(derivative(value, "t"), given_) for value in alike)
     if any(one.is_nonzero for one in slopes) or any(value and not depends_on(value, "t") for value in steady):
-        return Verdict(PROVED, how="it changes in one sense all the time")
+        return proved("it changes in one sense all the time")
     begins, bends = sign(substitute(slope, {"t": NOTHING}), given_), sign(derivative(slope, "t"), given_)
     if bends.is_nonzero and bends.sense and (begins.kind == "zero" or begins.sense == bends.sense):
-        return Verdict(PROVED, how="it changes in one sense, ever faster")
+        return proved("it changes in one sense, ever faster")
     if bends.is_nonzero and bends.sense * sign(substitute(gap, {"t": NOTHING}), given_).sense < 0:
-        return Verdict(PROVED, how="it bends towards zero all the time")
+        return proved("it bends towards zero all the time")
     last = sign(rooted(substitute(slope, {"t": time}), given_), given_)
     if bends.is_nonzero and begins.is_nonzero and last.kind in (begins.kind, "zero"):
-        return Verdict(PROVED, how="it changes in one sense until then")
+        return proved("it changes in one sense until then")
     if bends.is_nonzero and is_zero(substitute(gap, {"t": NOTHING})):
-        return Verdict(PROVED, how="it bends to one side all the time, and begins with zero")
+        return proved("it bends to one side all the time, and begins with zero")
     for value in alike:
         rates = {derivative(Scalar(atoms.atom(i).arg), "t") for i in value.atoms() if atoms.atom(i).kind in ("cos", "sin")}
         rates = {rate for rate in rates if rate and not depends_on(rate, "t")}
@@ -172,10 +183,9 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
             constant = value + bent / rate**2
             if depends_on(short(constant), "t"):
                 continue
-            begins = substitute(derivative(value, "t"), {"t": NOTHING})
-            half = is_zero(constant) or is_zero(begins)
+            half = is_zero(constant) or is_zero(substitute(derivative(value, "t"), {"t": NOTHING}))
             return compare(time * rate, PI if half else PI / 2, _given(context, step), strict=False)
-    return Verdict(UNDECIDED, reason="whether it has the value before is not decided")
+    return undecided("whether it has the value before is not decided")
 
 
 def speed_along(context: Context, step: Step) -> Verdict:
@@ -261,7 +271,7 @@ def _lag(context: Context, step: Step, value: Scalar) -> list[Verdict]:
         gaps = [short(place - force) for centre in centres for place in (centre.x, centre.y)]
         found.append(same(context, derivative(derivative(force, "t"), "t"), -force * form.frequency**2))
         if all(depends_on(gap, "t") for gap in gaps):
-            return [Verdict(UNDECIDED, reason="no body is driven so")]
+            return [undecided("no body is driven so")]
     rate, gain = derivative(part, "t"), derivative(force, "t")
     along, across = part * force + rate * gain / form.frequency**2, (rate * force - part * gain) / form.frequency
     cosine = function("cos", value)
@@ -298,7 +308,7 @@ def _total(context: Context, step: Step, value: Scalar) -> list[Verdict]:
     given = context.assumptions.with_signs({name: sense} if sense in ("positive", "negative") else {})
     power, pushed = neat(speed * derivative(gained, name) / gained, given).number(), substitute(gained, {name: begin})
     if power is None or power >= 2:
-        return [Verdict(UNDECIDED, reason="the acceleration is no such power of the speed")]
+        return [undecided("the acceleration is no such power of the speed")]
     others = [same(context, part, NOTHING) for part in (form.stiffness, form.drive)]
     return [*others, *_positive(context, -short(pushed / begin)), same(context, value * pushed * (2 - power), -(begin * begin))]
 

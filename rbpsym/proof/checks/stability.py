@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from rbpsym.decide.equal import compare
 from rbpsym.decide.signs import sign
-from rbpsym.decide.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.decide.verdict import Verdict, proved, undecided
 from rbpsym.field import NOTHING, UNITY, Scalar, derivative, symbol, total
 from rbpsym.proof.checks.of_steps import same, weakest
 from rbpsym.proof.checks.oscillations import (
@@ -84,13 +86,13 @@ def _unstable(context: Context, step: Step, near: Nearby) -> Verdict:
     stiffness = held(context, step, near.pull)
     lowest = [*(row[k] for k, row in enumerate(stiffness)), *minors(stiffness)]
     if any(sign(value, given(context, step)).kind == "negative" for value in lowest):
-        return weakest([*_symmetric(context, near.pull, near.drag), Verdict(PROVED, how="negative stiffness")])
-    return Verdict(UNDECIDED, reason="no direction in which the displacement grows was found")
+        return weakest([*_symmetric(context, near.pull, near.drag), proved("negative stiffness")])
+    return undecided("no direction in which the displacement grows was found")
 
 
-SAID = {
+SAID: Mapping[str, Callable[[Context, Step, Nearby], Verdict]] = {
     "minimum": _minimum,
     "asymptotic": _asymptotic,
     "unstable": _unstable,
-    "open": lambda context, step, near: Verdict(PROVED, how="nothing is said of the stability"),
+    "open": lambda context, step, near: proved("nothing is said of the stability"),
 }

@@ -12,7 +12,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, PI, UNITY, Scalar, is_zero, symbol, time_derivative
 from rbpsym.field.calculus import derivative, function, names_in, root, substitute
 from rbpsym.field.roots import without_even_roots
-from rbpsym.proof.checks.of_steps import first_proved, premise_says, relations, right_side, same, weakest
+from rbpsym.proof.checks.of_steps import first_proved, named_sides, premise_says, right_side, right_sides, same, weakest
 from rbpsym.proof.checks.phases import seen_then
 from rbpsym.proof.checks.places import under
 from rbpsym.proof.context import Context
@@ -25,20 +25,21 @@ def _on_motion(context: Context, step: Step, value: Scalar) -> Scalar:
     for name, id in step.data["works"].items():
         if name in names_in(value):
             done[name] = premise_says(context, id)
-    return context.on_motion(substitute(value, done))
+    found: Scalar = context.on_motion(substitute(value, done))
+    return found
 
 
 def value_then(context: Context, step: Step) -> Verdict:
     """Each stated value is that of a quantity in a state of the motion: the start, or one that is looked at anew (`data`:
     "of": the quantity by its letter, "moment")."""
     moment, found = step.data["moment"], []
-    for left, _, right in relations(step.statement):
-        value = _on_motion(context, step, step.data["of"][left.name])
+    for name, stated in named_sides(context, step):
+        value = _on_motion(context, step, step.data["of"][name])
         if moment.how != "start":
             verdict, value = seen_then(context, moment, value)
             found.append(verdict)
         value = value if moment.how == "time" else context.start(value)  # in which the time would be that of the start
-        found.append(same(context, value, context.value(right)))
+        found.append(same(context, value, stated))
     return weakest(found)
 
 
@@ -47,14 +48,14 @@ def value_along(context: Context, step: Step) -> Verdict:
     sense in which it sets out (`data`: "of", "ways", and "speeds" that other steps give)."""
     said = [context.value(node.items[0]) for node in step.obligations]
     found = [_sets_out(context, name, way, said) for name, way in step.data["ways"].items()]
-    for left, _, right in relations(step.statement):
-        stated = substitute(context.value(right), context.study.system.dependent)
+    for name, value in named_sides(context, step):
+        stated = substitute(value, context.study.system.dependent)
         if step.data.get("constant"):
-            whole = context.study.on_motion(step.data["of"][left.name])
+            whole = context.study.on_motion(step.data["of"][name])
             rate = context.on_motion(time_derivative(whole, context.study.system.scope))
             found += [same(context, rate, NOTHING), same(context, context.start(whole), stated)]
             continue
-        gap = _on_motion(context, step, step.data["of"][left.name]) - stated
+        gap = _on_motion(context, step, step.data["of"][name]) - stated
         said_so = {f"{name}_dot": premise_says(context, f"speed_at.{name}") for name in step.data["speeds"]}
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
         gap = substitute(substitute(gap, said_so), speeds)
@@ -102,8 +103,8 @@ def direction(context: Context, step: Step) -> Verdict:
     """The stated angle is that of the vector which another step states: atan(y/x), half a turn more where x is negative, as
     the step asks for (`data`: "of", the id of that step)."""
     context.use(step.data["of"])
-    x, y = (context.value(right) for _, _, right in relations(context.steps[step.data["of"]].statement))
-    [(_, _, right)] = relations(step.statement)
+    x, y = right_sides(context, context.steps[step.data["of"]])
+    [(_, _, right)] = t.relations(step.statement)
     if is_zero(x):
         side = context.value(right) * 2 / PI
         return weakest([same(context, side * side, UNITY), compare(NOTHING, y * side, context.assumptions)])
@@ -137,17 +138,17 @@ def told_as(said: Scalar, turned: str) -> Scalar:
 def value_told(context: Context, step: Step) -> Verdict:
     """Each value is that of the quantity (`data`: "of"), and, as it stands or turned, what another step says (`data`: "told", the
     ids of these steps, "turned")."""
-    rows = list(relations(step.statement))
-    meant = [same(context, context.value(right), step.data["of"][left.name]) for left, _, right in rows]
+    rows = named_sides(context, step)
+    meant = [same(context, value, step.data["of"][name]) for name, value in rows]
     told = zip(rows, step.data["told"], step.data["turned"], strict=True)
-    return weakest((*meant, *(_is_told(context, context.value(right), id, turned) for (_, _, right), id, turned in told)))
+    return weakest((*meant, *(_is_told(context, value, id, turned) for (_, value), id, turned in told)))
 
 
 def _is_told(context: Context, value: Scalar, id: str, turned: str) -> Verdict:
     if not id:
         return undecided("no step of the derivation says this")
     context.use(id)
-    rows = list(relations(context.steps[id].statement))
+    rows = list(t.relations(context.steps[id].statement))
     sides = [*(row[0] for row in rows if isinstance(row[0], t.Num)), *(row[2] for row in rows)]  # 0 = F says that F vanishes
     said = [told_as(context.value(side), turned) for side in sides]
     found = [same(context, TURNED[turned](value), each) for each in said]
@@ -165,13 +166,13 @@ def steady_place(context: Context, step: Step) -> Verdict:
 def steady_frequency(context: Context, step: Step) -> Verdict:
     """What is stated is minus the slope of the acceleration at the place, and positive; the speed itself has no part in first
     order (`data`: the same)."""
-    [(_, _, right)] = relations(step.statement)
-    name, still = step.data["name"], {f"{step.data['name']}_dot": NOTHING}
+    stated, name = right_side(context, step), step.data["name"]
+    still = {f"{name}_dot": NOTHING}
     drag = derivative(context.on_motion(symbol(f"{name}_ddot")), f"{name}_dot") if not step.data["speeds"] else NOTHING
     slope = derivative(_gain(context, step), name)
-    found = same(context, context.value(right), -substitute(slope, {step.data["name"]: step.data["place"]}))
+    found = same(context, stated, -substitute(slope, {name: step.data["place"]}))
     found = weakest([found, same(context, substitute(drag, {**still, name: step.data["place"]}), NOTHING)])
-    return weakest([found, compare(NOTHING, context.value(right), under(context, step, ">").assumptions)])
+    return weakest([found, compare(NOTHING, stated, under(context, step, ">").assumptions)])
 
 
 def _gain(context: Context, step: Step) -> Scalar:
