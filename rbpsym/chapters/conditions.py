@@ -24,9 +24,9 @@ from rbpsym.field import NOTHING, Scalar, Vector, is_zero, short, time_derivativ
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.constraints import JOINTS
-from rbpsym.mechanics.contacts import meeting, rim_of
+from rbpsym.mechanics.contacts import meeting, no_slip, rim_of
 from rbpsym.mechanics.pushing import ways_kept, ways_taken
-from rbpsym.mechanics.strings import segments
+from rbpsym.mechanics.strings import segments, speeds_along
 from rbpsym.present.forms import present
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import FULL, STANDARD, BodyRef, PhraseRef
@@ -45,7 +45,7 @@ def write(draft: Draft) -> None:
         _geometric(draft, element)
         _kept_angle(draft, element)
         if element.name not in kept:
-            SPEEDS.get(element.kind, _nothing)(draft, element, given)
+            ASKED.get(JOINTS[element.kind].rates, _nothing)(draft, element, given)
     found_spins(draft, given)
     tied(draft)
 
@@ -324,4 +324,4 @@ def _pull(draft: Draft, given: Given, turn: Turn, place: Vector, way: Vector) ->
     return [t.Group(node) if isinstance(node, t.Add) else node for node in (part.still, part.turning)]
 
 
-SPEEDS = {"rolling": _no_slip, "gear": _no_slip, "sticking": _no_slip, "string": _taut}
+ASKED = {no_slip: _no_slip, speeds_along: _taut}  # by what the law of a constraint asks of the speeds

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.decide.signs import sign
+from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.elements.interactions import LETTERS
 from rbpsym.expr import tree as t
 from rbpsym.field import UNITY, Scalar, cosine, depends_on, generator, is_zero, short, sine, substitute, symbol
@@ -137,7 +138,8 @@ def _lasts(draft: Draft, name: str) -> PhraseRef:
 
 def _manner(draft: Draft, name: str) -> str:
     """A string that pulls, or a contact that pushes."""
-    return "string" if draft.study.system.element(name).kind == "string" else "contact"
+    is_tension = CONSTRAINTS[draft.study.system.element(name).kind].holds == "tension"
+    return "string" if is_tension else "contact"
 
 
 def _friction(draft: Draft, need: FrictionNeed) -> None:

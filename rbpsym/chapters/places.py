@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, Scope, Vector, depends_on, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import vector_rate
-from rbpsym.mechanics.conditions import full_rates
+from rbpsym.mechanics.conditions import RATE, full_rates
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, rim_of, touching_point
 from rbpsym.mechanics.friction import geometry_of
@@ -225,4 +224,4 @@ def _solved_already(statement: t.Node) -> list[str]:
 
 def _from_rate(draft: Draft, name: str) -> bool:
     """Was it found by integrating a condition on the speeds?"""
-    return any(depends_on(c.value, name) for c in draft.study.system.conditions if c.what in CONSTRAINTS)
+    return any(depends_on(c.value, name) for c in draft.study.system.conditions if c.what == RATE)

@@ -46,7 +46,8 @@ class ElementKind(Frozen):
     `unknowns` are the forces and couples that a constraint brings in: templates over the
     element's `name` and its fields ("{name}_x", "{couple}") with their dimensions. `rules` refuse fields that contradict
     each other, or complete an element by what follows from the poses. `drawn` is the mark with which it stands in figures;
-    `told` of an element and its problem is the tail of the phrase that tells it, "_rough" for `statement.contact_rough`.
+    `told` of an element and its problem is the tail of the phrase that tells it, "_rough" for `statement.contact_rough`;
+    `holds` says as what its force holds: “joint”, “teeth”, “tension” or (of what pushes) “contact”.
     `folder` is the package that holds the rest of it.
     """
 
@@ -57,6 +58,7 @@ class ElementKind(Frozen):
     unknowns: tuple[tuple[str, Dimension], ...] = ()
     rules: tuple[Callable[..., Any], ...] = ()
     drawn: str = ""
+    holds: str = ""
     told: Callable[..., str] = lambda element, problem: ""
     folder: str = ""
 
@@ -124,9 +126,9 @@ SIGNS = ("positive", "nonnegative")
 
 
 def element(folder: str, meaning: str, *aliases: str, unknowns: Any = (), **more: Any) -> ElementKind:
-    """The kind of interaction, constraint or impulse that a folder holds: `rules`, `drawn` and `told` as they are, the
+    """The kind of interaction, constraint or impulse that a folder holds: `rules`, `drawn`, `holds` and `told` as they are, the
     dimensions of `unknowns` and all other keys, the fields, as texts."""
-    own = {name: more.pop(name) for name in ("rules", "drawn", "told") if name in more}
+    own = {name: more.pop(name) for name in ("rules", "drawn", "holds", "told") if name in more}
     unknown = tuple((name, DIMENSIONS[dimension]) for name, dimension in dict(unknowns).items())
     name = folder.rpartition(".")[2].replace("_", "-")
     return ElementKind(name, meaning, tuple(starmap(field, more.items())), aliases, unknown, folder=folder, **own)

@@ -37,7 +37,7 @@ from rbpsym.mechanics.system import Condition, Force, Pose
 from rbpsym.statement.model import Coordinate, Element, Problem
 from rbpsym.statement.premises import declared
 
-CLOCK = "t"
+CLOCK, RATE = "t", "rate"
 
 
 def rate_conditions(problem: Problem, geometry: Geometry) -> list[Condition]:
@@ -50,7 +50,7 @@ def _condition_of(element: Element, geometry: Geometry) -> list[Condition]:
     wanted = joint.rates(element, geometry)
     forces = joint.forces(element, geometry) if wanted else ()
     return [
-        Condition(element.name, short(factor * _power_of_unit(forces, name, geometry)), element.kind)
+        Condition(element.name, short(factor * _power_of_unit(forces, name, geometry)), RATE)
         for name, factor in wanted
     ]
 

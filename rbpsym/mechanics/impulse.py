@@ -2,25 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.impulses import IMPULSES
+from rbpsym.elements.kinds import Parts
 from rbpsym.errors import StatementError
-from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, symbol, time_derivative
+from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces, slip_speed
+from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.geometry import Geometry, pair, start_numbers
-from rbpsym.mechanics.strings import pulls
+from rbpsym.mechanics.geometry import Geometry, start_numbers
 from rbpsym.mechanics.system import Force, System, in_state
 from rbpsym.statement.model import Element, PointRef
 
+if TYPE_CHECKING:
+    from rbpsym.mechanics.arrivals import State
+    from rbpsym.mechanics.study import Study
+
 Values = Mapping[str, Scalar]
+
+
+class Strike(Frozen):
+    """The law of a kind of impulse, the `STRIKE` of the module `law` in its folder: its impulses as forces, which can push only
+    if it is one-sided; what must be so just before (`check`, with the system after), else a sentence."""
+
+    forces: Callable[[Element, Geometry], tuple[Force, ...]]
+    check: Callable[[Study, Element, State, System], None] = lambda study, element, before, after: None
+    is_one_sided: bool = False
+
+
+STRIKES: Parts[Strike] = Parts(IMPULSES, "law", "STRIKE")
 
 
 class Struck(Frozen):
@@ -77,8 +95,10 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
 
 def _asked(moment: Moment, element: Element, values: Values) -> Iterator[Demand]:
     """A contact pushes, a string pulls; friction that holds stays within its limit, what slips goes on in its sense."""
-    is_bounce = element.kind == "bounce"
-    for name in restitutions(element) if is_bounce else pushes(element) if element.kind in CONSTRAINTS else ():
+    pushed: Iterable[str] = pushes(element) if element.kind in CONSTRAINTS else ()
+    if element.kind in IMPULSES and STRIKES[element.kind].is_one_sided:
+        pushed = restitutions(element)
+    for name in pushed:
         if name in values and name != element.values.get("friction"):
             yield Demand(values[name], ">=")
     limit = element.values.get("limit") or (element.values.get("coefficient") if is_holding(element) else None)
@@ -100,7 +120,7 @@ def is_holding(element: Element) -> bool:
 
 def restitutions(element: Element) -> dict[str, Scalar]:
     """By unknown impulse of a collision or a bounce: the speed of parting along it over that of approach."""
-    found = {} if element.kind == "blow" else {element.name: scalar(element["restitution"])}
+    found = {element.name: scalar(element["restitution"])} if "restitution" in element.values else {}
     return found | ({element["friction"]: scalar(element["tangential"])} if is_holding(element) else {})
 
 
@@ -136,34 +156,16 @@ def impulsive(system: System, impulses: tuple[Element, ...]) -> tuple[Force, ...
 def _given(system: System, impulses: tuple[Element, ...]) -> list[Force]:
     """Blows and the impulses of collisions and bounces as forces (of the dimension of an impulse)."""
     geometry = geometry_of(system)
-    return [replace(force, law="impulse") for element in impulses for force in OWN[element.kind](element, geometry)]
+    return [replace(force, law="impulse") for element in impulses for force in STRIKES[element.kind].forces(element, geometry)]
 
 
-def _blow(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    return _at_points(element, geometry, (element["on"], pair(element["impulse"])))
-
-
-def _collision(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    first, second = element["points"]
-    push = pair(element["along"]) * symbol(element.name)
-    return _at_points(element, geometry, (first, -push), (second, push))
-
-
-def _at_points(element: Element, geometry: Geometry, *ends: tuple[PointRef, Vector]) -> tuple[Force, ...]:
+def at_points(element: Element, geometry: Geometry, *ends: tuple[PointRef, Vector]) -> tuple[Force, ...]:
+    """An impulse at each point of a body."""
     return tuple(
         Force(element.name, ref.body, "agent", geometry.where(ref), vector, where=ref.label)
         for ref, vector in ends
         if ref.body is not None
     )
-
-
-def _bounce(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    if "path" in element.values:
-        return pulls(element, geometry)
-    return (holding_forces if is_holding(element) else normal_forces)(element, geometry)
-
-
-OWN = {"blow": _blow, "collision": _collision, "bounce": _bounce}
 
 
 def parting(moment: Moment, element: Element, name: str, factor: Scalar) -> Scalar:
@@ -176,5 +178,5 @@ def approach(system: System, element: Element, name: str, after: System) -> Scal
     """The speed with which what a collision or bounce pushes apart parts along an impulse: the power of one that is 1.
     Which way a string runs is seen where the phase `after` starts."""
     geometry = replace(geometry_of(system), numbers=start_numbers(after.problem))
-    pushes = (force for force in OWN[element.kind](element, geometry) if force.name == name)
+    pushes = (force for force in STRIKES[element.kind].forces(element, geometry) if force.name == name)
     return sum((f.vector.derivative(name).dot(geometry.velocity(f.on, f.point)) for f in pushes), NOTHING)

@@ -21,8 +21,8 @@ from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.friction import resistances
-from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike
-from rbpsym.mechanics.phase_checks import check_bounce, check_collision, check_in_place, check_still_slipping, with_senses
+from rbpsym.mechanics.impulse import STRIKES, Struck, is_holding, restitutions, strike
+from rbpsym.mechanics.phase_checks import check_in_place, check_still_slipping, with_senses
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System, in_state
 from rbpsym.present.forms import present
@@ -194,10 +194,7 @@ def _check(study: Study, phase: Phase, placed: Study, before: State) -> None:
     check_still_slipping(study, phase, before)
     check_in_place(study, phase, placed, before)
     for element in phase.impulses:
-        if element.kind == "collision":
-            check_collision(study, element, before)
-        if element.kind == "bounce":
-            check_bounce(study, element, before, placed.system)
+        STRIKES[element.kind].check(study, element, before, placed.system)
 
 
 def _started(problem: Problem, style: Style, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Problem:

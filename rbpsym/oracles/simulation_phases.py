@@ -15,28 +15,19 @@ import numpy as np
 
 from rbpsym.errors import NotApplicable
 from rbpsym.field import Scalar
-from rbpsym.frozen import Frozen, replace
+from rbpsym.frozen import replace
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.numeric import integration
 from rbpsym.oracles.simulation import Bench, Derived, Errors, SimulationReport, simulate_study, told
-from rbpsym.oracles.simulation_bodies import Mechanism, placed
-from rbpsym.oracles.simulation_contacts import ROWS, slipping
-from rbpsym.oracles.simulation_joints import Kept
+from rbpsym.oracles.simulation_contacts import slipping
 from rbpsym.oracles.simulation_placement import dotted
+from rbpsym.oracles.simulation_strikes import End, met, struck
 from rbpsym.statement.model import Element, Phase, Problem
 
 LONGEST = 200.0  # lengths of the usual motion in which an event must have come
 Watch = Callable[[np.ndarray, np.ndarray], float]
-
-
-class _End(Frozen):
-    """The simulated state at an event: time since the start of the phase, X, V."""
-
-    time: float
-    where: np.ndarray
-    speed: np.ndarray
 
 
 def simulate_problem(study: Study) -> SimulationReport:
@@ -96,7 +87,7 @@ def _compare(
         errors.note("time", "until the phase", number(began.before.time, numbers), end.time)
     guess = [derived[name] for name in bench.placement.names]
     q, rates = bench.placement.state(end.where.tolist(), end.speed.tolist(), guess)
-    speed, impulses = _struck(bench, next_bench, end, phase.impulses)
+    speed, impulses = struck(bench, next_bench, end, phase.impulses)
     after_rates = next_bench.placement.speeds(q, end.where.tolist(), speed.tolist())
     _note(errors, "place", bench, began.before.places, numbers, q)
     _note(errors, "speed before", bench, began.before.speeds, numbers, rates)
@@ -115,14 +106,14 @@ def _note(errors: Errors, kind: str, bench: Bench, derived: Mapping[str, Scalar]
 # --- the event
 
 
-def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], numbers) -> _End:
+def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], numbers) -> End:
     """The simulated state at the event. Raises NotApplicable if it does not come."""
     bench.placement.mechanism.clock = 0.0
     start = bench.declared_start()
     if start is None:
         raise NotApplicable("the phases need a start and a start speed of every coordinate")
     if phase.event == "at once":
-        return _End(0.0, start.where, start.speed)
+        return End(0.0, start.where, start.speed)
     if _is_idle(bench, start):
         start = _on_the_way(bench, study, derived)
     if phase.event == "time":
@@ -148,7 +139,7 @@ def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]):
     return bench.start({name: here}, {name: rate if derived[name] > begin else -rate}, (name,))
 
 
-def _seen(bench: Bench, start, watch: Callable[[float, np.ndarray, np.ndarray], float]) -> _End:
+def _seen(bench: Bench, start, watch: Callable[[float, np.ndarray, np.ndarray], float]) -> End:
     """The first change of sign along the motion."""
     size, step = bench.equations.size, bench.usual_time(start)
     event = integration.Event(lambda time, state: watch(time, state[:size], state[size : 2 * size]))
@@ -158,7 +149,7 @@ def _seen(bench: Bench, start, watch: Callable[[float, np.ndarray, np.ndarray], 
         raise NotApplicable("the event that begins a phase is not seen in the simulated motion")
     [time] = path.seen[0]
     state = path.at(time)
-    return _End(time, state[:size], state[size : 2 * size])
+    return End(time, state[:size], state[size : 2 * size])
 
 
 def _watch_slip(bench: Bench, phase: Phase, start) -> Watch:
@@ -206,7 +197,7 @@ def _watch_speed(bench: Bench, phase: Phase, start) -> Watch:
 def _watch_gap(bench: Bench, phase: Phase, start) -> Watch:
     mechanism = copy(bench.placement.mechanism)
     mechanism.slips = {phase.gap.name: 1}  # whatever it is: the gap does not ask
-    [kept, *_] = _meets(phase.gap, mechanism, start.where.tolist())
+    [kept, *_] = met(phase.gap, mechanism, start.where.tolist())
     return lambda where, speed: kept.at(where.tolist(), speed.tolist()).value
 
 
@@ -222,85 +213,3 @@ WATCHES: Mapping[str, Callable[[Bench, Phase, object], Watch]] = {
 
 def _element(bench: Bench, name: str) -> Element:
     return next(e for e in bench.placement.mechanism.problem.constraints if e.name == name)
-
-
-# --- impulses
-
-
-def _struck(
-    before: Bench, after: Bench, end: _End, impulses: tuple[Element, ...]
-) -> tuple[np.ndarray, dict[str, float]]:
-    """V after, and the impulses by the name of their force."""
-    where, size = end.where.tolist(), before.equations.size
-    rows = [item.at(where, end.speed.tolist()) for item in after.equations.kept]
-    names = [item.multiplier for item in after.equations.kept]
-    matrix = [_dense(row.entries, size) for row in rows]
-    drags = [_dragged(item, where, size) for item in after.equations.kept]
-    wanted = [-row.drift for row in rows]
-    momentum = before.equations.masses * end.speed
-    for element in impulses:
-        if element.kind == "bounce":
-            for kept, factor in _bounces(before, element, end):
-                row = kept.at(where, end.speed.tolist())
-                matrix.append(_dense(row.entries, size))
-                drags.append(_dragged(kept, where, size))
-                wanted.append(-factor * float(matrix[-1] @ end.speed))
-                names.append(kept.multiplier)
-            continue
-        line = _direction(before, element, where)
-        if element.kind == "blow":
-            momentum = momentum + line
-            continue
-        restitution = before.placement.mechanism.number(element["restitution"])
-        matrix.append(line)
-        drags.append(np.zeros(size))
-        wanted.append(-restitution * float(line @ end.speed))
-        names.append(element.name)
-    g = np.array(matrix).reshape(len(matrix), size)
-    pushes = g + np.array(drags).reshape(len(drags), size)
-    full = np.block([[np.diag(before.equations.masses), -pushes.T], [g, np.zeros((len(g), len(g)))]])
-    found = np.linalg.lstsq(full, np.concatenate([momentum, wanted]), rcond=None)[0]
-    return found[:size], dict(zip(names, found[size:].tolist(), strict=True))
-
-
-def _dragged(kept: Kept, where: list[float], size: int) -> np.ndarray:
-    """What comes in proportion to its multiplier in a blow."""
-    return _dense([entry for drag in kept.drags if drag.strikes for entry in drag.at(where, [])], size)
-
-
-def _meets(element: Element, mechanism: Mechanism, start: list[float]) -> list[Kept]:
-    """The conditions of a bounce, or of a constraint that begins, as those of a constraint that lasts."""
-    values = element.values
-    way = "string" if "path" in values else "rolling" if values.get("slip") == "none" else "contact"
-    return ROWS[way if element.kind == "bounce" else element.kind](element, mechanism, start)
-
-
-def _bounces(bench: Bench, element: Element, end: _End) -> list[tuple[Kept, float]]:
-    """Its unit impulses with their restitutions; friction acts against the slip that there is just before."""
-    where, mechanism, start = end.where.tolist(), copy(bench.placement.mechanism), bench.declared_start().where.tolist()
-    if "path" not in element.values:
-        slip = slipping(element, mechanism, start).at(where, end.speed.tolist())
-        mechanism.slips = {element.name: 1 if _dense(slip.entries, end.speed.size) @ end.speed > 0 else -1}
-    factors = [mechanism.number(element[key]) for key in ("restitution", "tangential")]
-    return list(zip(_meets(element, mechanism, start), factors, strict=False))
-
-
-def _dense(entries, size: int) -> np.ndarray:
-    row = np.zeros(size)
-    for column, entry in entries:
-        row[column] += entry
-    return row
-
-
-def _direction(bench: Bench, element: Element, where: list[float]) -> np.ndarray:
-    """Of a blow: its generalized impulse; of a collision: that of a unit impulse on the second body."""
-    mechanism, size = bench.placement.mechanism, bench.equations.size
-    still = [0.0] * size
-    if element.kind == "blow":
-        ends = [(element["on"], mechanism.pair(element["impulse"]))]
-    else:
-        (x, y), (first, second) = mechanism.pair(element["along"]), element["points"]
-        ends = [(first, (-x, -y)), (second, (x, y))]
-    return sum(
-        (_dense(placed(mechanism.spot(ref), where, still).along(*way), size) for ref, way in ends), np.zeros(size)
-    )

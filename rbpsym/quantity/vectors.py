@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
+from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.errors import StatementError
 from rbpsym.field import UNITY, Scalar, Space, Vector, function, is_zero, space_derivative
 from rbpsym.quantities import LENGTH
@@ -105,13 +106,13 @@ PHRASES: tuple[Phrase, ...] = (
 if TYPE_CHECKING:
     from rbpsym.quantity.problem import ProblemWorld
 
-HELD = {"tension": ("string", "link"), "normal force": ("contact", "touch", "rolling", "sticking", "slider")}
+HELD = {"tension": "tension", "normal force": "contact"}  # as what the force of a constraint holds
 
 
 def _holds(noun: str, world: ProblemWorld) -> Iterator[str]:
     for element in world.study.problem.constraints:
-        if element.kind in HELD[noun]:
-            yield from (f"{noun} {name}" for name in (tensions(element) if element.kind == "string" else (element.name,)))
+        if CONSTRAINTS[element.kind].holds == HELD[noun]:
+            yield from (f"{noun} {name}" for name in (tensions(element) if noun == "tension" else (element.name,)))
 
 
 def _rubs(world: ProblemWorld) -> Iterator[str]:

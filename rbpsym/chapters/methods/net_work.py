@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from rbpsym.chapters.forces import force_node, name_node
 from rbpsym.chapters.methods.known_works import over_coordinates
 from rbpsym.decide.signs import sign
+from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.elements.interactions import LETTERS
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, short, symbol
@@ -91,11 +92,9 @@ def _cancelling(draft: Draft, name: str, items: list[ForceWork], terms: list[t.S
 
 def _manner(element: Element, name: str) -> str:
     """Why the works of a force cancel."""
-    if element.kind == "string":
-        return "link" if element.values.get("rigid") else "tension"
     if element.values.get("friction") == name:
         return "grip"
-    return {"pivot": "joint", "pin": "joint", "weld": "joint", "gear": "teeth"}.get(element.kind, "contact")
+    return "link" if element.values.get("rigid") else CONSTRAINTS[element.kind].holds or "contact"
 
 
 # --- forces that dissipate

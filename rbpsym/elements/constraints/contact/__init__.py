@@ -8,6 +8,7 @@ KIND = element(
     "a point touches a line, a circle or a curve and may slide along it; the force is normal to the curve",
     unknowns=NORMAL,
     rules=(*ON_CURVE, slides),
+    holds="contact",
     told=as_touching,
     **(POINT | TOUCHED | BENT | SLIDING),
 )

@@ -10,5 +10,6 @@ KIND = element(
     "mesh",
     unknowns=NORMAL,
     rules=ROUND_ON_CURVE,
+    holds="teeth",
     **(ROUND | TOUCHED | RIM),
 )

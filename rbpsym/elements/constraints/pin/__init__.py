@@ -16,6 +16,7 @@ KIND = element(
     "bearing",
     unknowns=COMPONENTS,
     rules=(_no_fixed_place, joins_two),
+    holds="joint",
     drawn="pin",
     points="points: the two points that coincide, of two bodies",
 )

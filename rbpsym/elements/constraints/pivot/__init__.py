@@ -33,6 +33,7 @@ KIND = element(
     "a point of a body is held at a fixed place, free to turn there",
     unknowns=COMPONENTS,
     rules=(on_a_body("point"), _place),
+    holds="joint",
     drawn="pivot",
     told=_told,
     point="point: the point that is held",

@@ -8,5 +8,6 @@ KIND = element(
     "a round body rolls on a line or a circle without slipping: a normal force and static friction",
     unknowns=ROUGH,
     rules=ROUND_ON_CURVE,
+    holds="contact",
     **(ROUND | TOUCHED | RIM | FRICTION | LIMIT),
 )

@@ -16,6 +16,7 @@ KIND = element(
     "a body slides along a line without turning; the force is normal to the line, a couple keeps the angle",
     unknowns=NORMAL | COUPLE,
     rules=(_has_angle, one_curve, two_bodies, slides),
+    holds="contact",
     drawn="slider",
     told=as_touching,
     point="point: the point that is on the line",

@@ -8,6 +8,7 @@ KIND = element(
     "a point touches a rough line or circle and does not slip: a normal force and static friction",
     unknowns=ROUGH,
     rules=ON_CURVE,
+    holds="contact",
     told=as_touching,
     **(POINT | TOUCHED | FRICTION | LIMIT),
     beside="constraint, optional: a smooth contact of the same body with the same surface, for a body that stands on two "

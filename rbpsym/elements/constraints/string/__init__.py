@@ -21,6 +21,7 @@ KIND = element(
     "a massless inextensible string, taut between its ends and round pulleys and drums; it pulls",
     "rope",
     rules=(string_path,),
+    holds="tension",
     told=_told,
     path="path: what it joins, from end to end: points, and round bodies with the sense in which it runs round "
     "them, going along the path: “cw pulley”, “ccw drum”; on an axle of another radius than the body's "

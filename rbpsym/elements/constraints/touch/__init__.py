@@ -8,6 +8,7 @@ KIND = element(
     "a round body touches a line or a circle and may slide along it",
     unknowns=NORMAL,
     rules=(*ROUND_ON_CURVE, slides),
+    holds="contact",
     told=as_touching,
     **(ROUND | TOUCHED | RIM | SLIDING),
 )

@@ -27,6 +27,7 @@ KIND = element(
     "a body is fixed to another, or to a place; force and couple are on the second (or on the body)",
     unknowns=COMPONENTS | COUPLE,
     rules=(joins_two, _no_particle, _angle),
+    holds="joint",
     drawn="weld",
     told=_told,
     points="points: the two points that coincide; one may be a fixed place",
