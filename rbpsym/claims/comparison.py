@@ -20,6 +20,7 @@ from rbpsym.mechanics.system import BodyState
 from rbpsym.present.forms import present
 from rbpsym.proof.assertions import told
 from rbpsym.proof.checks import of_steps as c
+from rbpsym.proof.context import Ground
 from rbpsym.proof.step import BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
 from rbpsym.statement.course import CoursePart
 from rbpsym.statement.source import did_you_mean
@@ -126,7 +127,7 @@ SAID = {
 }
 
 
-class _Context(Frozen):
+class _Context(Ground):
     """Values of statements in the common parameters of both problems."""
 
     assumptions: Assumptions
