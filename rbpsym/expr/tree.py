@@ -360,6 +360,12 @@ def rows(statement: Node) -> tuple[Any, ...]:
     return statement.rows if isinstance(statement, System) else (statement,)
 
 
+def chains(statement: Node) -> tuple[Chain, ...]:
+    """The chains that a statement asserts, those of systems in systems too."""
+    found = (chains(row) if isinstance(row, System) else (row,) for row in rows(statement))
+    return tuple(row for part in found for row in part if isinstance(row, Chain))
+
+
 def half_square(factor: Node, base: Node) -> Node:
     """½ m v²."""
     return mul(Div(ONE, TWO), factor, Pow(base, TWO))

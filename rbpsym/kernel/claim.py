@@ -36,14 +36,6 @@ class Said(Frozen):
     assertions: tuple[Claim, ...] = ()
 
 
-def rows(statement: t.Node) -> tuple[t.Chain, ...]:
-    """The chains that a statement asserts."""
-    if isinstance(statement, t.System):
-        return tuple(r for row in statement.rows for r in rows(row))
-    assert isinstance(statement, t.Chain)
-    return (statement,)
-
-
 def letter(node: t.Node) -> str:
     """The name of what must be a letter, of a number or a vector."""
     assert isinstance(node, t.Sym | t.Vec)

@@ -10,7 +10,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import Vector, names_in, short, symbol
 from rbpsym.kernel.begins import event, letters_then
-from rbpsym.kernel.claim import Claim, Said, letter, rows, tree_of
+from rbpsym.kernel.claim import Claim, Said, letter, tree_of
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.system import Force
@@ -67,7 +67,7 @@ class Source:
     # --- steps
 
     def _said(self, step: Step) -> Said:
-        own = [row for row in rows(step.statement) if self._introduces(row)]
+        own = [row for row in t.chains(step.statement) if self._introduces(row)]
         self._introduced |= {part for part in t.walk(step.statement) if isinstance(part, t.Sym | t.Vec)}
         try:
             definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
@@ -91,7 +91,7 @@ class Source:
 
     def _asserted(self, step: Step) -> list[Claim]:
         """What a step claims; nothing, with the reason in `unsaid`, where the exporter has no words for it."""
-        claims = [claim for row in rows(step.statement) for claim in self.row(row)]
+        claims = [claim for row in t.chains(step.statement) for claim in self.row(row)]
         claims = [claim for claim in claims if claim.kind != "equal" or claim.left != claim.right] or claims[:1]
         more = MORE.get(step.rule)
         try:
@@ -153,9 +153,8 @@ class Source:
 
     def conditions(self, step: Step) -> tuple[Claim, ...]:
         """The obligations of a step that nothing discharges: its claims hold where these do."""
-        duties = step.certificate.verdict.obligations if step.certificate else ()
-        open_ones = [one.relation for one in duties if not one.is_discharged]
-        return tuple(claim for node in open_ones for row in rows(node) for claim in self.row(row))
+        open_ones = [duty.relation for duty in step.certificate.verdict.open_obligations]
+        return tuple(claim for node in open_ones for row in t.chains(node) for claim in self.row(row))
 
     # --- facts
 
@@ -273,14 +272,14 @@ DEFINED: Mapping[str, Callable[[Source, Step, t.Chain], Iterator[Claim]]] = {
 
 def _conserved(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """And it stays what it is at the start."""
-    ends = [end for row in rows(step.statement) for end in (row.items[0], row.items[-1]) if isinstance(end, t.Sym)]
+    ends = [end for row in t.chains(step.statement) for end in (row.items[0], row.items[-1]) if isinstance(end, t.Sym)]
     return [*claims, *(Claim(end, started(end, source.moving)) for end in ends)]
 
 
 def _lost(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """And its rate is minus the power of the forces."""
     rate = tree_of(-power(source.system, step.data["forces"]))
-    return [*claims, Claim(rows(step.statement)[0].items[0], rate, "rate")]
+    return [*claims, Claim(t.chains(step.statement)[0].items[0], rate, "rate")]
 
 
 def _at_rest(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
@@ -308,8 +307,8 @@ def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """With the accelerations of the equations of motion, the sides of what is linear are alike at the place in value and
     derivatives."""
     found = []
-    for row in rows(step.statement):
-        solved = {name: rows(source.steps[f"motion.{name[:-5]}"].statement)[0].items[-1]
+    for row in t.chains(step.statement):
+        solved = {name: t.chains(source.steps[f"motion.{name[:-5]}"].statement)[0].items[-1]
                   for name in t.names(row.items[0]) & set(source.system.accelerations)}  # fmt: skip
         apart = t.Add((t.renamed(row.items[0], solved), t.Neg(row.items[-1])))
         place, moved = _resting(source, step), sorted(filter(source.moving, t.names(apart)))
@@ -335,7 +334,7 @@ def _mode(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     moved: dict[str, t.Node] = {name: t.Add((place, sizes[name])) for name, place in _resting(source, step).items()}
     moved |= {f"{name}_dot": t.Mul((speed, size)) for name, size in sizes.items()}
     moved |= {f"{name}_ddot": t.Mul((gain, size)) for name, size in sizes.items()}
-    solves = [Claim(t.renamed(row.items[0], moved), t.renamed(row.items[-1], moved)) for row in rows(linear.statement)]
+    solves = [Claim(t.renamed(row.items[0], moved), t.renamed(row.items[-1], moved)) for row in t.chains(linear.statement)]
     taking = (Claim(size, t.ZERO, "differ") for size in sizes.values())
     return [replace(claim, given=(*solves, part)) for claim in claims for part in taking]
 
@@ -353,7 +352,7 @@ def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
 
 def _asked(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """The force is a positive multiple of what is said not to be negative."""
-    force, shown = t.Sym(step.data["force"]), rows(step.statement)[0].items[0]
+    force, shown = t.Sym(step.data["force"]), t.chains(step.statement)[0].items[0]
     if shown == force:
         return [Claim(force, force)]
     ratio = tree_of(short(source.letters.along(symbol(force.name)) / source.letters.value(shown)))

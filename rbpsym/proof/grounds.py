@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from rbpsym.decide.verdict import PROVED
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -62,7 +63,7 @@ class Said(Frozen):
 
 def is_proved(said: Said) -> bool:
     """Its formula is proved."""
-    return bool(said.step.certificate.verdict.is_proved)
+    return bool(said.step.certificate.verdict.kind is PROVED)
 
 
 def ends_in_zero(said: Said) -> bool:

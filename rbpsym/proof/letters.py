@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import Any
 
 from rbpsym.expr import tree as t
@@ -13,7 +13,7 @@ from rbpsym.proof.step import Step
 
 def introduce(context: Context, step: Step) -> None:
     """Notes which letters the step introduces; one that stands in it and was never introduced is a fact of its own."""
-    for row in _rows(step.statement):
+    for row in t.chains(step.statement):
         first = row.items[0]
         if isinstance(first, (t.Sym, t.Vec)) and row.ops[0] == "=" and _is_letter(context, first):
             context.introduced.setdefault(first.name, (step.id, _said(context, row)))
@@ -22,14 +22,6 @@ def introduce(context: Context, step: Step) -> None:
             fact = definition(name)
             context.facts[fact.id] = fact
             context.introduced[name] = (fact.id, None)
-
-
-def _rows(statement: t.Node) -> Iterator[t.Chain]:
-    if isinstance(statement, t.System):
-        for row in statement.rows:
-            yield from _rows(row)
-    elif isinstance(statement, t.Chain):
-        yield statement
 
 
 def _said(context: Context, row: t.Chain) -> t.Node | None:
