@@ -7,6 +7,8 @@ only shown in full detail. Kleppner & Kolenkow 7.6; Meriam & Kraige, Dynamics, 5
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from rbpsym.chapters.places import (
     Given,
     as_given,
@@ -94,7 +96,7 @@ def _geometric(draft: Draft, element: Element) -> None:
     )
 
 
-def as_taken(draft: Draft, element: Element) -> tuple[t.Node, ...]:
+def as_taken(draft: Draft, element: Element) -> tuple[t.Chain, ...]:
     """That it runs, or touches, on the side that is taken, as far as nothing declared says so: in each position, else at
     the start."""
     ways = (ways_kept(draft.study), ways_taken(draft.study))
@@ -120,7 +122,7 @@ def _kept_angle(draft: Draft, element: Element) -> None:
     )
 
 
-def _moving_line_rows(draft: Draft, element: Element) -> list[t.Node]:
+def _moving_line_rows(draft: Draft, element: Element) -> list[t.Chain]:
     """A point on a line of a body that moves: how far it is from it."""
     if element.values.get("of") is None:
         return []
@@ -128,7 +130,7 @@ def _moving_line_rows(draft: Draft, element: Element) -> list[t.Node]:
     return [t.equation(draft.show(gap), t.ZERO) for gap in gaps if not is_zero(gap)]
 
 
-def _is_identity(row: t.Node) -> bool:
+def _is_identity(row: t.Chain) -> bool:
     """Does it hold whatever the coordinates are, before anything is put in?"""
     return is_zero(scalar(row.items[0]) - scalar(row.items[-1]))
 
@@ -139,8 +141,14 @@ def _plain(node: t.Node) -> t.Node:
     if isinstance(node, t.Fn):
         plain = present(scalar(node))
         return plain if isinstance(plain.arg if isinstance(plain, t.Neg) else plain, t.Fn) else node
-    parts = {t.Mul: lambda n: t.mul(*n.factors), t.Add: lambda n: t.add(*n.terms), t.Neg: lambda n: t.neg(n.arg)}
-    return parts.get(type(node), lambda n: n)(node)
+    match node:
+        case t.Mul(factors=factors):
+            return t.mul(*factors)
+        case t.Add(terms=terms):
+            return t.add(*terms)
+        case t.Neg(arg=arg):
+            return t.neg(arg)
+    return node
 
 
 def _kind(element: Element) -> str:
@@ -159,19 +167,19 @@ def _labels(element: Element) -> list[str]:
     return [ref.label for ref in refs]
 
 
-def _driven_rows(draft: Draft, element: Element) -> list[t.Node]:
+def _driven_rows(draft: Draft, element: Element) -> list[t.Chain]:
     """A given function of time: the place of a point along a direction, or the angle of a body."""
     if element.kind == "prescribed-angle":
         angle = draft.study.problem.body(element["body"]).angle
         base = draft.study.problem.body(element["of"]).angle if element["of"] else t.ZERO
-        return [] if None in (angle, base) else [t.equation(t.add(angle, t.neg(base)), element["angle"])]
+        return [] if angle is None or base is None else [t.equation(t.add(angle, t.neg(base)), element["angle"])]
     if element.kind != "prescribed" or element["of"]:
         return []
     at = coordinates_of(draft, element["point"])
     if at is None:
         return []
-    parts = (part if way == t.ONE else t.mul(way, part) for way, part in zip(element["along"], at, strict=True))
-    parts = [part for part, way in zip(parts, element["along"], strict=True) if way != t.ZERO]
+    ways = zip(element["along"], at, strict=True)
+    parts = [part if way == t.ONE else t.mul(way, part) for way, part in ways if way != t.ZERO]
     return [t.equation(t.add(*parts), element["distance"])]
 
 
@@ -240,7 +248,7 @@ def _no_slip(draft: Draft, element: Element, given: Given) -> None:
         f"kinematics.condition.{element.kind}_speed",
         level=FULL if same else STANDARD,
         premises=draft.those(f"condition.{element.name}"),
-        body=BodyRef(on) if on else BodyRef(by),
+        body=BodyRef(on or by or ""),
         by=BodyRef(by) if by else PhraseRef("kinematics.nothing"),
         on=_where(element, by, met.normal),
         points=_labels(element),
@@ -324,4 +332,5 @@ def _pull(draft: Draft, given: Given, turn: Turn, place: Vector, way: Vector) ->
     return [t.Group(node) if isinstance(node, t.Add) else node for node in (part.still, part.turning)]
 
 
-ASKED = {no_slip: _no_slip, speeds_along: _taut}  # by what the law of a constraint asks of the speeds
+# by what the law of a constraint asks of the speeds
+ASKED: Mapping[object, Callable[[Draft, Element, Given], None]] = {no_slip: _no_slip, speeds_along: _taut}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from rbpsym.decide.signs import sign
 from rbpsym.elements.constraints import CONSTRAINTS
@@ -145,7 +146,7 @@ def _manner(draft: Draft, name: str) -> str:
 def _friction(draft: Draft, need: FrictionNeed) -> None:
     """How large the coefficient of static friction must be."""
     force, normal = t.Sym(need.friction), t.add(*map(t.Sym, need.normals))
-    slots = {"friction": force, "force": normal, "limit": draft.show(need.limit) if need.limit else t.Sym("mu")}
+    slots: dict[str, Any] = {"friction": force, "force": normal, "limit": draft.show(need.limit) if need.limit else t.Sym("mu")}
     forces = (need.friction, *need.normals)
     premises = draft.those(*(f"{kind}.{n}" for n in forces for kind in ("along", "reaction")))
     slots["obligations"] = (t.relation(normal, ">", t.ZERO),)
@@ -181,7 +182,7 @@ def _friction(draft: Draft, need: FrictionNeed) -> None:
         draft.add(
             f"enough.{need.constraint}",
             "inequality",
-            t.relation(letter, "<=", draft.show(need.limit)),
+            t.relation(letter, "<=", slots["limit"]),
             "contact.enough",
             premises=[f"friction.{need.constraint}"],
             **slots,
@@ -192,7 +193,7 @@ def _is_contact(draft: Draft, name: str) -> bool:
     return any(e.name == name and e.kind == "contact" for e in draft.study.problem.constraints)
 
 
-def _loss(draft: Draft, loss: Loss, along) -> None:
+def _loss(draft: Draft, loss: Loss, along: Mapping[str, Scalar]) -> None:
     """Where the force vanishes, and what the other forces are there."""
     place = loss.at.get(loss.coordinate)
     equation = _solved(draft, loss)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, is_zero, substitute, symbol
@@ -61,8 +62,10 @@ def _letter(draft: Draft, letter: str, value: Scalar) -> str:
     """The letter for a value: the one that it has already, or a new one."""
     known = next((n for n, v in draft.context.scalars.items() if n.startswith(letter) and is_zero(v - value)), None)
     shown = draft.show(value, factor=True)
-    if known is not None or isinstance(shown, t.Sym):
-        return known or shown.name
+    if known is None and isinstance(shown, t.Sym):
+        known = shown.name
+    if known is not None:
+        return known
     taken = draft.context.scalars.keys()
     found = letter if letter not in taken else draft.free(f"{letter}_s", taken=taken)
     draft.define(found, value)
@@ -73,6 +76,7 @@ def _letter(draft: Draft, letter: str, value: Scalar) -> str:
 def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: State, letters: Mapping[str, Scalar]) -> str:
     """The id of the step that says when a coordinate or a speed has a value; the time is said in letters."""
     named = {letter: symbol(_letter(draft, letter, value)) for letter, value in letters.items()}
+    assert state.time is not None, subject
     made = draft.define(draft.free("t_1"), state.time)
     return draft.add("moment", "reached_in_time", t.equation(made, draft.show(substitute(time, named), factor=True)),
                      "course.reached", premises=[step.id for step in draft.steps if step.rule == "course"], name=t.Sym(subject),
@@ -86,7 +90,7 @@ def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> N
     if value is None:
         return
     cause = solved.support(known) if key == "phase lag" else None
-    more = {} if cause is None else {"cause": draft.show(cause)}
+    more: dict[str, Any] = {} if cause is None else {"cause": draft.show(cause)}
     kind = ".support" if more else DRIVEN.get(key, ("", ""))[bool(known.form.drive)]
     is_one = len(draft.study.system.independent) == 1
     made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
@@ -128,6 +132,7 @@ SWINGS = {1: "quarter", 2: "half", 4: "whole"}
 def speed(draft: Draft, name: str, value: Scalar) -> str:
     """The id of the step that says this speed as a function of the place."""
     known = solutions.given(draft.study, name)
+    assert known is not None, name
     return draft.add(f"speed_at.{name}", "speed_along", t.equation(t.Sym(f"{name}_dot"), draft.show(value)), "course.speed",
                      premises=draft.those(f"motion.{name}"), name=t.Sym(name), is_result=True,
                      obligations=draft.asked(solved.sets_out(known)),

@@ -13,8 +13,8 @@ from rbpsym.decide.rooted import root_of
 from rbpsym.decide.signs import sign
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, depends_on, is_zero, root, short, symbol
-from rbpsym.mechanics.demands import essential
 from rbpsym.mechanics.oscillation import Equilibrium, Powers, conditions, decaying
+from rbpsym.mechanics.stability import essential
 from rbpsym.proof.draft import Draft, length
 from rbpsym.proof.step import FULL, STANDARD
 
@@ -87,7 +87,7 @@ def swinging(draft: Draft, item: Equilibrium, decay: Scalar, square: Scalar, id:
     """λ² + 2γλ + ϑ²: the rate of decay, the damped frequency, and the critical damping."""
     rate, damped = draft.define(draft.free(f"gamma{mark}"), decay), short(square - decay * decay)
     letter = draft.define(draft.free(f"vartheta{mark}_d"), root(damped))
-    said = SWINGS.get(sign(damped, draft.study.assumptions).kind, "perhaps")
+    said = SWINGS.get(sign(damped, draft.study.assumptions).kind or "", "perhaps")
     near = [f"{'linear' if of == 'alone' else 'characteristic'}.{id.split('.')[0]}"]
     told = {"premises": near, "data": {"decay": decay, "square": square, "swings": said}}
     dies = t.equation(rate, draft.show(decay, factor=True))
@@ -127,7 +127,7 @@ def _conditions(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: 
     told = {"level": STANDARD if all(length(row) <= LONGEST for row in rows) else FULL, "is_result": False}
     data = {"powers": powers, "conditions": tuple(left)}
     alone = len(item.linear.factors) == 1 and not item.linear.zeros
-    alone = alone and (item.nature.proved == "asymptotic" or item.nature.conditions)
+    alone = alone and (item.nature.proved == "asymptotic" or bool(item.nature.conditions))
     of = "whole" if alone else "part"
     phrase = f"hurwitz.{'open' if left else 'met'}.{of}"
     _add(draft, item, f"hurwitz.{id}", "hurwitz", t.system(rows), phrase, conditions=[*left.values()], data=data, **told)

@@ -20,7 +20,7 @@ from rbpsym.present.forms import present
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import BodyRef, PhraseRef, Step, StepRef, bodies_named
 from rbpsym.statement.curves import curve_body, toucher
-from rbpsym.statement.model import Phase
+from rbpsym.statement.model import Element, Phase
 
 
 def write(draft: Draft, ending: Ending) -> None:
@@ -33,7 +33,7 @@ def write(draft: Draft, ending: Ending) -> None:
         _state(draft, ending, "speed", state.speeds, sources)
     if state.time is not None:
         _condition(draft, ending, slip)
-        _moment(draft, ending)
+        _moment(draft, ending, state.time)
     else:
         _place(draft, ending)
     _state(draft, ending, "place", state.places)
@@ -49,16 +49,16 @@ def _slip(draft: Draft, ending: Ending) -> Scalar | None:
     """How fast it slips; None where no slip ends."""
     if ending.phase.event != "no slip":
         return None
-    system = draft.study.system
+    system, element = draft.study.system, ending.element(draft)
     geometry = geometry_of(system)
-    return short(substitute(slip_speed(geometry, meeting(system.element(ending.phase.subject), geometry)), system.dependent))
+    return short(substitute(slip_speed(geometry, meeting(element, geometry)), system.dependent))
 
 
 def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
     """For a slip that goes: its speed, and the rate at which that changes."""
     if value is None:
         return
-    study, element = draft.study, draft.study.system.element(ending.phase.subject)
+    study, element = draft.study, ending.element(draft)
     letter = draft.define(draft.free("u"), value)
     on, by = toucher(element), curve_body(element)
     draft.add(
@@ -67,7 +67,7 @@ def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
         t.equation(letter, draft.show(value)),
         "phases.slip",
         letter=letter,
-        body=BodyRef(on or by),
+        body=BodyRef(on or by or ""),
         data={"element": element, "value": value},
     )
     rate = short(study.on_motion(time_derivative(value, study.system.scope)))
@@ -81,9 +81,8 @@ def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
     )
 
 
-def _moment(draft: Draft, ending: Ending) -> None:
+def _moment(draft: Draft, ending: Ending, time: Scalar) -> None:
     """t_1."""
-    time = ending.state.time
     letter = draft.define(draft.free(f"t_{ending.number}"), time)
     draft.add(
         "moment",
@@ -172,8 +171,8 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
 
 def _coefficient(draft: Draft, ending: Ending) -> t.Node:
     """That of the friction of what slips; 0 where nothing does."""
-    element = draft.study.system.element(ending.phase.subject) if ending.phase.event == "no slip" else None
-    return t.ZERO if element is None else element["coefficient"]
+    slips: t.Node = ending.element(draft)["coefficient"] if ending.phase.event == "no slip" else t.ZERO
+    return slips
 
 
 def _energy(draft: Draft, ending: Ending) -> None:
@@ -218,6 +217,10 @@ class Ending(Frozen):
     phase: Phase
     number: int
     state: State
+
+    def element(self, draft: Draft) -> Element:
+        """The constraint that it is about."""
+        return draft.study.system.element(self.phase.subject or "")
 
 
 def place_name(draft: Draft, coordinate: str, number: int) -> str:

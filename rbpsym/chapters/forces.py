@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rbpsym.chapters.conditions import as_taken
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, Space, is_zero, short
+from rbpsym.field import Scalar, Space, Vector, is_zero, short
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.pushing import kept_sense
@@ -45,12 +45,12 @@ def tag(draft: Draft, force: Force) -> str:
     return force.name if len(same) == 1 else f"{force.name}_{force.on}"
 
 
-def torque(force: Force, origin) -> Scalar:
+def torque(force: Force, origin: Vector) -> Scalar:
     """Torque about a fixed point, the couple included."""
     return short(force.torque(origin))
 
 
-def torque_node(draft: Draft, force: Force, origin) -> t.Node:
+def torque_node(draft: Draft, force: Force, origin: Vector) -> t.Node:
     """The torque of a force about a point: of the vector with its arm, and of the couple beside it."""
     arm = short((force.point - origin).cross(force.vector))
     return t.add(*(draft.show(part) for part in (arm, force.couple) if part))
@@ -83,7 +83,7 @@ def _entry(draft: Draft, force: Force) -> None:
     )
 
 
-def _presupposed(draft: Draft, name: str) -> tuple[t.Node, ...]:
+def _presupposed(draft: Draft, name: str) -> tuple[t.Chain, ...]:
     """Where the formula of a force holds: on the side that is taken, and while what is resisted keeps its sense."""
     element = draft.study.system.element(name)
     return (*as_taken(draft, element), *draft.asked(kept_sense(draft.study, element)))

@@ -134,7 +134,7 @@ def _row(draft: Draft, blow: Blow, after: Scalar, before: Scalar, parts: list[Sc
     return t.equation(t.add(*left), t.add(*sums))
 
 
-def _restitution(draft: Draft, blow: Blow, element: Element, name: str):
+def _restitution(draft: Draft, blow: Blow, element: Element, name: str) -> Step:
     """n·(v₂' - v₁') = -e n·(v₂ - v₁); the same along the tangent for the friction of a bounce that does not slip."""
     seen = ((blow.after, new_value), (blow.before, old_value))
     speeds = [draft.show(show(draft, blow, approach(system, element, name, blow.after))) for system, show in seen]
@@ -208,7 +208,7 @@ def _solved(
     values: Mapping[str, Scalar],
     steps: list[Step],
     level: int = STANDARD,
-    obligations: tuple[t.Node, ...] = (),
+    obligations: tuple[t.Chain, ...] = (),
 ) -> None:
     if not values:
         return
@@ -264,9 +264,10 @@ def hand_overs(problem: Problem) -> list[tuple[Phase, Stage, Draft]]:
 
 def hand_over(number: int, phase: Phase, before: Stage, stage: Stage) -> Draft:
     """The draft of the steps from the end of the phase of that number (from 1) to the start of the next one."""
-    draft = Draft(before.study)
+    draft, began = Draft(before.study), stage.began
+    assert began is not None, phase.name
     draft.chapter = "phase"
-    endings.write(draft, Ending(phase, number, stage.began.before))
-    if stage.began.is_blow:
-        write(draft, Blow(before.study.system, stage.study.system, stage.began.phase, stage.began, number))
+    endings.write(draft, Ending(phase, number, began.before))
+    if began.is_blow and began.phase is not None:
+        write(draft, Blow(before.study.system, stage.study.system, began.phase, began, number))
     return draft

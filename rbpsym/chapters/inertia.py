@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from rbpsym.decide.rooted import root_of
 from rbpsym.expr import tree as t
@@ -149,7 +150,7 @@ def _integrated(draft: Draft, state: BodyState, moment: t.Sym, shape: Shape, slo
     _by_parallel_axis(draft, state, moment, elements, slot)
 
 
-def _spread(draft: Draft, elements: tuple[MassElement, ...]) -> dict[str, object]:
+def _spread(draft: Draft, elements: tuple[MassElement, ...]) -> dict[str, Any]:
     """How the mass is spread: its density along a line, over a surface or in a volume, if it is one piece."""
     if len(elements) != 1 or elements[0].kind == "point":
         return {"variant": "pieces"}
@@ -223,9 +224,12 @@ def center_of_mass(draft: Draft, state: BodyState, shape: Shape, slot: BodyRef |
     draft.add(f"center.{state.name}", "mass_integral", t.system(rows), phrase, body=slot)
 
 
-def _by_parallel_axis(draft: Draft, state: BodyState, moment: t.Sym, elements, slot: BodyRef | PhraseRef) -> None:
+def _by_parallel_axis(
+    draft: Draft, state: BodyState, moment: t.Sym, elements: tuple[MassElement, ...], slot: BodyRef | PhraseRef
+) -> None:
     """I about the origin of the frame by integration, then Steiner's theorem back to the centre of mass."""
     about, name = state.inertia.about_origin, state.name
+    assert about is not None, name
     symbol_ = draft.define(draft.free(f"I_{name}_0"), about)
     integral = t.add(*(_integral(draft, e, _square(e, None)) for e in elements))
     draft.add(
@@ -249,7 +253,7 @@ def _by_parallel_axis(draft: Draft, state: BodyState, moment: t.Sym, elements, s
     )
 
 
-def _about(name: str, state: BodyState, value: Scalar) -> dict:
+def _about(name: str, state: BodyState, value: Scalar) -> dict[str, Any]:
     return {"body": name, "point": (state.inertia.x, state.inertia.y), "value": value}
 
 

@@ -7,6 +7,7 @@ Johnston, Dynamics, 15.4 and 16.4; Meriam & Kraige, Dynamics, 5/6 and 6/5.
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 from rbpsym.expr import tree as t
 from rbpsym.field import Poly, Scalar, is_zero, lift, short, substitute, symbol_name, total
@@ -20,8 +21,9 @@ from rbpsym.proof.step import FULL, STANDARD, BodyRef, Step, StepRef
 
 def write(draft: Draft) -> None:
     """The chapter, for a study that tells the start alone."""
-    draft.chapter, found = "instant", draft.study.instant
-    system = draft.study.system
+    draft.chapter = "instant"
+    system, found = draft.study.system, draft.study.instant
+    assert found is not None
     held = [_held(draft, condition) for condition in (*system.implicit, *system.speed_ties)]
     rates = _rates(draft, "rate", held, found.rates, found.sought, [])
     speeds = [_value(draft, "speed", name, found.speeds[name.removesuffix("_dot")], rates) for name in found.sought]
@@ -120,7 +122,7 @@ def _rates(
 ORDERS = {"rate": 1, "second": 2}
 
 
-def _equation(draft: Draft, value: Scalar, names: tuple[str, ...], forces: tuple[str, ...] = ()) -> t.Node:
+def _equation(draft: Draft, value: Scalar, names: tuple[str, ...], forces: tuple[str, ...] = ()) -> t.Chain:
     """value = 0 with these names on the left, at the start, and the forces and the rest on the right."""
     row = linear_row(value, (*names, *forces))
     left = [_term(draft, row[name], name) for name in names if name in row]
@@ -138,10 +140,11 @@ def _term(draft: Draft, coefficient: Scalar, name: str) -> t.Node:
 
 def _laws(draft: Draft, body: str, speeds: list[Step]) -> list[Step]:
     """M a = F (x and y), and I α = τ_cm, of one body with the values of the start put in."""
-    system, steps = draft.study.system, []
+    study: Any = draft.study  # of the start alone
+    system, steps = study.system, []
     for part, rows in (("force", ("x", "y")), ("torque", ("rotation",))):
         values = [v for name, axis, v in draft.study.labelled_rows if name == body and axis in rows]
-        shown = [draft.study.tidied(substitute(value, system.scope.start)) for value in values]
+        shown = [study.tidied(substitute(value, system.scope.start)) for value in values]
         statements = [_equation(draft, value, system.accelerations, system.unknowns) for value in shown if value]
         if statements:
             steps.append(

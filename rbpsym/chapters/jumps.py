@@ -9,7 +9,7 @@ from rbpsym.decide.rooted import neat
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, substitute, symbol
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.endings import State
+from rbpsym.mechanics.arrivals import State
 from rbpsym.mechanics.impulse import Moment, impulsive, restitutions
 from rbpsym.mechanics.jumps import Jump, road
 from rbpsym.mechanics.phases import HandOver

@@ -93,9 +93,10 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
         rows.append(t.equation(t.Pow(t.Sym(letter), t.TWO), draft.show(square, factor=True)))
     draft.add(f"modes.{place}", "normal_modes", t.system(rows), "oscillations.modes", count=len(rows), is_result=True,
               premises=[f"characteristic.{place}"], data=item.facts)  # fmt: skip
-    shapes = [amplitudes(item, square) for square in found] if len(item.stiffness) > 1 else [None]
-    ratios = [ratio for shape in shapes for ratio in shape or ()]
-    if None not in shapes and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
+    made = [amplitudes(item, square) for square in found] if len(item.stiffness) > 1 else []
+    shapes = [shape for shape in made if shape is not None]
+    ratios = [ratio for shape in shapes for ratio in shape]
+    if len(shapes) == len(found) and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
         for k, (square, shape) in enumerate(zip(found, shapes, strict=True), 1):
             _shape(draft, item, place, k, square, shape)
 

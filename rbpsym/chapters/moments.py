@@ -97,18 +97,18 @@ def _piece(draft: Draft, body: BodyState, number: int, part: PlacedShape) -> Pie
     letter = draft.define(draft.free(f"I_{number}" if draft.is_single else f"I_{name}_{number}"), own.moment)
     slot = PhraseRef("inertia.part", {"number": t.Num(number), "body": BodyRef(name)})
     if part.count is not None:
-        return _repeated(draft, body, Piece(part.shape, state, 1, letter, slot), part)
+        return _repeated(draft, body, Piece(part.shape, state, 1, letter, slot), part, part.count)
     return Piece(part.shape, state, -1 if part.removed else 1, letter, slot)
 
 
-def _repeated(draft: Draft, body: BodyState, one: Piece, part: PlacedShape) -> Piece:
+def _repeated(draft: Draft, body: BodyState, one: Piece, part: PlacedShape, count: t.Node) -> Piece:
     """All copies of a part together, about their hub: as often the moment of one."""
-    hub, often = at_point(body.pose, (scalar(part.hub[0]), scalar(part.hub[1]))), scalar(part.count)
+    hub, often = at_point(body.pose, (scalar(part.hub[0]), scalar(part.hub[1]))), scalar(count)
     value, name = short(one.about(hub) * often), f"{one.state.name}_all"
     letter = draft.define(draft.free(f"{one.letter.name}_all"), value)
     whole = Inertia(one.state.mass * often, NOTHING, NOTHING, value)
     state = BodyState(name, whole, Pose(hub, body.pose.angle), hub)
-    return Piece(part.shape, state, -1 if part.removed else 1, letter, one.slot, one, part.count)
+    return Piece(part.shape, state, -1 if part.removed else 1, letter, one.slot, one, count)
 
 
 def _letter(draft: Draft, name: str, label: str, value: Scalar) -> t.Sym:

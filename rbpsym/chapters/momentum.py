@@ -40,7 +40,7 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
         return False
     if not orbital and any(draft.has(f"momentum.{body}.{other}") for other in draft.study.origins):
         return True  # the spin part is the same about every point
-    formula = t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body)))
+    formula: t.Node = t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body)))
     if state.moment and state.omega:
         formula = t.add(formula, t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))))
     statement = t.equation(t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin))
@@ -158,7 +158,7 @@ def kept_speeds(draft: Draft, wanted: Iterable[str]) -> None:
 def steady_motion(draft: Draft, name: str, known: Orbit) -> None:
     """The momenta that are kept, the speeds that they give, the place, and the square of the frequency."""
     draft.chapter = "course"
-    gained = draft.study.dynamics.accelerations[f"{name}_ddot"]
+    gained = (draft.study.dynamics.accelerations or {})[f"{name}_ddot"]
     kept = draft.study.kept_speeds if names_in(gained) & draft.study.kept_speeds.keys() else {}
     if kept:
         kept_speeds(draft, kept)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, root, substitute, symbol
 from rbpsym.mechanics.rest import Balance
@@ -18,7 +20,7 @@ def write(draft: Draft, item: Balance) -> None:
     if item.ends:
         _ends(draft, item)
     if item.frequency_squared is not None:
-        _small_motion(draft, item)
+        _small_motion(draft, item, item.frequency_squared)
     elif item.decay is not None:
         _dying_motion(draft, item, *item.decay)
 
@@ -43,7 +45,8 @@ def _apart(shown: t.Node) -> t.Node:
     """What vanishes as two sums that are equal, without the factors that all terms share."""
     factors = shown.factors if isinstance(shown, t.Mul) else (shown,)
     shared = next((f for f in factors if isinstance(_bare(f), t.Add)), shown)
-    terms = _bare(shared).terms if isinstance(_bare(shared), t.Add) else (shown,)
+    bare = _bare(shared)
+    terms = bare.terms if isinstance(bare, t.Add) else (shown,)
     taken = [term.arg for term in terms if isinstance(term, t.Neg)]
     kept = [term for term in terms if not isinstance(term, t.Neg)]
     return t.equation(t.add(*taken), t.add(*kept)) if taken and kept else t.equation(shown, t.ZERO)
@@ -72,6 +75,8 @@ def _slope(draft: Draft, item: Balance) -> None:
 def _ends(draft: Draft, item: Balance) -> None:
     """The force at the ends of the range has opposite signs."""
     coordinate = draft.study.problem.coordinate(item.name)
+    named = {"lower": coordinate.lower, "upper": coordinate.upper}
+    ends: dict[str, Any] = {side: t.equation(t.Sym(item.name), end) for side, end in named.items() if end is not None}
     rows = [_at_end(draft, end, item.stable is (k == 0)) for k, end in enumerate(item.ends)]
     draft.add(
         "balance_ends",
@@ -80,10 +85,9 @@ def _ends(draft: Draft, item: Balance) -> None:
         "oscillations.open.ends",
         premises=["balance"],
         name=t.Sym(item.name),
-        lower=t.equation(t.Sym(item.name), coordinate.lower),
-        upper=t.equation(t.Sym(item.name), coordinate.upper),
         variant="stable" if item.stable else "unstable",
         data={"balance": item},
+        **ends,
     )
 
 
@@ -106,9 +110,9 @@ def _dying_motion(draft: Draft, item: Balance, square: Scalar, loss: Scalar) -> 
     )
 
 
-def _small_motion(draft: Draft, item: Balance) -> None:
+def _small_motion(draft: Draft, item: Balance, square: Scalar) -> None:
     letter = t.Sym(draft.free("vartheta"))
-    draft.context.scalars[letter.name] = root(item.frequency_squared)
+    draft.context.scalars[letter.name] = root(square)
     away = t.Group(t.add(t.Sym(item.name), t.neg(t.Sym(item.place))))
     draft.add(
         "open_linear",
@@ -123,7 +127,7 @@ def _small_motion(draft: Draft, item: Balance) -> None:
     draft.add(
         "open_frequency",
         "identity",
-        t.equation(t.Pow(letter, t.TWO), draft.show(item.frequency_squared, factor=True)),
+        t.equation(t.Pow(letter, t.TWO), draft.show(square, factor=True)),
         "oscillations.open.frequency",
         premises=["open_linear"],
         is_result=True,

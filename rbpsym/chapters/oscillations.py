@@ -79,7 +79,7 @@ def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
     return signs[0] == "positive" and (signs[1] == "negative" or item.nature.proved != "unstable")
 
 
-def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there: list[t.Node]) -> None:
+def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there: list[t.Chain]) -> None:
     """q̈ ≈ -ϑ² (q - q₀) - (damping) q̇, and the frequency."""
     [name] = item.at
     square, damping = _square(item), NOTHING

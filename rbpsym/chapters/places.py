@@ -28,9 +28,9 @@ def coordinates_of(draft: Draft, ref: PointRef) -> Pair | None:
     if ref.body is None:
         return ref.at
     body = draft.study.problem.body(ref.body)
-    if body.placed is None or "cm" in (ref.point, body.placed[0]):
+    if body.placed is None or ref.point is None or "cm" in (ref.point, body.placed[0]):
         return None
-    x, y = _local_difference(body, ref.point)
+    x, y = _local_difference(body, ref.point, body.placed[0])
     if (x or y) and body.angle is None:
         return None
     angle = body.angle if body.angle is not None else t.ZERO
@@ -38,8 +38,8 @@ def coordinates_of(draft: Draft, ref: PointRef) -> Pair | None:
     return (t.add(px, *_signed(x, cos), *_signed(y, sin, -1)), t.add(py, *_signed(x, sin), *_signed(y, cos)))
 
 
-def _local_difference(body: Body, point: str) -> tuple[Scalar, Scalar]:
-    (ax, ay), (bx, by) = body.points[point], body.points[body.placed[0]]
+def _local_difference(body: Body, point: str, placed: str) -> tuple[Scalar, Scalar]:
+    (ax, ay), (bx, by) = body.points[point], body.points[placed]
     return scalar(ax) - scalar(bx), scalar(ay) - scalar(by)
 
 
@@ -47,17 +47,18 @@ def _signed(length: Scalar, function: t.Node, sign: int = 1) -> tuple[t.Node, ..
     return (t.mul(present(length * sign), function),) if length else ()
 
 
-def meeting_rows(draft: Draft, element: Element) -> list[t.Node]:
+def meeting_rows(draft: Draft, element: Element) -> list[t.Chain]:
     """Two points in one place: the rows that do not repeat themselves."""
-    rows: list[t.Node] = []
+    rows: list[t.Chain] = []
     for first, second in JOINTS[element.kind].joins(element):
         ends = [None if ref is None else coordinates_of(draft, ref) for ref in (second, first)]
-        if None not in ends:
-            rows += [t.equation(a, b) for a, b in zip(*ends, strict=True) if a != b]
+        told = [end for end in ends if end is not None]
+        if len(told) == 2:
+            rows += [t.equation(a, b) for a, b in zip(*told, strict=True) if a != b]
     return rows
 
 
-def line_rows(draft: Draft, element: Element) -> list[t.Node]:
+def line_rows(draft: Draft, element: Element) -> list[t.Chain]:
     """A point on a fixed line."""
     rows = []
     for touch in JOINTS[element.kind].touches(element):
@@ -68,11 +69,12 @@ def line_rows(draft: Draft, element: Element) -> list[t.Node]:
     return rows
 
 
-def distance_rows(draft: Draft, element: Element) -> list[t.Node]:
+def distance_rows(draft: Draft, element: Element) -> list[t.Chain]:
     """A round body at the distance of its rim from a line; a distance from the middle of a circle; a string's length."""
     if element.kind == "string":
-        ends = [coordinates_of(draft, turn.center) for turn in element["path"]]
-        return [] if element["length"] is None or None in ends else [_apart(*ends, element["length"])]
+        ends = [at for turn in element["path"] if (at := coordinates_of(draft, turn.center)) is not None]
+        is_told = element["length"] is not None and len(ends) == len(element["path"])
+        return [_apart(ends[0], ends[1], element["length"])] if is_told else []
     if element.values.get("circle") is not None:
         return _from_circle(draft, element)
     if element.values.get("curve") is not None:
@@ -85,13 +87,13 @@ def distance_rows(draft: Draft, element: Element) -> list[t.Node]:
     return []
 
 
-def _apart(first: Pair, second: Pair, distance: t.Node) -> t.Node:
+def _apart(first: Pair, second: Pair, distance: t.Node) -> t.Chain:
     """(x₁ - x₂)² + (y₁ - y₂)² = d²."""
     gaps = [t.add(a, t.neg(b)) for a, b in zip(first, second, strict=True)]
     return t.equation(t.add(*(t.power(gap, 2) for gap in gaps if gap != t.ZERO)), t.power(distance, 2))
 
 
-def _from_circle(draft: Draft, element: Element) -> list[t.Node]:
+def _from_circle(draft: Draft, element: Element) -> list[t.Chain]:
     here, middle = (coordinates_of(draft, ref) for ref in (touching_point(element), element["circle"]))
     if here is None or middle is None:
         return []
@@ -109,7 +111,7 @@ def _side(draft: Draft, element: Element) -> int:
     return geometry.sign(met.normal.dot(met.place - middle)) or 1
 
 
-def _from_line(draft: Draft, element: Element) -> list[t.Node]:
+def _from_line(draft: Draft, element: Element) -> list[t.Chain]:
     at = coordinates_of(draft, touching_point(element))
     if at is None:
         return []

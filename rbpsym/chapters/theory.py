@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from typing import Any
 
 from rbpsym.chapters.theory_ground import (
     ALPHA,
@@ -33,12 +34,14 @@ from rbpsym.proof.checks import of_steps as c
 from rbpsym.proof.step import Certificate, Lesson, Step, StepRef
 
 
-def _identity(context: TheoryContext, step: Step) -> Verdict:
-    return c.weakest([c.identity(context, step), c.identity(particle_context(context), step)])
+def _identity(context: Any, step: Step) -> Verdict:
+    particles: Any = particle_context(context)
+    return c.weakest([c.identity(context, step), c.identity(particles, step)])
 
 
-def _rates(context: TheoryContext, step: Step) -> Verdict:
-    return c.weakest([c.rates(context, step), c.rates(particle_context(context), step)])
+def _rates(context: Any, step: Step) -> Verdict:
+    particles: Any = particle_context(context)
+    return c.weakest([c.rates(context, step), c.rates(particles, step)])
 
 
 RULES = {"theory_identity": _identity, "theory_rates": _rates}
@@ -80,7 +83,7 @@ class Writer:
         self.steps.append(told(replace(step, certificate=Certificate((rule, "by_particles"), verdict))))
 
 
-def _about_fixed_axis() -> dict[str, object]:
+def _about_fixed_axis() -> dict[str, Any]:
     """The meanings that change when the origin is a fixed point of the body: V = ω × R, A = dV/dt."""
     velocity = Space(z=OMEGA).cross(R)
     acceleration = Space(z=ALPHA).cross(R) + Space(z=OMEGA).cross(velocity)

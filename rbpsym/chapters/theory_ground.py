@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, space_derivative, symbol, value
 from rbpsym.field.calculus import substitute
-from rbpsym.frozen import field
-from rbpsym.proof.context import Ground, replace
+from rbpsym.frozen import field, replace
+from rbpsym.proof.context import Ground
 
 XI, ETA = symbol("xi"), symbol("eta")
 OMEGA, ALPHA, MASS, MOMENT = symbol("omega"), symbol("alpha"), symbol("M"), symbol("I_cm")
@@ -133,8 +133,8 @@ def _over(poly: Poly, names: tuple[str, ...], powers: tuple[int, ...]) -> Scalar
 def _particles() -> tuple[tuple[Scalar, Scalar, Scalar], ...]:
     m = [symbol(f"m_{k}") for k in (1, 2, 3)]
     x, y = ([symbol(f"{axis}_{k}") for k in (1, 2)] for axis in "xy")
-    last = [-(m[0] * p[0] + m[1] * p[1]) / m[2] for p in (x, y)]
-    return ((m[0], x[0], y[0]), (m[1], x[1], y[1]), (m[2], *last))
+    last_x, last_y = (-(m[0] * p[0] + m[1] * p[1]) / m[2] for p in (x, y))
+    return ((m[0], x[0], y[0]), (m[1], x[1], y[1]), (m[2], last_x, last_y))
 
 
 def _forces() -> tuple[Space, ...]:
@@ -156,7 +156,7 @@ FORCES = _forces()
 class TheoryContext(Ground):
     """The same questions as `Context`, asked of an arbitrary body."""
 
-    body: object = by_moments
+    body: Callable[..., Scalar] = by_moments
     images: Mapping[str, Scalar] = field(default_factory=dict)
     assumptions: Assumptions = field(default_factory=lambda: Assumptions({"M": "positive", "I_cm": "positive"}))
     scalars: Mapping[str, Scalar] = field(default_factory=lambda: dict(SCALARS))
