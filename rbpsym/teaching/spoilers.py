@@ -74,7 +74,7 @@ def wanted(study: Study, answers: Iterable[t.Node]) -> frozenset[Claim]:
 
 def _claim(study: Study, node: t.Node) -> Claim | None:
     """The value of an answer that gives something away, looked up where the same formula stood before."""
-    found = study.meanings
+    found: dict[t.Node, Claim | None] = study.meanings
     if node not in found:
         value = meaning(study, node) if is_telling(node) else None
         found[node] = unsigned(value) if isinstance(value, Scalar) and value else None
