@@ -78,7 +78,7 @@ class Poly:
 
     def __hash__(self) -> int:
         if self._hash is None:
-            self._hash = hash((frozenset(self.terms), sum([c.numerator for c in self.terms.values()])))
+            self._hash = hash(sum([hash(m) * c.numerator for m, c in self.terms.items()]))
         return self._hash
 
     def __eq__(self, other: object) -> bool:
