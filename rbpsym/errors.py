@@ -50,6 +50,12 @@ class StatementError(RbpsymError):
     """A problem statement that contradicts itself or does not determine the motion."""
 
 
+class Indistinct(StatementError):
+    """Unknown forces that the equations do not tell apart: `free`."""
+
+    free: tuple[str, ...] = ()
+
+
 class DimensionError(RbpsymError):
     """Quantities of different dimension added, compared, or a length where an angle belongs."""
 

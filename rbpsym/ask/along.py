@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 from rbpsym.ask.question import Question
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.field import NOTHING, Scalar, names_in, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, depends_on, names_in, substitute, symbol
 from rbpsym.mechanics.arrivals import followed
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.solutions import given
+from rbpsym.mechanics.solved import speed_along
 from rbpsym.present.forms import present
 from rbpsym.quantities import TIME, Quantity
 from rbpsym.quantity.path import first_push
@@ -27,6 +29,14 @@ if TYPE_CHECKING:
 def moving_in(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:
     """What moves in the values."""
     return {n for value in values for n in names_in(value)} & {*world.motion.scope.rates, *world.motion.speeds}
+
+
+def resisted_in(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, Scalar]:
+    """The speeds in the values that a resistance gives as functions of the place."""
+    left = (name for name in world.study.system.independent if any(depends_on(value, f"{name}_dot") for value in values))
+    known = ((name, given(world.study, name)) for name in left)
+    found = ((name, speed_along(one, name)) for name, one in known if one is not None)
+    return {name: speed for name, speed in found if speed is not None}
 
 
 def of_one(world: ProblemWorld, found: Found, question: Question) -> Found:

@@ -6,12 +6,13 @@ import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
-from rbpsym.ask.along import moving_in, of_one
+from rbpsym.ask.along import moving_in, of_one, resisted_in
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest
 from rbpsym.ask.in_time import at_time, time_of_swing
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, moment_of
 from rbpsym.ask.question import Question, When, is_jump
+from rbpsym.ask.undetermined import left_open
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.verdict import Verdict
 from rbpsym.errors import NotApplicable, RbpsymError, ReadError, StatementError, Undecided
@@ -21,15 +22,15 @@ from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, s
 from rbpsym.field.exponentials import with_squares
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.solutions import SMALL, given
-from rbpsym.mechanics.solved import speed_along
+from rbpsym.mechanics.solutions import SMALL
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.step import Step
 from rbpsym.quantity.bound import Bound, parts, plane
-from rbpsym.quantity.path import even, first_push, inward, sense, work_by_energy, work_done
+from rbpsym.quantity.path import even, first_push, gathered, inward, sense, work_by_energy, work_done
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 
@@ -125,7 +126,10 @@ def found_of(asked: Asked, question: Question) -> Found:
     if question.quantity in ("time", "the time"):
         ends = (question.when, question.since) if question.since else (question.when,)
         return _since(*(_time(asked, replace(question, when=end)) for end in ends))
-    return _along(asked, question) if question.when is None else _then(asked, question)
+    found = _along(asked, question) if question.when is None else _then(asked, question)
+    if any(names_in(value) & left_open(found.study) for value in found.values):
+        study_of(asked.problem).dynamics  # noqa: B018  (which says what is not told apart)
+    return found
 
 
 def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bound]:
@@ -164,7 +168,8 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[S
     found = {}
     for name, power in world.motion.ledger.items():
         if any(depends_on(value, name) for value in values):
-            done = work_done(power, world.motion) or work_by_energy(power, world.motion)
+            ways = (find(power, world.motion) for find in (work_done, work_by_energy, gathered))
+            done = next((one for one in ways if one is not None), None)
             if done is None:
                 raise NoClosedForm("no closed form was found for a work in this", instead="ask for its power, or with numbers.")
             found[name] = (power, done)
@@ -180,7 +185,7 @@ def _then(asked: Asked, question: Question) -> Found:
         need = next(one for one in asked.study(place).friction_needs if one.constraint == said[2])
         what = "" if said[1] == "ratio" else "magnitude of "
         question = replace(question, quantity=f"{what}{need.friction}/({' + '.join(need.normals)})")
-    if not re.search(r"\b(?:work|displacement|number)\b", question.quantity):
+    if not re.search(r"\b(?:work|time integral|displacement|number)\b", question.quantity):
         ends = [moment_of(asked, when, question) for when in (question.when, question.since) if when]
         return _since(*(_at_moment(asked, question, end) for end in ends))
     return _work(asked, question)
@@ -372,7 +377,7 @@ def _without_speeds(world: ProblemWorld, found: Found, turned: int = 1) -> Found
                 return found
             ways[name] = way
             values = tuple(even(substitute(value, {speed: root(square) * (way * turned)})) for value in values)
-    resisted = _resisted(world, values)
+    resisted = resisted_in(world, values)
     values = tuple(substitute(value, {f"{name}_dot": speed for name, speed in resisted.items()}) for value in values)
     left = any(depends_on(value, speed) for value in values for speed in motion.speeds)
     if left:
@@ -381,14 +386,6 @@ def _without_speeds(world: ProblemWorld, found: Found, turned: int = 1) -> Found
     of = "position" if moves or values != found.values else found.of
     values = tuple(shortest(short(value), world.study) for value in values)
     return replace(found, values=values, of=of, ways=ways, asked=tuple(asked), speeds=resisted, kept=kept)
-
-
-def _resisted(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, Scalar]:
-    """The speeds in the values that a resistance gives as functions of the place."""
-    left = (name for name in world.study.system.independent if any(depends_on(value, f"{name}_dot") for value in values))
-    known = ((name, given(world.study, name)) for name in left)
-    found = ((name, speed_along(one, name)) for name, one in known if one is not None)
-    return {name: speed for name, speed in found if speed is not None}
 
 
 def _in_time(asked: Asked, question: Question, place: int) -> Found:

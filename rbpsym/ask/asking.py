@@ -15,16 +15,19 @@ from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.ask.seen import scene
-from rbpsym.ask.senses import whichever
+from rbpsym.ask.senses import under, whichever
 from rbpsym.ask.special import special_problem
 from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
 from rbpsym.field import granted
 from rbpsym.frozen import Frozen, replace
+from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.study import Study
+from rbpsym.present.forms import present
 from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
+from rbpsym.typeset.machine import to_machine
 
 MOST_PRODUCTS = 10_000_000  # for one question, some ten seconds: three times what the longest that is tested takes
 LESS = "ask of one phase or place, or “with” special values."
@@ -156,8 +159,29 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
         with suppress(RbpsymError):  # by the time at which the coordinate has that value
             if inverse := converse(asked, plain, last=True):
                 return _by_letter(inverse, plain, letter)
+        with suppress(RbpsymError):
+            if found := _by_quantity(asked, plain, letter):
+                return found
         raise
     return whichever(asked, found, lambda other: _answered(other, plain, letter))
+
+
+PLACED = re.compile(r"(.+?),? (where|when|once|until|as soon as) ((?:the )?\w+ .+? (?:=|reaches|is) .+)")
+
+
+def _by_quantity(asked: Asked, plain: str, letter: str) -> Answer | None:
+    """What is asked for where another quantity has a value: where the coordinate that moves is what makes it so, which is
+    proved first; None where that is not one place."""
+    said, name = PLACED.fullmatch(plain), mover(asked.study(asked.lasting))
+    if said is None or name is None:
+        return None
+    place = _whole(asked, f"{name} for which {said[3]}", letter)
+    if not (place.verdict.is_proved and len(place.values) == 1 and place.symbol == name and place.relation == "="):
+        return None
+    found = _whole(under(asked, place), f"{said[1]} {said[2]} {name} = {to_machine(present(place.values[0]))}", letter)
+    first = tuple(replace(step, id=f"place.{step.id}") for step in place.steps if step not in found.steps)
+    return replace(found, question=replace(found.question, text=plain), steps=(*first, *found.steps),
+                   valid=tuple(dict.fromkeys((*place.valid, *found.valid))))  # fmt: skip
 
 
 def _by_letter(inverse: tuple[Asked, str, str], plain: str, letter: str) -> Answer:

@@ -25,6 +25,7 @@ from rbpsym.ask.seen import (
     way_to,
     ways_to,
 )  # fmt: skip
+from rbpsym.ask.undetermined import bearable, left_open
 from rbpsym.ask.wanted import Wanted, free_place, on_way
 from rbpsym.ask.zeros import where_met
 from rbpsym.chapters import oscillations
@@ -119,6 +120,10 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
             f"the contact “{without}” has no coefficient of static friction",
             instead=f'ask for “{COEFFICIENT} for which …”, or write limit = "mu" in [constraints.{without}].',
         )
+    if left_open(world.study) and not there:
+        values, given, asked = bearable(world.study, held, given, name)
+        return Wanted(values, given, asked=asked)
+
     def here(force: str) -> Scalar:
         return seen(world, force + there)
 
@@ -179,6 +184,8 @@ def _stays_put(world: Scene, name: str = "") -> Wanted:
     if not world.study.friction_needs and lets_go:
         return _touches(world)
     held = _holds_fast(world, "it", None, None, name)
+    if left_open(world.study):
+        return held
     return replace(held, values=(*held.values, *(_touches(world).values if lets_go else ())), beside=())
 
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 from rbpsym.ask.limits import leading
 from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
-from rbpsym.decide.rooted import neat
+from rbpsym.decide.rooted import neat, over_growth
 from rbpsym.decide.signs import sign
-from rbpsym.field import Scalar, depends_on, derivative, is_zero, names_in, substitute
-from rbpsym.frozen import Frozen
+from rbpsym.field import Scalar, depends_on, derivative, is_zero, names_in, short, substitute
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.events import Way
 
@@ -84,7 +84,21 @@ def extremes(value: Scalar, name: str, given: Assumptions, sense: int) -> list[E
     return None if None in found else found
 
 
-def by_linear(value: Scalar, along: str, given: Assumptions) -> Iterator[Scalar]:
+def least(value: Scalar, along: str, given: Assumptions, fits: Callable[[Extreme], bool]) -> list[Extreme] | None:
+    """Where a value is least on a way, or another one of the same sign; None where none of them `fits`."""
+    other = over_growth(value, along)  # in which the slope of an exponential is none: with it the value is told as it is
+    for each in (value, *([] if other is None else [other]), *_by_linear(value, along, given)):
+        found = extremes(each, along, given, -1)
+        if found is not None and all(low.crossing is None and fits(low) for low in found):
+            return [_of_itself(value, along, low) for low in found] if each is other else found
+    return None
+
+
+def _of_itself(value: Scalar, along: str, low: Extreme) -> Extreme:
+    return low if low.place is None or not low.value else replace(low, value=short(substitute(value, {along: low.place})))
+
+
+def _by_linear(value: Scalar, along: str, given: Assumptions) -> Iterator[Scalar]:
     """p + b/a for a p + b with a positive a: it has the sign of the value, and is least in a place that p does not move."""
     for name in sorted(names_in(value) - {along}):
         slope = derivative(value, name)

@@ -12,9 +12,10 @@ from contextlib import suppress
 
 from rbpsym.ask.lasting import clear, coming, in_phase
 from rbpsym.ask.question import Question, When
+from rbpsym.ask.undetermined import opened
 from rbpsym.decide.dimensions import require_dimension
 from rbpsym.decide.rooted import neat
-from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
+from rbpsym.errors import Indistinct, LimitError, NotApplicable, RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.tree import ZERO
 from rbpsym.field import NOTHING, Scalar, is_zero, kept, names_in
@@ -78,8 +79,11 @@ class Asked(Frozen):
         if self.known is not None and not self.problem.phases:
             return self.known
         study = study_of(replace(self.problem, phases=()))
-        with suppress(LimitError):
-            check_start(study, moves=not self.lasting)
+        try:
+            with suppress(LimitError):
+                check_start(study, moves=not self.lasting)
+        except Indistinct as error:
+            return opened(study, error)
         return study
 
     @kept

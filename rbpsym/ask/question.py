@@ -90,6 +90,8 @@ OTHERWISE = (
     (r"^(?:the )?(.*energy.*) lost ((?:from|between) .+)", r"minus \1 \2"),
     (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) ([\w-]+)$", r"minus \1 from the start to when \2 begins"),  # in a blow too
     (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) (.+)", r"minus \1 from the start to \2"),
+    (r"\bangular impulse of (?!.* begins$)", "time integral of torque of "),
+    (r"\bimpulse of (?=.* (?:until|up to|during|over|from|between) )", "time integral of "),
     (r"\bhorizontal (?:component|part) of\b", "x component of"),
     (r"\bvertical (?:component|part) of\b", "y component of"),
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rbpsym.ask.extremes import Extreme, by_linear, extremes
+from rbpsym.ask.extremes import Extreme, least
 from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
 from rbpsym.field import Scalar, depends_on, is_zero
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.elimination import short
 
 
@@ -62,7 +62,7 @@ def region(value: Scalar, name: str, given: Assumptions) -> Region | None:
 def _otherwise(value: Scalar, name: str, demand: Demand, given: Assumptions) -> int:
     """The sign in the whole range where the demand is not met; 0 if it is not known."""
     opposite = Demand(-demand.value, ">=" if demand.op == ">" else ">")
-    table = sign_table(value, name, where_met(given, [opposite]))
+    table = sign_table(value, name, assuming(given, [opposite], tighter=True, whole=True))
     return table.signs[0] if demand.op != "!=" and table.is_whole and len(table.signs) == 1 else 0
 
 
@@ -75,8 +75,7 @@ def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> R
         return Region()
     if not depends_on(value, along):
         return region(value, name, given.without(along))
-    ways = (extremes(each, along, given, -1) for each in (value, *by_linear(value, along, given)))
-    lows = next((lows for lows in ways if lows is not None and all(low.crossing is None for low in lows)), None)
+    lows = least(value, along, given, lambda low: True)
     if lows is None:
         return None
     return common([_of_low(low, name, along, given) for low in lows], given.without(along))

@@ -92,6 +92,17 @@ def narrowed(problem: Problem, quantity: Quantity) -> Problem:
     return replace(problem, parameters=parameters, implicit=implicit, phases=phases)
 
 
+def under(asked: Asked, found: Answer) -> Asked:
+    """The problem with what the conditions of an answer say of single parameters as their bounds."""
+    problem, given = asked.problem, asked.first.assumptions
+    known = assuming(given, _demands(found), tighter=True)
+    for quantity in problem.parameters:
+        if (ends := known.range_of(quantity.name)) != given.range_of(quantity.name):
+            lower, upper = (None if end is None else present(end) for end in ends)
+            problem = narrowed(problem, replace(quantity, lower=lower, upper=upper))
+    return Asked(problem)
+
+
 def _is_same(found: Answer, other: Answer, rest: list[Demand]) -> bool:
     """Whether the other answer is proved to be the same, under no further condition."""
     given = assuming(other.study.assumptions, rest)

@@ -8,13 +8,12 @@ from typing import Any
 
 from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.critical import kept_said
-from rbpsym.ask.extremes import Extreme, by_linear, extremes
+from rbpsym.ask.extremes import Extreme, least
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.seen import Scene, moving, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.chapters import contact, oscillations
-from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
@@ -139,19 +138,12 @@ def _least(world: Scene, condition: Wanted) -> Iterator[Part]:
             limits = of_symbol(condition.along, given)
             yield value, Extreme((limits.lower, limits.upper)[ends.index(-1)], None), Demand(-UNITY)
             continue
-        ways = (value, *by_linear(value, condition.along, given))
-        lows = next(filter(None, (_lows(each, condition.along, given) for each in ways)), None)
-        if lows is None:
+        lows = least(value, condition.along, given, lambda low: not low.asked)  # whatever the parameters are
+        if not lows:
             raise Undecided("where it is least on the way is not decided")
         told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
         strict = condition.end is not None and op == ">="
         yield from ((value, low, _of_low(low, way if strict else op)) for low, way in zip(lows, told, strict=True))
-
-
-def _lows(value: Scalar, along: str, given: Assumptions) -> list[Extreme] | None:
-    """Where it is least, whatever the parameters are; None if that is not decided."""
-    lows = extremes(value, along, given, -1)
-    return None if lows is None or any(low.crossing is not None or low.asked for low in lows) else lows
 
 
 def _always(condition: Wanted) -> bool:

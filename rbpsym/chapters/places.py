@@ -203,7 +203,7 @@ def tied(draft: Draft) -> None:
                 "kinematics.dependent",
                 premises=premises,
                 coordinate=t.Sym(name),
-                variant="rate" if _from_rate(draft, name) else "place",
+                variant=_way(draft, name),
             )
     for name in system.coordinates:
         if name not in system.independent:
@@ -224,6 +224,7 @@ def _solved_already(statement: t.Node) -> list[str]:
     return [left.name for left, right in pairs if isinstance(left, t.Sym) and left.name not in t.names(right)]
 
 
-def _from_rate(draft: Draft, name: str) -> bool:
-    """Was it found by integrating a condition on the speeds?"""
-    return any(depends_on(c.value, name) for c in draft.study.system.conditions if c.what == RATE)
+def _way(draft: Draft, name: str) -> str:
+    """How it was found: by integrating a condition on the speeds, by one on the place, or by forces that balance."""
+    held = [c for c in draft.study.system.conditions if depends_on(c.value, name)]
+    return "rate" if any(c.what == RATE for c in held) else "place" if held else "balance"

@@ -122,11 +122,29 @@ def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lamb
     for side in (1, -1):
         kept = [known(end * side) or sign(end * side, given.without(name)).is_nonnegative for end in there]
         way = sign_along(slope, name, given, most=most - 1) * side if any(kept) else 0
-        if (way and kept[way < 0]) or (all(kept) and sign_along(derivative(slope, name), name, given, most=0) == -side):
+        bend = derivative(_without_growth(slope), name)  # where that keeps its sign, the value rises and then falls
+        if (way and kept[way < 0]) or (all(kept) and sign_along(bend, name, given, most=0) == -side):
             return side
     low, high = (None if end is None else end / 2 for end in ends)
     signs = [sign_along(part, name, given.with_range(name, low, high), known, most - 1) for part in _in_halves(value, name)]
-    return prod(signs) if len(signs) > 1 else 0
+    if len(signs) > 1:
+        return prod(signs)
+    other = over_growth(value, name)
+    return 0 if other is None else sign_along(other, name, given, known, most - 1)
+
+
+def over_growth(value: Scalar, name: str = "") -> Scalar | None:
+    """The value over the first exponential (of a quantity) that is in it; None if there is none."""
+    for index in sorted(value.num.atoms()):
+        if atoms.atom(index).kind == "exp" and (not name or atom_depends(index, name)):
+            return with_exponentials_joined(value / Scalar(generator(index)))
+    return None
+
+
+def _without_growth(value: Scalar) -> Scalar:
+    """Without the exponentials that are factors of all of it."""
+    common = tuple(item for item in value.num.content()[1] if atoms.atom(item[0]).kind == "exp")
+    return Scalar(value.num.scaled(1, inverse(common)), value.den)
 
 
 def _in_halves(value: Scalar, name: str) -> list[Scalar]:

@@ -62,7 +62,7 @@ def _by_roots(num: Poly, below: Scalar, index: int, name: str) -> Scalar | None:
 
 
 def _monomial(m: Monomial, name: str) -> Scalar | None:
-    """An antiderivative of variable^n × sines and cosines of it."""
+    """An antiderivative of variable^n × exponentials, sines and cosines of it."""
     power, angles, growths = 0, dict[Poly, list[int]](), list[Scalar]()
     for index, exponent in m:
         found = atoms.atom(index)
@@ -74,16 +74,19 @@ def _monomial(m: Monomial, name: str) -> Scalar | None:
             growths.append(rate * exponent)
         else:
             return None
-    if growths:
-        growth = sum(growths, NOTHING)
-        return Scalar(Poly({m: 1})) / growth if growth and not (power or angles) else None
-    if not angles:
+    growth = short(sum(growths, NOTHING))
+    if growths and not growth:
+        return None
+    if not (angles or growths):
         return _power(power, name)
-    if power == 0 and len(angles) == 1:
+    if power == 0 and len(angles) == 1 and not growths:
         [(angle, (cosines, sines))] = angles.items()
         return _single_angle(angle, cosines, sines, name)
     is_whole = power >= 0 and all(exponent >= 0 for pair in angles.values() for exponent in pair)
-    return _by_waves(power, angles, name) if is_whole else None
+    if not is_whole:
+        return None
+    rest = Scalar(Poly({tuple((index, e) for index, e in m if atoms.atom(index).kind == "exp"): 1}))
+    return _by_waves(power, angles, name, growth) * rest
 
 
 def _rate(angle: Poly | Scalar, name: str) -> Scalar | None:
@@ -138,11 +141,11 @@ def _substituted(u: Scalar, sign: int, halves: int, power: int) -> Scalar | None
     return total
 
 
-def _by_waves(power: int, angles: dict[Poly, list[int]], name: str) -> Scalar:
-    """By writing the product as a sum of single sines and cosines."""
+def _by_waves(power: int, angles: dict[Poly, list[int]], name: str, growth: Scalar = NOTHING) -> Scalar:
+    """By writing the product as a sum of single sines and cosines; over e^(growth x) where that is a factor."""
     total = NOTHING
     for angle, (c, s) in _waves(angles).items():
-        total = total + _wave(power, Scalar(angle), c, s, name)
+        total = total + _wave(power, Scalar(angle), lift(c), lift(s), name, growth)
     return total
 
 
@@ -169,13 +172,17 @@ def _times(waves: Waves, angle: Poly, kind: str) -> Waves:
     return result
 
 
-def _wave(power: int, angle: Scalar, c: Fraction, s: Fraction, name: str) -> Scalar:
-    """∫ x^power (c cos + s sin) dx, by parts."""
+def _wave(power: int, angle: Scalar, c: Scalar, s: Scalar, name: str, growth: Scalar) -> Scalar:
+    """e^(-gx) ∫ x^power e^(gx) (c cos + s sin) dx, by parts."""
     rate = derivative(angle, name)
-    if not rate:
+    if not (rate or growth):
         return (cosine(angle) * c + sine(angle) * s) * _power(power, name)
-    wave = (sine(angle) * c - cosine(angle) * s) * (1 / rate)
+    if rate and growth:
+        below = short(rate * rate + growth * growth)
+        c, s = (growth * c - rate * s) / below, (rate * c + growth * s) / below
+    else:
+        c, s = (c / growth, s / growth) if growth else (-s / rate, c / rate)
+    wave = cosine(angle) * c + sine(angle) * s
     if power == 0:
         return wave
-    rest = _wave(power - 1, angle, s, -c, name) * lift(power) * (1 / rate)
-    return wave * symbol(name) ** power + rest
+    return wave * symbol(name) ** power - _wave(power - 1, angle, c, s, name, growth) * lift(power)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rbpsym.errors import StatementError
 from rbpsym.expr.tree import Node
-from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Scope, scalar, time_derivative
 from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS
@@ -36,6 +36,15 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     given = poses(problem, inertias)
     names = (*_by_preference(problem), *open_names(given))
     tied = tie(problem, inertias, given, names)
+    system = _assembled(problem, inertias, given, tied, free=free)
+    balanced = {} if tied.implicit or tied.speeds else _balanced(system)
+    if not balanced:
+        return system
+    solved = {name: substitute(value, balanced) for name, value in tied.solved.items()} | balanced
+    return _assembled(problem, inertias, given, replace(tied, solved=solved), free=free)
+
+
+def _assembled(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, Pose], tied: Tied, *, free: bool) -> System:
     placed = {name: _settled(pose, tied.solved) for name, pose in given.items()}
     left = open_names(placed)
     if left:
@@ -50,6 +59,24 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     _check_starts(bare)
     _check_start_speeds(bare)
     return with_forces(bare, locator(problem, inertias, placed))
+
+
+def _balanced(system: System) -> dict[str, Scalar]:
+    """A coordinate that moves nothing but what has no mass, such as the joint of two springs: it is where the forces on that
+    balance, which are linear in it."""
+    for name in system.independent:
+        speed, push = f"{name}_dot", NOTHING
+        ways = {state.name: state.velocity.derivative(speed) for state in system.bodies.values()}
+        moved = [state for state in system.bodies.values() if ways[state.name] or derivative(state.omega, speed)]
+        if any(state.mass or state.moment for state in moved):
+            continue
+        for state in moved:
+            turn = derivative(state.omega, speed)
+            push += sum((f.vector.dot(ways[state.name]) + f.torque(state.center) * turn for f in system.on(state.name)), NOTHING)
+        slope = short(derivative(push, name))
+        if slope and not names_in(slope) & {*system.scope.rates, *system.speeds} and not names_in(push) & {*system.speeds}:
+            return {name: short(-substitute(push, {name: NOTHING}) / slope)}
+    return {}
 
 
 def with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose], tied: Iterable[Condition]) -> Scope:

@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.decide.rooted import root_of
+from rbpsym.decide.rooted import neat, root_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable
-from rbpsym.field import NOTHING, UNITY, Scalar, derivative, names_in, short, substitute, symbol, total
+from rbpsym.field import NOTHING, UNITY, Scalar, derivative, is_zero, names_in, short, substitute, symbol, total
+from rbpsym.field.integration import definite
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics import slipping, solutions
+from rbpsym.mechanics.demands import existence
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_linear, solve_matrix
 from rbpsym.mechanics.forms import Form, driven_form
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.orbit import swinging
-from rbpsym.mechanics.roots import numerator_factors
+from rbpsym.mechanics.roots import numerator_factors, zeros
 from rbpsym.mechanics.solutions import Course, Given
 from rbpsym.mechanics.study import Study
 
@@ -101,6 +103,8 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
         found = {**courses(study, law, solved), **found}
     if solutions.SMALL not in manner:
         found |= _led(study, found, solved)
+    if not found and not manner and len(each) == 1:
+        found = {name: one for name in each if (one := _separated(study, name)) is not None}
     if not found and study.system.independent:
         raise NotApplicable("no closed form was found for the motion as a function of the time")
     return found
@@ -112,6 +116,17 @@ def _led(study: Study, known: Mapping[str, Course], solved: Callable[[Given], Co
     left = [name for name in study.system.independent if name not in known] if known else []
     given = ((name, solutions.given(study, name, others=at)) for name in left)
     return {name: one for name, of in given if of is not None and (one := solved(of)) is not None}
+
+
+def _separated(study: Study, name: str) -> Course | None:
+    """From the speed as a function of the place: what dq over it adds up to is the time, which is solved for the place."""
+    given, begin = study.assumptions, study.system.scope.start.get(name)
+    way = sign(study.system.scope.start.get(f"{name}_dot", NOTHING), given).sense
+    speed = neat(root_of(study.squares[name], given), given) * way if way and name in study.squares else NOTHING
+    gone = definite(UNITY / speed, name, begin, symbol(name)) if speed else None
+    places = zeros(short(gone - symbol("t")), name) if gone is not None else ()
+    begun = [place for place in places if is_zero(neat(substitute(place, {"t": NOTHING}), given) - begin)]
+    return Course(begun[0], valid=existence(begun[0])) if len(begun) == 1 else None
 
 
 def _summed(value: Scalar, modes: list[Course]) -> Course:

@@ -31,6 +31,7 @@ from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.forms import gathered
 from rbpsym.mechanics.friction import geometry_of, spare
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import floating, sample, samples
@@ -230,10 +231,10 @@ ENDINGS = {
 # --- uniform motion
 
 
-def _are_uniform(study: Study) -> bool:
-    found = _gains(study)
-    names = [*study.system.coordinates, *study.system.speeds, "t"]
-    return found is not None and not any(derivative(value, name) for value in found.values() for name in names)
+def _are_uniform(study: Study, *besides: str) -> bool:
+    """Whether the accelerations are constant, `besides` what they may depend on."""
+    found, names = _gains(study), {*study.system.coordinates, *study.system.speeds, CLOCK} - {*besides}
+    return found is not None and not any(depends_on(value, name) for value in found.values() for name in names)
 
 
 def _gains(study: Study) -> dict[str, Scalar] | None:
@@ -242,9 +243,9 @@ def _gains(study: Study) -> dict[str, Scalar] | None:
     return None if found is None else {name: substitute(value, study.resting) for name, value in found.items()}
 
 
-def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
+def _uniform(study: Study, phase: Phase, *besides: str) -> Mapping[str, Scalar]:
     """The accelerations, if they are constants."""
-    if not _are_uniform(study):
+    if not _are_uniform(study, *besides):
         raise NotApplicable(
             f"no closed form was found for the end of the phase before “{phase.name}”: the accelerations are not constant",
             instead="state this phase as a problem of its own, or follow it in the simulation.",
@@ -252,24 +253,29 @@ def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
     return _gains(study)
 
 
-def _gain(study: Study, phase: Phase, name: str) -> Scalar:
+def _gain(study: Study, phase: Phase, name: str, *besides: str) -> Scalar:
     """The acceleration of any coordinate. Raises NotApplicable where it is no constant, as of what is tied to the time."""
     rate = of_coordinate(study, name)[1]
-    gain = substitute(substitute(time_derivative(rate, study.system.scope), _uniform(study, phase)), study.resting)
-    if names_in(gain) & {*study.system.scope.rates, *study.system.speeds, CLOCK}:
+    gain = substitute(substitute(time_derivative(rate, study.system.scope), _uniform(study, phase, *besides)), study.resting)
+    if names_in(gain) & ({*study.system.scope.rates, *study.system.speeds, CLOCK} - {*besides}):
         raise _no_closed_form(f"the moment at which “{name}” has its value: its acceleration is not constant")
     return gain
 
 
 def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterable[Demand]) -> State:
-    """q + q̇ t + ½ q̈ t² and q̇ + q̈ t; what follows from these and the time, from its formula. Raises StatementError if what
-    is asked is never met."""
+    """The places and speeds that the accelerations, constants or functions of the time, give; what follows from these and the
+    time, from its formula. Raises StatementError if what is asked is never met."""
     valid = settle(asked, study.assumptions)
     if valid is None:
         raise _never(study, phase)
-    gains = {name: _gain(study, phase, name) for name in study.system.independent}
-    moved = {n: start.places[n] + start.speeds[n] * time + gain * time * time / 2 for n, gain in gains.items()}
-    image = {CLOCK: time, **moved, **{f"{n}_dot": start.speeds[n] + gain * time for n, gain in gains.items()}}
+    image, to = {CLOCK: time}, {CLOCK: time}
+    for name in study.system.independent:
+        gone = gathered(_gain(study, phase, name, CLOCK))
+        way = None if gone is None else gathered(gone)
+        if way is None:
+            raise _no_closed_form(f"the motion of “{name}” as a function of the time")
+        speed = start.speeds[name]
+        image |= {name: start.places[name] + speed * time + substitute(way, to), f"{name}_dot": speed + substitute(gone, to)}
     pairs = {name: [substitute(value, image) for value in of_coordinate(study, name)] for name in start.places}
     places = {name: short(without_even_roots(place)) for name, (place, _) in pairs.items()}
     return State(time, places, {name: short(without_even_roots(speed)) for name, (_, speed) in pairs.items()}, valid)

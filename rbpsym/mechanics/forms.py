@@ -9,6 +9,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.field import NOTHING, UNITY, Scalar, atoms, is_zero, symbol
 from rbpsym.field.calculus import depends_on, derivative, names_in, root, substitute
+from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.elimination import short
@@ -18,8 +19,9 @@ if TYPE_CHECKING:
 
 
 class Form(Frozen):
-    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive; or `law`, another
-    function of q̇; or -q̇ times a function of the time, `drawn`, as of what is drawn in or let out while it turns."""
+    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive (alone, what is
+    `constant` may be any function of the time); or `law`, another function of q̇; or -q̇ times a function of the time, `drawn`,
+    as of what is drawn in or let out while it turns."""
 
     constant: Scalar
     stiffness: Scalar = NOTHING
@@ -64,19 +66,24 @@ def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
     return driven_form(Form(left, stiffness, damping, drag))
 
 
+def gathered(rate: Scalar) -> Scalar | None:
+    """What a function of the time adds up to since t = 0; None where that has no closed form."""
+    return definite(rate, "t", NOTHING, symbol("t"))
+
+
 def driven_form(form: Form) -> Form | None:
-    """The form with what swings taken out of what is constant."""
+    """The form with what swings taken out of what is constant; as it is where it is a function of the time alone."""
     if not depends_on(form.constant, "t"):
         return form
     swinging = (atoms.atom(index) for index in form.constant.atoms())
     rates = {derivative(Scalar(a.arg), "t") for a in swinging if a.kind in ("cos", "sin") and depends_on(Scalar(a.arg), "t")}
     if len(rates) != 1 or depends_on(next(iter(rates)), "t"):
-        return None
+        return None if form.stiffness or form.damping or form.drag else form
     [frequency] = rates
     drive = short(-derivative(derivative(form.constant, "t"), "t") / frequency**2)
     constant = short(form.constant - drive)
     if not is_zero(derivative(constant, "t")):
-        return None
+        return None if form.stiffness or form.damping or form.drag else form
     return replace(form, constant=substitute(constant, {"t": NOTHING}), drive=drive, frequency=frequency)
 
 
@@ -105,7 +112,8 @@ class PowerLaw(Frozen):
 def power_law(known: Given) -> PowerLaw | None:
     """The power of the speed that its acceleration is; None where it is none."""
     form, speed, name = known.form, f"{known.name}_dot", known.study.letters.free("u")
-    gained = NOTHING if form.stiffness or form.drive or form.drawn else form.at_speed(symbol(speed))
+    is_free = not (form.stiffness or form.drive or form.drawn or depends_on(form.constant, "t"))
+    gained = form.at_speed(symbol(speed)) if is_free else NOTHING
     way = known.sense(known.speed or substitute(gained * symbol(speed), {speed: UNITY})) if gained else 0
     if not way:
         return None

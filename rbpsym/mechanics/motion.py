@@ -10,7 +10,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.field import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, names_in, substitute, symbol
+from rbpsym.field import (
+    NOTHING,
+    UNITY,
+    Poly,
+    Scalar,
+    Vector,
+    atoms,
+    depends_on,
+    derivative,
+    function,
+    is_zero,
+    names_in,
+    substitute,
+    symbol,
+)
+from rbpsym.field.exponentials import with_exponentials_joined
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
@@ -99,18 +114,27 @@ def _decoupled(system: System, dynamics: Dynamics) -> dict[str, Scalar]:
     found = {}
     for name in system.independent:
         acceleration = (dynamics.accelerations or {}).get(f"{name}_ddot")
-        if acceleration is None or name not in system.scope.start or not _alone(system, acceleration, name):
-            continue
-        gained = definite(acceleration, name, system.scope.start[name], symbol(name))
-        if gained is not None:
-            speed = system.scope.start.get(f"{name}_dot", NOTHING)
-            found[name] = short(speed * speed + gained * 2)
+        if acceleration is not None and name in system.scope.start:
+            square = _square(system, acceleration, name)
+            found |= {} if square is None else {name: square}
     return found
 
 
-def _alone(system: System, value: Scalar, name: str) -> bool:
-    others = [n for n in system.coordinates if n != name] + [f"{n}_dot" for n in system.coordinates] + ["t"]
-    return not any(depends_on(value, other) for other in others)
+def _square(system: System, gain: Scalar, name: str) -> Scalar | None:
+    """u = q̇² of q̈ = c(q) + b(q) q̇², by du/dq = 2 c + 2 b u; None for another acceleration. (Where b is constant and c too, as of
+    drag, the motion is told as a function of the time.)"""
+    speed, begin = f"{name}_dot", system.scope.start[name]
+    bend = derivative(derivative(gain, speed), speed) / 2
+    push = short(gain - bend * symbol(speed) ** 2)
+    if any(depends_on(part, n) for part in (bend, push) for n in (*system.coordinates, *system.speeds, "t") if n != name):
+        return None
+    if bend and not any(depends_on(part, name) for part in (bend, push)):
+        return None
+    grown = definite(bend * 2, name, begin, symbol(name))
+    dies = None if grown is None else function("exp", short(-grown)) if bend else UNITY
+    gained = None if dies is None else definite(push * dies * 2, name, begin, symbol(name))
+    first = system.scope.start.get(speed, NOTHING)
+    return None if gained is None else with_exponentials_joined(short((first * first + gained) / dies))
 
 
 def along_motion(value: Scalar, squares: Mapping[str, Scalar]) -> Scalar | None:

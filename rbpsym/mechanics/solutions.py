@@ -21,7 +21,7 @@ from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.forms import Form, form_of, power_law, raised
+from rbpsym.mechanics.forms import Form, form_of, gathered, power_law, raised
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.orbit import swinging
@@ -204,7 +204,9 @@ def _free(known: Given) -> tuple[Scalar, Scalar, Scalar]:
 
 def _uniform(known: Given) -> Course | None:
     left, place, speed = _free(known)
-    return Course(left + place + speed * TIME + known.form.constant * TIME * TIME / 2)
+    gone = gathered(known.form.constant)
+    way = None if gone is None else gathered(gone)
+    return None if way is None else Course(left + place + speed * TIME + way)
 
 
 def _swinging(known: Given) -> Course | None:

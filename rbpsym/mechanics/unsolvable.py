@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
 
-from rbpsym.errors import LimitError, NoNumber, StatementError
+from rbpsym.errors import Indistinct, LimitError, NoNumber, StatementError
 from rbpsym.field import Scalar, is_rooted, is_zero
 from rbpsym.mechanics.elimination import is_surely_nonzero_on, linear_row
 from rbpsym.mechanics.numbers import number, samples
@@ -34,12 +34,14 @@ def indistinct(system: System, free: tuple[str, ...]) -> StatementError:
             instead='wheels on fixed bearings mesh: write type = "gear"; or let one of the bearings give way.',
             place=pressed.place,
         )
-    return StatementError(
+    error = Indistinct(
         f"too many constraints: the unknown forces {names} can't be told apart by the equations of motion",
         instead="drop one of the constraints that hold the same point or the same body, or replace it by a roller "
         "(a contact), so that each force has an equation.",
         place=system.element(first).place,
     )
+    error.free = free
+    return error
 
 
 def _meshes(element: Element) -> bool:

@@ -13,7 +13,21 @@ from typing import Any
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import Undecided
 from rbpsym.expr.tree import Add, Bracket, Delta, Deriv, Integral, Limit, Node, PathIntegral, Sym, walk
-from rbpsym.field import NOTHING, Scalar, Scope, Space, Value, Vector, at_start, atoms, depends_on, rate, time_derivative, value
+from rbpsym.field import (
+    NOTHING,
+    UNITY,
+    Scalar,
+    Scope,
+    Space,
+    Value,
+    Vector,
+    at_start,
+    atoms,
+    depends_on,
+    rate,
+    time_derivative,
+    value,
+)
 from rbpsym.field.exponentials import with_squares
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
@@ -90,9 +104,10 @@ class Context(Ground):
 
     @property
     def scope(self) -> Scope:
-        """The scope in which trees are evaluated."""
-        base = self.study.system.scope
-        return Scope(self.scalars, self.vectors, base.rates, base.start, self.body_integral, self.works)
+        """The scope in which trees are evaluated; the time t goes on in it from the start."""
+        base = self.whole.system.scope
+        rates, start = {**base.rates, "t": UNITY}, {"t": NOTHING, **base.start}
+        return Scope(self.scalars, self.vectors, rates, start, self.body_integral, self.works)
 
     @property
     def radius(self) -> str:

@@ -140,12 +140,12 @@ class View(Context):
 
     @cached_property
     def _rates(self) -> dict[str, Scalar]:
-        return dict(self.whole.system.scope.rates)
+        return dict(super().scope.rates)
 
     @cached_property
     def _starts(self) -> dict[str, Scalar]:
         """What the premises say of the start; an unknown force is another one there."""
-        granted = {key: found for key, found in self.whole.system.scope.start.items() if self._is_granted_start(key)}
+        granted = {key: found for key, found in super().scope.start.items() if self._is_granted_start(key)}
         return granted | {name: symbol(f"{name}°'") for name in self.whole.system.unsettled.union(self._sought)}
 
     @cached_property

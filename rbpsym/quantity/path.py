@@ -117,7 +117,7 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
         rest = rest - derivative(known, speed) * symbol(speed)
         part = derivative(known, speed) if len(names) > 1 else substitute(known / symbol(speed), {})
         integrand = along_motion(part, motion.squares)
-        others = (*(n for n in motion.scope.rates if n != name), "t") if len(names) > 1 else ()
+        others = {*motion.scope.rates, "t"} - {name}
         if integrand is None or any(depends_on(integrand, other) for other in others):
             return None
         if integrand.den is not ONE and depends_on(Scalar(integrand.den), name):
@@ -130,21 +130,33 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
 
 
 def work_by_energy(power: Scalar, motion: Motion) -> Scalar | None:
-    """∫ power dt of what resists one coordinate, as what it takes from the square of the speed and gives to what acts beside it:
-    power = a q̇ q̈ + b(q) q̇ with constant a. None where it is no such power."""
-    names = [n for n in motion.scope.start if f"{n}_dot" in motion.speeds]
-    start = motion.scope.start
-    if len(names) != 1 or (speed := f"{names[0]}_dot") not in start:
+    """∫ power dt of power = (a q̈ + b(q)) q̇ with constant a, as what it gives to the square of the speed of the one coordinate,
+    and to what acts beside it; None where it is no such power."""
+    if len(motion.speeds) != 1:
         return None
-    [name] = names
-    force, gain = (short(motion.moved(value)) for value in (power / symbol(speed), symbol(f"{name}_ddot")))
-    slope = derivative(gain, speed)
-    share = short(derivative(force, speed) / slope) if slope else NOTHING
-    beside = short(force - share * gain)
-    if not share or names_in(share) & {name, speed, "t"} or names_in(beside) & {speed, "t"}:
-        return None
-    done = definite(beside, name, start[name], symbol(name))
-    return None if done is None else done + share * (symbol(speed) ** 2 - start[speed] ** 2) / 2
+    [speed] = motion.speeds
+    return _by_gain(power / symbol(speed), motion, speed, speed.removesuffix("_dot"), symbol(speed) ** 2 / 2)
+
+
+def gathered(rate: Scalar, motion: Motion) -> Scalar | None:
+    """∫ rate dt of rate = a q̈ + b(t) with constant a, as what it gives to a speed; None where it is no such rate."""
+    found = (_by_gain(rate, motion, speed, "t", symbol(speed)) for speed in motion.speeds)
+    return next((one for one in found if one is not None), None)
+
+
+def _by_gain(rate: Scalar, motion: Motion, speed: str, over: str, gained: Scalar) -> Scalar | None:
+    """a (gained - gained at first) + ∫ b d(over) of a rate a q̈ + b with constant a and b a function of `over`; None where it is
+    none."""
+    start, moving = {"t": NOTHING, **motion.scope.start}, {*motion.scope.rates, *motion.speeds, "t"}
+    known, gain = (short(motion.moved(value)) for value in (rate, symbol(speed.replace("_dot", "_ddot"))))
+    for name in (names_in(gain) & moving) if {speed, over} <= start.keys() else ():
+        slope = derivative(gain, name)
+        share = short(derivative(known, name) / slope)
+        beside = short(known - share * gain)
+        if share and not names_in(share) & moving and not names_in(beside) & (moving - {over}):
+            done = definite(beside, over, start[over], symbol(over))
+            return None if done is None else done + share * (gained - substitute(gained, start))
+    return None
 
 
 class Path(Frozen):

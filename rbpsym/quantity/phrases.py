@@ -32,7 +32,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, stretched, translational_energy
 from rbpsym.quantities import NUMBER
-from rbpsym.quantity.bound import Bound, Phrase, axial, number, plane
+from rbpsym.quantity.bound import Bound, Phrase, axial, number, parts, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS
 from rbpsym.quantity.vectors import NOUNS, alone
 from rbpsym.quantity.vectors import PHRASES as VECTORS
@@ -70,6 +70,13 @@ def _rate_of(world: ProblemWorld, letter: str, name: str | None, about: str | No
     """dL/dt about a point, or dP/dt."""
     what = f"angular momentum of {name or 'system'}" + (f" about {about}" if about else "")
     return _rate(world, what if letter == "L" else f"linear momentum of {name or 'system'}")
+
+
+def _gathered(world: ProblemWorld, phrase: str) -> Bound:
+    """∫ of a quantity over the time from the start; of a vector, component by component, as of a force that is known."""
+    is_known = phrase in world.forces_known - {*world.study.system.unknowns}
+    found = tuple(map(world.motion.work, parts(plane(world.vector(phrase)) if is_known else world.bound(phrase))))
+    return number(found[0]) if len(found) == 1 else plane(cartesian(*found))
 
 
 def _of_coordinate(order: int) -> Callable[[ProblemWorld, str], Bound]:
@@ -298,6 +305,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"magnitude of (.+)", _magnitude, "magnitude of velocity of BODY.cm"),
     (r"([xyz]) component of (.+)", _component, "x component of velocity of BODY.cm"),
     (r"rate of (.+)", _rate, "rate of kinetic energy"),
+    (r"time integral of (.+)", _gathered, "time integral of force FORCE on BODY"),
     (r"(speed|velocity) of ([\w]+)", _speed_of, "speed of COORDINATE"),
     (r"acceleration of ([\w]+)", _of_coordinate(2), "acceleration of COORDINATE"),
     (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),

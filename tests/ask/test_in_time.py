@@ -75,6 +75,8 @@ LINES = [
     ("-c*x_dot**2", GOES, "speed of x as a function of t", "v_0/(1 + c*v_0*t/m)"),
     ("-c*x_dot**2", GOES, "x as a function of t", "m/c*ln(1 + c*v_0*t/m)"),
     ("-c*x_dot**2", GOES, "speed of x as a function of x", "v_0*exp(-c*x/m)"),
+    ("-k*x - c*x_dot**2", GOES, "speed of x as a function of x",
+     "sqrt(v_0**2*exp(-2*c*x/m) + k*m/(2*c**2)*(1 - 2*c*x/m - exp(-2*c*x/m)))"),
     ("-c*x_dot**2", GOES, "time until x = d", "m/(c*v_0)*(exp(c*d/m) - 1)"),
     ("-c*x_dot**2", GOES, "time until x_dot = v_1", "m/c*(1/v_1 - 1/v_0)"),
     ("m*g - c*x_dot**2", REST, "terminal speed of x", "sqrt(m*g/c)"),
@@ -137,7 +139,7 @@ WRONG = [
     ("-k*x", {}, "x as a function of t in the steady state", "found for “x” as a function of the time"),
     ("-k*x**3", GOES, "x as a function of t", "found for “x” as a function of the time"),
     ("-k*x**3", GOES, "amplitude of x", "has no amplitude"),
-    ("-k*x - c*x_dot**2", GOES, "speed of x as a function of x", "is no known function of x"),
+    ("-k*x - c*x_dot**2 - b*x_dot", GOES, "speed of x as a function of x", "is no known function of x"),
     ("-b*x_dot - m*g", GOES, "time until x = 0", "no closed form was found for the moment"),
     ("-c*x_dot*sqrt(x_dot**2)", GOES, "x as a function of t", "found for “x” as a function of the time"),
 ]  # fmt: skip
@@ -152,7 +154,7 @@ def test_what_has_no_answer_in_time_gets_a_sentence(force: str, line: dict, ques
 
 def test_an_unknown_that_is_only_repeated_is_no_answer() -> None:
     """“speed of x as a function of x” is never “x_dot”."""
-    for force in ("-k*x - c*x_dot**2", "-c*x_dot**2 - b*x_dot"):
+    for force in ("-k*x - c*x_dot**2 - b*x_dot", "-c*x_dot**2 - b*x_dot"):
         with pytest.raises(RbpsymError, match="no known function of x"):
             answered(Asked(on_line(force)), "speed of x as a function of x")
 

@@ -6,16 +6,21 @@ Meriam & Kraige 5, 6, 8; Hibbeler 16-18, 22; Irodov 1.3; French 4, 5; Halliday &
 
 from __future__ import annotations
 
+import math
+import random
 from functools import cache
 from pathlib import Path
 
 import pytest
+from scipy.optimize import linprog
 
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
+from rbpsym.ask.undetermined import bearable
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.numbers import floating
 from rbpsym.statement.loader import load_text
 from tests.ask.law import one_value_a_letter
 
@@ -243,6 +248,23 @@ ANSWERS = (
     ("crane", "h for which T is least", "L/sin(beta)"),
     ("orbit", "v_0 for which r stays constant", "r_0*sqrt(k/m)"),
     ("orbit", "v_0 for which r stays r_0", "r_0*sqrt(k/m)"),
+    ("ladder-rough-ends", "smallest alpha for which it does not slip", "atan((1 - mu**2)/(2*mu))"),
+    ("ladder-rough-ends", "smallest mu for which it stays at rest", "(1 - sin(alpha))/cos(alpha)"),
+    ("cylinder-in-corner", "largest C for which it does not slip", "M*g*R*mu*(1 + mu)/(1 + mu**2)"),
+    ("rough-bowl", "N where theta = pi/2", "3*m*g*(1 - 2*mu*exp(-pi*mu))/(1 + 4*mu**2)"),
+    ("rough-bowl", "speed of block as a function of theta",
+     "sqrt(2*g*R/(1 + 4*mu**2)*((1 - 2*mu**2)*sin(theta) + 3*mu*(cos(theta) - exp(-2*mu*theta))))"),
+    ("push-that-dies-out", "time until speed of x = v_0 + F*T/(2*m)", "T*ln(2)"),
+    ("push-that-dies-out", "work of P until t = T", "m/2*((v_0 + F*T/m*(1 - exp(-1)))**2 - v_0**2)"),
+    ("push-for-a-time", "x component of impulse of P until free", "F*T/2"),
+    ("push-for-a-time", "speed of x when free begins", "F*T/(2*m)"),
+    ("hoop-with-backspin", "impulse of N until rolling", "m*(v_0 + R*w_0)/(2*mu)"),
+    ("hoop-with-backspin", "angular impulse of f on hoop about hoop.cm until rolling", "-m*R*(v_0 + R*w_0)/2"),
+    ("rod-over-the-top", "F_y where speed of rod.end = 2*ell*omega_0",
+     "M*(ell*omega_0**2*(11*ell*omega_0**2 - 14*g) + 4*g**2)/(4*g)"),
+    ("winding-string", "time until phi = L/(2*R)", "3*L**2/(8*R*v_0)"),
+    ("springs-in-series", "period of y", "2*pi*sqrt(m*(k_1 + k_2)/(k_1*k_2))"),
+    ("crank-and-piston", "acceleration of x at the start", "5*r**2*Omega**2/(14*sqrt(ell**2 - r**2))"),
 )  # fmt: skip
 
 
@@ -255,6 +277,26 @@ def test_the_root_of_a_square_is_told_without_it() -> None:
     """(2 + 5 cos β)² may stand in the root as 29 + 20 cos β - 25 sin² β."""
     assert answered(asked("ball-onto-incline"), "speed of ball right after climb begins").text == "v/7*(2 + 5*cos(beta))"
     assert "sin(beta)**2 + cos(beta)**2" not in answered(asked("ball-onto-incline"), "speed of ball in climb").text
+
+
+def test_what_two_rough_contacts_bear_is_what_a_linear_program_finds() -> None:
+    """A plank between a rough floor and a rough wall: the conditions, against forces that are looked for by numbers."""
+    study = asked("plank-between").first
+    values, _, case = bearable(study, study.friction_needs, study.assumptions, "P")
+    seen = set()
+    for number in range(60):
+        draw = random.Random(number)
+        ranges = {"M": (1, 1), "g": (1, 1), "ell": (1, 1), "P": (0, 3), "mu": (0.1, 0.9), "beta": (0.2, 1.4)}
+        at = {name: draw.uniform(*ends) for name, ends in ranges.items()}
+        if any(floating(demand.value, at) <= 0 for demand in case):
+            continue
+        c, s, mu = math.cos(at["beta"]), math.sin(at["beta"]), at["mu"]  # of N, f, S, h
+        balance = [[0, 1, -1, 0], [1, 0, 0, 1], [0, 0, s, c]], [-at["P"], 1, c / 2]
+        limits = [[-mu, 1, 0, 0], [-mu, -1, 0, 0], [0, 0, -mu, 1], [0, 0, -mu, -1]], [0] * 4
+        found = linprog([0] * 4, *limits, *balance, bounds=[(0, None), (None, None)] * 2).status == 0
+        assert found is all(floating(value, at) >= 0 for value in values), at
+        seen.add(found)
+    assert seen == {True, False}
 
 
 @pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: value[:60])

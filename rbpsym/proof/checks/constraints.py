@@ -13,7 +13,7 @@ from rbpsym.field.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.system import Condition, System, at_point, by_letters, in_state
+from rbpsym.mechanics.system import BodyState, Condition, System, at_point, by_letters, in_state
 from rbpsym.proof.checks.of_steps import agree, difference, differences, first_proved, same, weakest
 from rbpsym.proof.context import Context
 from rbpsym.proof.facts import MOTION, law_rows
@@ -28,7 +28,7 @@ LOCAL = ("x_fixed_in_the_body", "y_fixed_in_the_body")
 
 def conditions_kept(context: Context, step: Step) -> Verdict:
     """All conditions of the constraints hold in the poses as found, and so do their time derivatives (of those that stay
-    as equations, where the speeds are told at the start alone, not)."""
+    as equations, where the speeds are told at the start alone, not); known forces on what has no mass balance."""
     system = context.study.system
     geometry = geometry_of(system)
     open_ = (*system.implicit, *system.speed_ties) if context.study.at_start else ()
@@ -37,7 +37,16 @@ def conditions_kept(context: Context, step: Step) -> Verdict:
     rates += [Condition(c.constraint, time_derivative(c.value, system.scope)) for c in system.implicit if c not in open_]
     _use_conditions(context, step)
     values = [c.value for c in (*all_conditions(system.problem, geometry), *rates)]
+    light = (s for s in system.bodies.values() if not (s.mass or s.moment or any(f.unknowns for f in system.on(s.name))))
+    values += [force for state in light for force in _push_on(system, state)]
     return weakest([same(context, value, NOTHING) for value in values])
+
+
+def _push_on(system: System, state: BodyState) -> tuple[Scalar, ...]:
+    """The force on a body along x and y, and its torque about the centre of mass."""
+    forces = system.on(state.name)
+    pushes = ((f.vector.x, f.vector.y, f.torque(state.center)) for f in forces)
+    return tuple(sum(parts, NOTHING) for parts in zip(*pushes, strict=True))
 
 
 def _use_conditions(context: Context, step: Step) -> None:

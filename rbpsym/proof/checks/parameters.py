@@ -20,7 +20,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, is_zero, symbol
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.field.normal import normal
-from rbpsym.field.roots import with_image
+from rbpsym.field.roots import with_image, without_even_roots
 from rbpsym.proof.checks.of_steps import first_proved, right_sides
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Step
@@ -75,7 +75,8 @@ def vanishes_there(context: Context, step: Step) -> Verdict:
     (`data`: "value", "name", "places", "given")."""
     value, name, places, given = (step.data[key] for key in ("value", "name", "places", "given"))
     there = [scalars_equal(rooted(substitute(value, {name: place}), given), NOTHING, given) for place in places]
-    return all_of([*there, nowhere_else(value, name, places, given)])
+    forms = dict.fromkeys((value, shorter(without_even_roots(value))))
+    return all_of([*there, first_proved((nowhere_else(form, name, places, given) for form in forms), OTHERS)])
 
 
 def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assumptions) -> Verdict:
@@ -92,7 +93,10 @@ def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assu
     parts = pairwise([limits.lower, *places, limits.upper])
     if places and all(_is_free(value, slope, given.with_range(name, *ends)) for ends in parts):
         return proved("between these it has one sign")
-    return undecided("that there is no other place is not seen on a second road")
+    return OTHERS
+
+
+OTHERS = undecided("that there is no other place is not seen on a second road")
 
 
 def _unwrapped(value: Scalar, name: str) -> Scalar:

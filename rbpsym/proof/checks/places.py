@@ -9,7 +9,7 @@ from itertools import chain, product
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import IMPLIED, Condition, conditions
 from rbpsym.decide.equal import compare, refuted_only_where
-from rbpsym.decide.rooted import neat, sign_along
+from rbpsym.decide.rooted import neat, over_growth, sign_along
 from rbpsym.decide.signs import SignResult, sign
 from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.expr import tree as t
@@ -157,7 +157,8 @@ def _exists(context: Context, step: Step, printed: list[Demand]) -> Iterator[Ver
 def _follows(asked: Demand, printed: list[Demand], given: Assumptions) -> bool:
     """It is a multiple of what is printed, by a factor of which the sign is known."""
     told = neat(asked.value, given)  # as a value is told, and the condition that is made of it
-    for value, demand in product((told, neat(told, given)), printed):
+    ways = (told, neat(told, given), over_growth(told) or told)
+    for value, demand in product(ways, printed):
         above, below = value.num * demand.value.den, value.den * demand.value.num
         factor = sign(quotient(above, below), given)
         if demand.op in (">", asked.op) and (factor.is_nonzero if asked.op == "!=" else factor.kind == "positive"):
