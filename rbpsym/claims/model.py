@@ -151,6 +151,11 @@ class Result(Frozen):
     declared: tuple[str, int] = field(default=("", 0), compare=False)
 
     @property
+    def is_finding(self) -> bool:
+        """Is it not as expected, or so by a baseline alone?"""
+        return not self.expected or self.known
+
+    @property
     def diagnosis(self) -> str:
         """The first diagnosis of a near miss."""
         return next((link.diagnosis for link in self.links if link.diagnosis), "")

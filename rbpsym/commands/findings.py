@@ -40,7 +40,7 @@ def finding(result: Result) -> Finding:
 
 def as_baseline(found: CheckRun) -> str:
     """The findings of a run as a file to be kept: one a line, in an order that does not depend on the text's."""
-    kept = sorted(finding(result) for result in found.results if not result.expected or result.known)
+    kept = sorted(finding(result) for result in found.results if result.is_finding)
     rows = [json.dumps(dict(zip(("file", "formula", "verdict"), one, strict=True)), ensure_ascii=False) for one in kept]
     return '{"version": 1, "findings": [\n' + ",\n".join(rows) + "\n]}\n"
 
@@ -109,7 +109,7 @@ def as_sarif(found: CheckRun) -> str:
     """All findings as SARIF 2.1.0; known ones are suppressed."""
     from rbpsym import __version__
 
-    told = [_told(result) for result in found.results if not result.expected or result.known]
+    told = [_told(result) for result in found.results if result.is_finding]
     told += [_record(REMARK, remark, file, line) for file, line, remark in found.remarks]
     rules = [{"id": name, "shortDescription": {"text": text}} for name, _, text in (*RULES.values(), REMARK)]
     driver = {"name": "rbpsym", "version": __version__, "rules": rules}

@@ -40,7 +40,7 @@ def repairs(results: Iterable[Result]) -> str:
     """The diff that repairs each formula whose one wrong place is known, where it stands in its file as it was read."""
     wrong: dict[str, list[Result]] = {}
     for result in results:
-        if result.fix and not result.expected and result.file:
+        if result.fix and result.is_finding and result.file:
             wrong.setdefault(result.file, []).append(result)
     return "".join(_repaired(file, own) for file, own in wrong.items())
 

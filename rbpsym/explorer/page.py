@@ -33,6 +33,7 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.study import Study
+from rbpsym.pictures.figures.outlines import OUTLINES
 from rbpsym.pictures.figures.scene import COLORS
 from rbpsym.quantities import NUMBER, TIME
 from rbpsym.statement.curves import is_slot
@@ -238,6 +239,7 @@ def _colors() -> str:
 
 def _script(models: tuple[Model, ...], words: dict[str, str]) -> str:
     """All scripts, the words and the models, closed off from the page."""
-    data = f"const WORDS={as_json(words)};\nconst MODELS=[{','.join(found.script for found in models)}];"
+    shared = f"const WORDS={as_json(words)},OUTLINES={as_json(OUTLINES)};"
+    data = f"{shared}\nconst MODELS=[{','.join(found.script for found in models)}];"
     parts = [(FOLDER / f"{name}.js").read_text(encoding="utf-8") for name in SCRIPTS]
     return "\n".join(['(function(){"use strict";', data, *parts, "})();"])

@@ -72,6 +72,7 @@ def test_the_same_text_has_the_same_reports(folder, capsys):
         check("--json", "--sarif", "a.sarif", "--html", "a.html", "--fix", "a.patch", "--baseline", "a.json", "--write-baseline")
         files = [(folder / name).read_text() for name in ("a.sarif", "a.html", "a.patch", "a.json")]
         made.append([capsys.readouterr().out, *files])
+        assert f"+\\[ {RIGHT} \\]" in files[2]  # what a baseline holds is repaired all the same
     assert made[0] == made[1]
 
 

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from rbpsym.explorer.page import FOLDER, Model, model
+from rbpsym.explorer.page import FOLDER, Model, as_json, model
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
+from rbpsym.pictures.figures.outlines import OUTLINES
 from rbpsym.statement.model import Problem
 
 ASK = """
@@ -39,7 +40,7 @@ const asked = TIMES.flatMap((share) => MOTIONS.map((motion) => {
 console.log(JSON.stringify(asked, (key, value) => (typeof value === "number" && !Number.isFinite(value) ? null : value)));
 """
 STAND_INS = (
-    'const document = { documentElement: { lang: "en" } };'
+    f'const OUTLINES = {as_json(OUTLINES)}; const document = {{ documentElement: {{ lang: "en" }} }};'
     "const WORDS = new Proxy({}, { get: (_, name) => String(name) });"
 )
 

@@ -17,7 +17,6 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.document.files import data_folder
-from rbpsym.elements.shapes import SHAPES
 from rbpsym.explorer.page import explorer, model, problem_stages
 from rbpsym.mechanics.numbers import number
 from rbpsym.statement.library import problem_files
@@ -214,13 +213,6 @@ def integrated(study, found, time: float) -> float:
 
     done = solve_ivp(rate, (0, time), start, rtol=1e-10, atol=1e-12)
     return float(done.y[0, -1])
-
-
-@node
-def test_every_shape_of_a_statement_has_an_outline() -> None:
-    text = (explored.FOLDER / "shapes.js").read_text(encoding="utf-8") + "console.log(Object.keys(OUTLINES).join());"
-    done = subprocess.run(["node", "-"], input=text, capture_output=True, text=True, check=True, timeout=60)
-    assert set(SHAPES) - {"composite"} <= set(done.stdout.strip().split(","))
 
 
 class Readings(HTMLParser):

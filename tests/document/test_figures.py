@@ -14,7 +14,7 @@ from rbpsym.elements.shapes import SHAPES
 from rbpsym.pictures.figures import placing
 from rbpsym.pictures.figures.dimensions import solid_line
 from rbpsym.pictures.figures.free_body import free_body
-from rbpsym.pictures.figures.outlines import OUTLINES
+from rbpsym.pictures.figures.outlines import OUTLINES, OWN
 from rbpsym.pictures.figures.scene import COLORS, STYLES, Label, Line, Scene
 from rbpsym.pictures.figures.schematic import schematic
 from rbpsym.pictures.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
@@ -85,7 +85,7 @@ def test_every_shape_of_a_statement_has_an_outline() -> None:
     assert set(SHAPES) - {"composite"} <= set(OUTLINES)
 
 
-@pytest.mark.parametrize("kind", OUTLINES)
+@pytest.mark.parametrize("kind", {**OUTLINES, **OWN})
 def test_outlines_use_known_styles(kind: str) -> None:
     sizes = dict.fromkeys(
         ("length", "radius", "inner", "outer", "width", "height", "base", "offset", "right", "top"), 0.5

@@ -25,7 +25,7 @@ function cornersOf(body, out) {
   return own.flatMap((part) => {
     const at = part === body ? [0, 0] : pick(part.at, out), turn = part === body ? 0 : out[part.angle];
     if (part.kind in ROUND) return [{ at, rim: out[part.sizes[ROUND[part.kind]]] }];
-    const points = ANGULAR.has(part.kind) ? OUTLINES[part.kind](Object.fromEntries(Object.entries(part.sizes).map(([key, place]) => [key, out[place]])))[0].points : [];
+    const points = ANGULAR.has(part.kind) ? piecesOf(part.kind, Object.fromEntries(Object.entries(part.sizes).map(([key, place]) => [key, out[place]])))[0].points : [];
     return points.map((point) => ({ at: carried(point, at, turn), rim: 0 }));
   });
 }

@@ -10,34 +10,25 @@ function arc(radius, from, to, count = 48) {
   });
 }
 
-/** kind → sizes → [{points, closed, look}]; look: body, hole, rim, band, dot. */
-const OUTLINES = {
-  particle: () => [{ points: [[0, 0]], look: "dot" }],
-  rod: (s) => [{ points: [[-s.length / 2, 0], [s.length / 2, 0]], look: "band" }],
-  ring: (s) => [{ points: arc(s.radius, 0, TURN), look: "band", spoke: s.radius }],
-  disk: (s) => [{ points: arc(s.radius, 0, TURN), look: "body", closed: true, spoke: s.radius }],
-  annulus: (s) => [
-    { points: arc(s.outer, 0, TURN), look: "body", closed: true, spoke: s.outer },
-    { points: arc(s.inner, 0, TURN), look: "hole", closed: true },
-  ],
-  rectangle: (s) => [{ points: box(s.width / 2, s.height / 2), look: "body", closed: true }],
-  triangle: (s) => [{ points: [[-s.base / 2, 0], [s.base / 2, 0], [s.offset || 0, s.height]], look: "body", closed: true }],
-  "half-disk": (s) => [{ points: arc(s.radius, 0, Math.PI), look: "body", closed: true }],
-  "half-ring": (s) => [{ points: arc(s.radius, 0, Math.PI), look: "band" }],
-  sector: (s) => [{ points: [[0, 0], ...arc(s.radius, -s.opening / 2, s.opening / 2)], look: "body", closed: true }],
-  arc: (s) => [{ points: arc(s.radius, -s.opening / 2, s.opening / 2), look: "band" }],
-  ellipse: (s) => [{ points: arc(1, 0, TURN).map(([x, y]) => [x * s.half_width, y * s.half_height]), look: "body", closed: true }],
-  polygon: (s) => [{ points: corners(s), look: "body", closed: true }],
-  given: () => [{ points: [[0, 0]], look: "blob" }],
+/** What a path goes along: lengths → points. */
+const PATHS = {
+  to: (x, y) => [[x, y]],
+  arc: (radius, from, to) => arc(radius, from, to),
+  circle: (radius) => arc(radius, 0, TURN),
+  ellipse: (x, y) => arc(1, 0, TURN).map(([p, q]) => [p * x, q * y]),
 };
-OUTLINES.shell = OUTLINES.ring;
-OUTLINES.ball = OUTLINES.disk;
-OUTLINES.hemisphere = OUTLINES["half-disk"];
-OUTLINES["hemispherical-shell"] = OUTLINES["half-ring"];
 
 function corners(s) { return Object.keys(s).filter((key) => key.startsWith("x_")).map((key) => [s[key], s[`y_${key.slice(2)}`]]); }
 
-function box(x, y) { return [[-x, -y], [x, -y], [x, y], [-x, y]]; }
+/** The pieces of a shape: {points, closed, look, spoke}; look: body, hole, band, dot, blob. OUTLINES is that of the figures. */
+function piecesOf(kind, sizes) {
+  const measured = (length) => (Array.isArray(length) ? length[0] * (sizes[length[1]] || 0) : length);
+  return (OUTLINES[kind] || OUTLINES.given).map(([look, ...parts]) => {
+    const points = parts.flatMap(([way, ...lengths]) => (PATHS[way] ? PATHS[way](...lengths.map(measured)) : corners(sizes)));
+    const round = parts[0][0] === "circle" && look !== "hole";
+    return { points, look, closed: look === "body" || look === "hole", spoke: round ? measured(parts[0][1]) : 0 };
+  });
+}
 
 /** A point of a frame in space. */
 function carried([x, y], [u, v], angle) {
@@ -68,7 +59,7 @@ function outlineOf(body, out) {
 
 function partOutline(part, body, out) {
   const sizes = Object.fromEntries(Object.entries(part.sizes).map(([key, place]) => [key, out[place]]));
-  const pieces = (OUTLINES[part.kind] || OUTLINES.given)(sizes);
+  const pieces = piecesOf(part.kind, sizes);
   if (part === body) return pieces;
   const at = pick(part.at, out), angle = out[part.angle];
   return pieces.map((piece) => ({

@@ -84,7 +84,8 @@ def called(reader: LatexReader) -> t.Node:
 
 
 def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False) -> t.Node:
-    """A name that stands at `first`, perhaps raised to a power, and in parentheses behind it what it may depend on."""
+    """A name that stands at `first`, perhaps raised to a power, and in parentheses behind it what it may depend on; of a quotient
+    of names that vary neither reading is more usual."""
     varies, begin = _varies(reader, name), reader.position
     if raised and varies is None:
         return name
@@ -104,7 +105,8 @@ def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False)
         return _value(reader, name)
     clear = len(found) > 1 or found[0] is _TIME or (varies is not False and len(reader.met) >= MOST_ASKED)
     clear = clear or (varies is None and found == [_TIME])
-    if clear or reader.decide(_CALLED, _WRITE, yes=int(varies is True)) == (varies is None):
+    usual = varies is True and not isinstance(name, t.Div)
+    if clear or reader.decide(_CALLED, _WRITE, yes=int(usual)) == (varies is None):
         reader.position = end
     return name
 

@@ -3,105 +3,76 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
-from rbpsym.pictures.figures.scene import Circle, Item, Line, Point
+from rbpsym.pictures.figures.scene import Circle, Item, Line, Point, polar
 from rbpsym.pictures.figures.sketch import SketchBody, SketchPart
 
 Sizes = Mapping[str, float]
 Outline = tuple[Item, ...]
+Length = float | tuple[float, str]  # a number, or a share of a size
+Piece = tuple[Any, ...]  # a look, and the parts of its path: a kind and lengths
 
-
-def polygon(points: tuple[Point, ...]) -> Outline:
-    """A closed line."""
-    return (Line(points, "body", closed=True),)
-
-
-def disk(sizes: Sizes) -> Outline:
-    """A filled circle with the mark of its centre."""
-    return (Circle((0, 0), sizes["radius"]),)
-
-
-def ring(sizes: Sizes) -> Outline:
-    """A circle drawn as a thin band."""
-    return tuple(Circle((0, 0), sizes["radius"], style) for style in BAND)
-
-
-def annulus(sizes: Sizes) -> Outline:
-    """A disk with a hole."""
-    return Circle((0, 0), sizes["outer"]), Circle((0, 0), sizes["inner"], "hole")
-
-
-def rod(sizes: Sizes) -> Outline:
-    """A straight thin band."""
-    half = sizes["length"] / 2
-    return band(((-half, 0), (half, 0)))
-
-
-BAND = ("rod edge", "rod")
-
-
-def band(points: tuple[Point, ...]) -> Outline:
-    """A thin body along a line: the inner line is drawn over a wider one."""
-    return tuple(Line(points, style) for style in BAND)
-
-
-def rectangle(sizes: Sizes) -> Outline:
-    """Four corners."""
-    x, y = sizes["width"] / 2, sizes["height"] / 2
-    return polygon(((-x, -y), (x, -y), (x, y), (-x, y)))
-
-
-def triangle(sizes: Sizes) -> Outline:
-    """The base along the axis and the top above it."""
-    half, top = sizes["base"] / 2, (sizes.get("offset", 0.0), sizes["height"])
-    return polygon(((-half, 0), (half, 0), top))
-
-
-def half_circle(radius: float) -> tuple[Point, ...]:
-    """Points of the upper half of a circle."""
-    turns = [n * math.pi / 32 for n in range(33)]
-    return tuple((radius * math.cos(turn), radius * math.sin(turn)) for turn in turns)
-
-
-def arc(radius: float, opening: float) -> tuple[Point, ...]:
-    """Points of an arc that the axis halves."""
-    turns = [opening * (n / 32 - 0.5) for n in range(33)]
-    return tuple((radius * math.cos(turn), radius * math.sin(turn)) for turn in turns)
-
-
-def ellipse(x: float, y: float) -> tuple[Point, ...]:
-    """Points of an ellipse with these semi-axes."""
-    return tuple((x * math.cos(n * math.pi / 32), y * math.sin(n * math.pi / 32)) for n in range(64))
-
-
-def corners(sizes: Sizes) -> tuple[Point, ...]:
-    """The corners (x_1, y_1), (x_2, y_2) ..."""
-    return tuple((x, sizes[f"y_{name[2:]}"]) for name, x in sizes.items() if name.startswith("x_"))
-
-
-OUTLINES: Mapping[str, Callable[[Sizes], Outline]] = {
-    "particle": lambda sizes: (Circle((0, 0), 0.0, "particle"),),
-    "rod": rod,
-    "ring": ring,
-    "shell": ring,
-    "disk": disk,
-    "ball": disk,
-    "annulus": annulus,
-    "rectangle": rectangle,
-    "triangle": triangle,
-    "half-disk": lambda sizes: polygon(half_circle(sizes["radius"])),
-    "half-ring": lambda sizes: band(half_circle(sizes["radius"])),
-    "sector": lambda sizes: polygon(((0.0, 0.0), *arc(sizes["radius"], sizes["opening"]))),
-    "arc": lambda sizes: band(arc(sizes["radius"], sizes["opening"])),
-    "hemisphere": lambda sizes: polygon(half_circle(sizes["radius"])),
-    "hemispherical-shell": lambda sizes: band(half_circle(sizes["radius"])),
-    "ellipse": lambda sizes: polygon(ellipse(sizes["half_width"], sizes["half_height"])),
-    "polygon": lambda sizes: polygon(corners(sizes)),
-    "box": lambda sizes: polygon(box(sizes)),
-    "given": lambda sizes: polygon(potato(sizes.get("size", 1.0))),
+# by shape: what is drawn, the same in figures and in the explorer
+DISK, RING = (("body", ("circle", (1, "radius"))),), (("band", ("circle", (1, "radius"))),)
+HALF = ("arc", (1, "radius"), 0, math.pi)
+OPENED = ("arc", (1, "radius"), (-0.5, "opening"), (0.5, "opening"))
+CORNERS = ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))
+OUTLINES: Mapping[str, tuple[Piece, ...]] = {
+    "particle": (("dot", ("to", 0, 0)),),
+    "rod": (("band", ("to", (-0.5, "length"), 0), ("to", (0.5, "length"), 0)),),
+    "ring": RING,
+    "shell": RING,
+    "disk": DISK,
+    "ball": DISK,
+    "annulus": (("body", ("circle", (1, "outer"))), ("hole", ("circle", (1, "inner")))),
+    "rectangle": (("body", *(("to", (x, "width"), (y, "height")) for x, y in CORNERS)),),
+    "triangle": (("body", ("to", (-0.5, "base"), 0), ("to", (0.5, "base"), 0), ("to", (1, "offset"), (1, "height"))),),
+    "half-disk": (("body", HALF),),
+    "hemisphere": (("body", HALF),),
+    "half-ring": (("band", HALF),),
+    "hemispherical-shell": (("band", HALF),),
+    "sector": (("body", ("to", 0, 0), OPENED),),
+    "arc": (("band", OPENED),),
+    "ellipse": (("body", ("ellipse", (1, "half_width"), (1, "half_height"))),),
+    "polygon": (("body", ("corners",)),),
+    "given": (("blob", ("to", 0, 0)),),
 }
+LOOKS = {"body": ("body",), "hole": ("hole",), "band": ("rod edge", "rod"), "dot": ("particle",)}  # drawn over each other
+
+
+def outline(kind: str, sizes: Sizes) -> Outline:
+    """The items of a shape in its own frame."""
+    if kind in OWN or kind not in OUTLINES:
+        return (Line(OWN.get(kind, potato)(sizes), "body", closed=True),)
+    return tuple(
+        Circle((0, 0), measured(parts[0][1], sizes), style)
+        if look == "dot" or parts[0][0] == "circle"
+        else Line(tuple(point for part in parts for point in along(part, sizes)), style, closed=look in ("body", "hole"))
+        for look, *parts in OUTLINES[kind]
+        for style in LOOKS[look]
+    )
+
+
+def measured(length: Length, sizes: Sizes) -> float:
+    """The number of a length."""
+    return length[0] * sizes.get(length[1], 0.0) if isinstance(length, tuple) else length
+
+
+def along(part: Piece, sizes: Sizes) -> Iterator[Point]:
+    """The points of a part of a path."""
+    kind, lengths = part[0], [measured(length, sizes) for length in part[1:]]
+    if kind == "to":
+        yield lengths[0], lengths[1]
+    elif kind == "arc":
+        radius, start, end = lengths
+        yield from (polar((0, 0), radius, start + (end - start) * n / 32) for n in range(33))
+    elif kind == "ellipse":
+        yield from ((lengths[0] * math.cos(n * math.pi / 32), lengths[1] * math.sin(n * math.pi / 32)) for n in range(64))
+    else:
+        yield from ((x, sizes[f"y_{name[2:]}"]) for name, x in sizes.items() if name.startswith("x_"))
 
 
 def box(sizes: Sizes) -> tuple[Point, ...]:
@@ -111,11 +82,15 @@ def box(sizes: Sizes) -> tuple[Point, ...]:
     return (left, bottom), (right, bottom), (right, top), (left, top)
 
 
-def potato(size: float) -> tuple[Point, ...]:
+def potato(sizes: Sizes) -> tuple[Point, ...]:
     """A body of no particular shape, its centre of mass in the middle."""
+    size = sizes.get("size", 1.0)
     turns = [n * math.pi / 24 for n in range(48)]
     radii = [size * (0.5 + 0.07 * math.cos(2 * t + 0.6) + 0.04 * math.sin(3 * t)) for t in turns]
     return tuple((r * math.cos(t), r * math.sin(t)) for r, t in zip(radii, turns, strict=True))
+
+
+OWN: Mapping[str, Callable[[Sizes], tuple[Point, ...]]] = {"box": box, "given": potato}  # in figures alone
 
 
 def body_outline(body: SketchBody) -> Outline:
@@ -125,7 +100,7 @@ def body_outline(body: SketchBody) -> Outline:
     drawn = tuple(
         moved(moved(styled(item, part), part.at, part.angle), body.at, body.angle)
         for part in joined
-        for item in OUTLINES.get(part.kind, OUTLINES["given"])(part.sizes)
+        for item in outline(part.kind, part.sizes)
     )
     return (*joined_dots(body), *drawn, *(Circle(body.at, rim, "rim") for rim in body.rims))
 
