@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from rbpsym.claims import decide as d
 from rbpsym.claims.ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
-from rbpsym.claims.integrals import NoValueError, valued, with_dimensions
+from rbpsym.claims.integrals import NoValueError, as_vector, valued, with_dimensions
 from rbpsym.claims.model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.points import names_of
@@ -131,11 +131,11 @@ def _is_place(link: t.Chain, ground: Ground) -> bool:
 
 def _narrowed(links: list[t.Chain], ground: Ground) -> Ground | None:
     """The ground with the ranges that inequalities give to its names; None if one of them gives none."""
-    given = ground.motion.assumptions
+    given: Assumptions | None = ground.motion.assumptions
     for link in links:
         (left, right), [op] = link.items, link.ops
         low, high = (left, right) if op in ("<", "<=") else (right, left)
-        given = op in ("<", "<=", ">", ">=") and given and _bounded(low, high, ground, given)
+        given = _bounded(low, high, ground, given) if given and op in ("<", "<=", ">", ">=") else None
     return replace(ground, assumed=given) if given else None
 
 
@@ -145,20 +145,21 @@ def _bounded(low: t.Node, high: t.Node, ground: Ground, given: Assumptions) -> A
         value = valued(bound, ground)
         if name is None or isinstance(value, Space) or names_of([value]):
             continue
-        ends = list(given.range_of(name))
-        gain = NOTHING if ends[end] is None else (ends[end] - value) * (1 if end else -1)
-        kind = "positive" if ends[end] is None else sign(gain).kind
+        lower, upper = ends = given.range_of(name)
+        kind = "positive" if (old := ends[end]) is None else sign((old - value) * (1 if end else -1)).kind
         if kind is None:
             return None
-        ends[end] = value if kind == "positive" else ends[end]
-        if None not in ends and sign(ends[1] - ends[0], given).kind != "positive":
+        if kind == "positive":
+            lower, upper = (lower, value) if end else (value, upper)
+        if lower is not None and upper is not None and sign(upper - lower, given).kind != "positive":
             return None  # no state is there, and of none anything could be said
-        return given.with_range(name, *ends)
+        return given.with_range(name, lower, upper)
     return None
 
 
 if TYPE_CHECKING:
     from rbpsym.claims.diagnosis import Diagnosis
+    from rbpsym.claims.theory import TheoryWorld
 
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
@@ -200,9 +201,9 @@ class Checker(Frozen):
             return blank
         claim = replace(claim, setting=with_own_symbols(claim.setting, self.world(claim.setting)))
         node, ground = self.opened(claim, printed)
-        right = read(claim.right, ground.glossary) if claim.right else None
+        intended = read(claim.right, ground.glossary) if claim.right else None
         links = tuple(self.links(node, claim, ground, latex))
-        right = self._right(right, claim, ground) if right else ""
+        right = self._right(intended, claim, ground) if intended else ""
         form = claim.right.latex if claim.right else ""
         outcome = worst([link.outcome for link in links])
         return replace(blank, outcome=outcome, links=links, right=right, right_latex=form)
@@ -214,10 +215,10 @@ class Checker(Frozen):
         nodes = [read(one, words) for one in (printed, claim.right) if one is not None]
         return nodes[0], self.ground(setting, words, *nodes)
 
-    def tree(self, claim: Claim, printed: Printed | None = None) -> t.Node:
+    def tree(self, claim: Claim, printed: Printed) -> t.Node:
         """The formula of a claim, or another one in its symbols, as it is read. Raises ReadError with its place."""
         setting = with_own_symbols(claim.setting, self.world(claim.setting))
-        return read(printed or claim.printed, self.reading(glossary(setting.symbols), setting))
+        return read(printed, self.reading(glossary(setting.symbols), setting))
 
     def reading(self, words: Glossary, setting: Setting) -> Glossary:
         """The glossary with the dimensions of its symbols, by which an ambiguous formula is read."""
@@ -297,7 +298,7 @@ def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: boo
     return found
 
 
-def _with_partials(node: t.Node) -> t.Node:
+def _with_partials(node: Any) -> Any:
     node = t.mapped(node, _with_partials)
     return replace(node, partial=True) if isinstance(node, t.Deriv) and node.wrt != "t" else node
 
@@ -331,8 +332,9 @@ def _decided(relation: t.Chain, ground: Ground, question: Question) -> Link:
     gained = _gained(relation, ground)
     if gained in (NOTHING, Space()):
         return _link(relation, _on_both_roads(compare(a, b, op, question), relation, op, question))
-    if op == "=" and isinstance(gained, Scalar) and d.is_constant(gained, question, ("identity",)):
-        return _link(relation, d.up_to_constant(a, b, question))
+    scalars = [one for one in (gained, a, b) if isinstance(one, Scalar)]
+    if op == "=" and len(scalars) == 3 and d.is_constant(scalars[0], question, ("identity",)):
+        return _link(relation, d.up_to_constant(scalars[1], scalars[2], question))
     return Link(relation, Outcome.UNDECIDED, detail="a symbol is known up to a constant only, on which this depends")
 
 
@@ -344,7 +346,7 @@ def _gained(relation: t.Chain, ground: Ground) -> Scalar | Space:
     more = {key: replace(one, scalar=one.number + symbol("C_0")) for key, one in ground.bounds.items() if key[0] in loose}
     grounds = (replace(ground, bounds={**ground.bounds, **more}), ground)
     far, near = (valued(t.add(relation.items[0], t.Neg(relation.items[1])), one) for one in grounds)
-    return far - near
+    return far - near if isinstance(far, Scalar) and isinstance(near, Scalar) else as_vector(far) - as_vector(near)
 
 
 def _link(relation: t.Chain, verdict: Verdict) -> Link:
@@ -362,19 +364,13 @@ def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: Quest
 
 
 def _second(relation: t.Chain, op: str, question: Question) -> Verdict:
-    ground = question.ground
-    world = ground.world.second_road
-    phrases = ground.world.shared
-    bounds = {key: world.bound(_phrase_of(found, phrases)) for key, found in ground.bounds.items()}
-    other = Ground(world, ground.glossary, bounds, {k: v for k, v in ground.defined.items() if k[:6] != "value "})
+    ground, theory = question.ground, cast("TheoryWorld", question.ground.world)
+    bounds = {key: theory.again(found) for key, found in ground.bounds.items()}
+    other = Ground(theory.second_road, ground.glossary, bounds, {k: v for k, v in ground.defined.items() if k[:6] != "value "})
     if ground.premises:
         return Verdict(Kind.PROVED, how="from what is given")
     left, right = relation.items
     return d.RELATIONS[op](valued(left, other), valued(right, other), op, Question(other, "", False))
-
-
-def _phrase_of(bound: object, phrases: dict) -> str:
-    return next(phrase for phrase, found in phrases.items() if found is bound)
 
 
 def _kind(node: t.Node, ground: Ground) -> str:
@@ -383,13 +379,13 @@ def _kind(node: t.Node, ground: Ground) -> str:
     return ground.kind(node.name) if isinstance(node, (t.Sym, t.Vec)) else "value"
 
 
-def _constant(relation: t.Chain, one: t.Node, other: t.Node, question: Question) -> Link:
+def _constant(relation: t.Chain, one: Any, other: t.Node, question: Question) -> Link:
     value = valued(other, question.ground)
     parts = value.components() if isinstance(value, Space) else (value,)
     return _link(relation, all_of(d.constant_value(part, question) for part in parts))
 
 
-def _defines(relation: t.Chain, one: t.Node, other: t.Node, question: Question) -> Link:
+def _defines(relation: t.Chain, one: Any, other: t.Node, question: Question) -> Link:
     """The relation says what a new symbol means."""
     if one.name in t.names(other):
         return Link(relation, Outcome.NOT_COMPUTED, detail="the symbol is defined by itself")

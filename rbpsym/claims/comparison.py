@@ -6,14 +6,14 @@ Parameters of the same name are the same quantities.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Scalar, Scope, Value, depends_on, is_zero, root, substitute, value
+from rbpsym.field import NOTHING, Scalar, Scope, Value, depends_on, is_zero, root, short, substitute, value
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState
@@ -64,12 +64,16 @@ def compared(first: Study, second: Study, part: CoursePart) -> Compared:
 
 
 def _oscillation(studies: tuple[Study, Study], part: CoursePart) -> Compared | None:
-    places = [_place(study, part.coordinate) for study in studies]
-    if None in places:
+    first, second = (_place(study, part.coordinate) for study in studies)
+    if first is None or second is None:
         return None
-    squares = tuple(place.frequencies_squared[0] for place in places)
-    shown = tuple(present(square, study.style, factor=True) for study, square in zip(studies, squares, strict=True))
-    return Compared("oscillation", ("vartheta_1", "vartheta_2"), 2, squares, shown)
+    squares = first.frequencies_squared[0], second.frequencies_squared[0]
+    return Compared("oscillation", ("vartheta_1", "vartheta_2"), 2, squares, _shown(squares, studies))
+
+
+def _shown(values: tuple[Scalar, Scalar], studies: tuple[Study, Study]) -> tuple[t.Node, t.Node]:
+    one, other = (present(value, study.style, factor=True) for study, value in zip(studies, values, strict=True))
+    return one, other
 
 
 def _place(study: Study, coordinate: str) -> Equilibrium | None:
@@ -81,24 +85,24 @@ def _place(study: Study, coordinate: str) -> Equilibrium | None:
 def _acceleration(studies: tuple[Study, Study], part: CoursePart) -> Compared | None:
     """Accelerations that are functions of position alone."""
     name = common_coordinate(studies, part.coordinate)
-    found = [(study.dynamics.accelerations or {}).get(f"{name}_ddot") for study in studies]
+    first, second = ((study.dynamics.accelerations or {}).get(f"{name}_ddot") for study in studies)
     speeds = {speed for study in studies for speed in study.system.speeds}
-    if not all(found) or any(depends_on(value, speed) for value in found for speed in speeds):
+    if not first or not second or any(depends_on(value, speed) for value in (first, second) for speed in speeds):
         return None
-    return _along("acceleration", f"{name}_ddot", 1, studies, found)
+    return _along("acceleration", f"{name}_ddot", 1, studies, (first, second))
 
 
 def _speed(studies: tuple[Study, Study], part: CoursePart) -> Compared | None:
     """Squares of speeds as functions of position, from the start."""
     name = common_coordinate(studies, part.coordinate)
-    found = [study.squares.get(name) for study in studies]
-    return _along("speed", f"{name}_dot", 2, studies, found) if all(found) else None
+    first, second = (study.squares.get(name) for study in studies)
+    return _along("speed", f"{name}_dot", 2, studies, (first, second)) if first and second else None
 
 
-def _along(of: str, name: str, power: int, studies: tuple[Study, Study], found: list[Scalar]) -> Compared:
-    values = tuple(short(value) for value in found)
-    shown = tuple(present(value, study.style, factor=True) for study, value in zip(studies, values, strict=True))
-    return Compared(of, tuple(indexed(name, studies[0], k) for k in (1, 2)), power, values, shown)
+def _along(of: str, name: str, power: int, studies: tuple[Study, Study], found: tuple[Scalar, Scalar]) -> Compared:
+    values = short(found[0]), short(found[1])
+    names = indexed(name, studies[0], 1), indexed(name, studies[0], 2)
+    return Compared(of, names, power, values, _shown(values, studies))
 
 
 def indexed(name: str, study: Study, k: int) -> str:
@@ -157,7 +161,7 @@ class _Pair(Frozen):
         """Adds a checked step, which may know other values than those of the whole comparison."""
         rule = "inequality" if phrase.startswith("order.") else c.identity.__name__
         step = Step(id, rule, statement, "comparison", f"comparison.{phrase}", slots, premises)
-        context = self.context if scalars is None else replace(self.context, scalars=dict(scalars))
+        context: Any = self.context if scalars is None else replace(self.context, scalars=dict(scalars))
         verdict = c.guarded(lambda: c.identity(context, step))
         self.steps.append(told(replace(step, certificate=Certificate((check,), verdict))))
 
@@ -196,7 +200,7 @@ def _order(pair: _Pair) -> None:
     values, known = pair.compared.values, pair.context.assumptions
     turned = all(sign(value, known).kind == "negative" for value in values)
     found = sign(values[0] - values[1] if turned else values[1] - values[0], known).kind
-    op = {"positive": "<", "negative": ">", "zero": "=", "nonnegative": "<=", "nonpositive": ">="}.get(found)
+    op = {"positive": "<", "negative": ">", "zero": "=", "nonnegative": "<=", "nonpositive": ">="}.get(found or "")
     if op is None:
         return
     first, second = (t.neg(t.Sym(name)) if turned else t.Sym(name) for name in pair.compared.names)

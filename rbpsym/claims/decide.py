@@ -63,7 +63,7 @@ def _in_each_sense(a: Scalar, b: Scalar, question: Question) -> bool:
     values = tuple(question.seen(value, "start") for value in (a, b))
     if not path_of(values, question.motion).names:
         return False
-    return all(are_same(*pair, question) for pair, _ in on_path(values, question.motion))
+    return all(are_same(pair[0], pair[1], question) for pair, _ in on_path(values, question.motion))
 
 
 def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
@@ -97,7 +97,7 @@ def constant_value(value: Scalar, question: Question) -> Verdict:
             return proved(HOW["constant"])
     rate = question.rate(value)
     found = refutation(rate, NOTHING, question) if question.witnesses else undecided("not proved")
-    if found.is_refuted:
+    if found.witness is not None:
         return refuted("its rate of change is not zero", found.witness)
     return found
 
@@ -168,7 +168,7 @@ def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
     for depth in question.depths:
         sides = [question.seen(side, depth) for side in (a, b)]
         moving = [name for name in question.motion.scope.start if depends_on(sides[0] - sides[1], name)]
-        each = {name.removesuffix("_dot"): [] for name in moving}
+        each: dict[str, list[str]] = {name.removesuffix("_dot"): [] for name in moving}
         for name in moving:
             each[name.removesuffix("_dot")].append(name)
         for small in (*each.values(), moving) if len(each) != 1 else (moving,):
@@ -184,7 +184,7 @@ def _to_first_order(sides: list[Scalar], small: list[str], question: Question) -
     at = dict.fromkeys(small, NOTHING)
     rows = [sides, *([derivative(side, name) for side in sides] for name in small)]
     pairs = [[substitute(value, at) for value in row] for row in rows]
-    return all_of(scalars_equal(*pair, question.motion.assumptions) for pair in pairs)
+    return all_of(scalars_equal(one, other, question.motion.assumptions) for one, other in pairs)
 
 
 RELATIONS: dict[str, Callable[..., Verdict]] = {

@@ -13,7 +13,7 @@ from fractions import Fraction
 from rbpsym.claims.check import decide
 from rbpsym.claims.decide import equal_to_first_order, is_constant
 from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
-from rbpsym.claims.diagnosis_numbers import TOLERANCE, samples
+from rbpsym.claims.diagnosis_numbers import TOLERANCE, Sample, samples
 from rbpsym.claims.ground import HOW, Ground, Question, holds_unknowns
 from rbpsym.claims.integrals import prepared, valued
 from rbpsym.claims.model import Claim, Outcome
@@ -83,10 +83,10 @@ def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> tuple[st
     """What makes the relation true as it stands, if it is said so: up to a constant, to first order; "" for what does not."""
     question = Question(ground, claim.holds, False)
     try:
-        sides = [valued(side, ground) for side in relation.items]
-        if any(isinstance(side, Space) for side in sides):
+        left, right = (valued(side, ground) for side in relation.items)
+        if isinstance(left, Space) or isinstance(right, Space):
             return "", ""
-        gap = sides[0] - sides[1]
+        gap = left - right
         names = [latex for latex, meaning in claim.setting.symbols.items() if ENERGY.fullmatch(meaning.phrase)]
         alone = {side.name for side in relation.items if isinstance(side, t.Sym)}
         for latex in names:
@@ -94,8 +94,8 @@ def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> tuple[st
                 asked = f"is {latex} the {claim.setting.symbols[latex].phrase}, up to a constant?"
                 return f"{FACT} the sides differ by a constant, {to_text(present(gap))}: {asked}", ""
         small = [name for name in question.motion.scope.start if depends_on(gap, name)]
-        slopes = (substitute(derivative(side, name), dict.fromkeys(small, NOTHING)) for side in sides for name in small)
-        if any(slopes) and equal_to_first_order(*sides, question).is_proved:
+        slopes = (substitute(derivative(side, name), dict.fromkeys(small, NOTHING)) for side in (left, right) for name in small)
+        if any(slopes) and equal_to_first_order(left, right, question).is_proved:
             return "", f"{FACT} it holds to first order in {' and '.join(to_text(t.Sym(name)) for name in small)}: write \\approx"
     except (RbpsymError, ZeroDivisionError):
         pass
@@ -128,7 +128,7 @@ def tells_of_work(found: Scalar, question: Question) -> bool:
     return any(depends_on(found, name) for name in question.motion.ledger)
 
 
-def _is_likely(repair: Repair, ground: Ground, looks: list) -> bool | None:
+def _is_likely(repair: Repair, ground: Ground, looks: list[Sample]) -> bool | None:
     """Do numbers agree with the repaired relation? None if they can't be had."""
     if not looks:
         return None
@@ -139,8 +139,8 @@ def _is_likely(repair: Repair, ground: Ground, looks: list) -> bool | None:
         return False
     if repair.ground is not None:
         looks = [replace(look, question=replace(look.question, ground=own), known={}) for look in looks]
-    gaps = [look.gap(ready) for look in looks]
-    return None if None in gaps else max(gaps) < TOLERANCE
+    gaps = [gap for look in looks if (gap := look.gap(ready)) is not None]
+    return None if len(gaps) < len(looks) else max(gaps) < TOLERANCE
 
 
 def _repairs(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
@@ -168,8 +168,7 @@ def _coefficients(path: Path, node: t.Node) -> Iterator[Change]:
 def _extra(relation: t.Chain) -> Iterator[Repair]:
     for path, node in terms(relation):
         if path[-1][0] == "terms":
-            parent = next(found for way, found in sites(relation) if way == path[:-1])
-            rest = [part for place, part in enumerate(parent.terms) if place != path[-1][1]]
+            rest = [part for way, part in sites(relation) if len(way) == len(path) and way[:-1] == path[:-1] and way != path]
             yield Repair(put(relation, path[:-1], t.add(*rest)), f"the term {to_text(node)} is too much")
 
 
@@ -191,9 +190,8 @@ def _times(factor: Fraction, node: t.Node) -> t.Node:
 
 
 def _functions(path: Path, node: t.Node) -> Iterator[Change]:
-    for other in TURNS if isinstance(node, t.Fn) and node.name in TURNS else ():
-        if other != node.name:
-            yield replace(node, name=other), f"{other} in place of {node.name}"
+    if isinstance(node, t.Fn) and node.name in TURNS:
+        yield from ((replace(node, name=other), f"{other} in place of {node.name}") for other in TURNS if other != node.name)
 
 
 def _exponents(path: Path, node: t.Node) -> Iterator[Change]:

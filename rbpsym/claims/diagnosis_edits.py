@@ -51,7 +51,7 @@ def anywhere(change: Callable[[Path, t.Node], Iterator[Change]], ground: Ground 
 
 def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
     """The ground with symbols of a claim that its formula does not use, and their phrases by name."""
-    bounds, phrases = dict(ground.bounds), {}
+    bounds, phrases = dict(ground.bounds), dict[str, str]()
     own = set(ground.world.symbols.values())
 
     def place(item: tuple[str, Meaning]) -> tuple[bool, bool]:
@@ -86,7 +86,7 @@ def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
 def numbers(path: Path, node: t.Node) -> Iterator[Change]:
     """Another small number, wherever one stands."""
     for other in range(1, LARGEST + 1) if isinstance(node, t.Num) and isinstance(node.value, int) else ():
-        if other != node.value:
+        if t.Num(other) != node:
             yield t.Num(other), f"{other} in place of {to_text(node)}"
 
 
@@ -148,6 +148,7 @@ def _value_of(node: t.Node | str, ground: Ground) -> Scalar | None:
     with suppress(RbpsymError, ZeroDivisionError):
         found = valued(t.Sym(node) if isinstance(node, str) else node, ground)
         return found if isinstance(found, Scalar) else None
+    return None
 
 
 def _symbols_of(value: Scalar, values: Mapping[str, Scalar | None]) -> Iterator[t.Node]:
@@ -183,8 +184,10 @@ def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Ques
     above = dict(sites(relation)).get(path[:-1])
     if isinstance(above, t.Sqrt):
         more = _that_is_missing(relation, path[:-1], above, question, depth)
-        whole = None if more is None else more + valued(above, question.ground)
-        return None if whole is None else without_even_roots(whole * whole - valued(node, question.ground))
+        root, square = valued(above, question.ground), valued(node, question.ground)
+        if more is None or isinstance(root, Space) or isinstance(square, Space):
+            return None
+        return without_even_roots((more + root) * (more + root) - square)
     gaps = []
     for number in range(3):
         sides = put(relation, path, t.add(node, t.Num(number)) if number else node).items
@@ -193,7 +196,7 @@ def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Ques
             return None
         gaps.append(_seen(left - right, question, depth))
     first, second, third = gaps
-    if None in gaps or first == second or second == third:
+    if first is None or second is None or third is None or first == second or second == third:
         return None
     d = (second * 2 - third - first) / ((third - second) * 2)
     b = second * (d + 1) - first
@@ -211,7 +214,7 @@ def renamed(node: t.Node, names: dict[str, str]) -> t.Node:
 def _others(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
     """A symbol that the formula does not hold in place of one that it does: a dot, an index, a length, a mass."""
     for name in phrases if isinstance(node, t.Sym) else ():
-        if name != node.name:
+        if t.Sym(name) != node:
             yield t.Sym(name), f"{to_text(t.Sym(name))} in place of {to_text(node)}"
 
 
@@ -250,12 +253,13 @@ def _is_number(node: t.Node) -> bool:
 
 def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping[str, str]) -> str:
     """The formula with one part of a relation replaced; "" if that part has no place in it."""
-    old, new = relation, repaired
+    old: t.Node = relation
+    new: t.Node = repaired
     while (pair := _only_change(old, new)) is not None:
         old, new = pair
     if old.span is None:
         return ""
-    begin, end = _begin(latex, old), old.span[1]
+    begin, end = _begin(latex, old), _end(old)
     kept = {id(node) for _, node in sites(relation) if node.span}
     text, before, behind = _written(new, latex, kept, symbols), latex[:begin].rstrip(), latex[end:]
     gap = latex[len(before) : begin]
@@ -272,8 +276,13 @@ def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping
 
 def _begin(latex: str, node: t.Node) -> int:
     r"""Where a part begins, with the \left of its first parenthesis."""
-    sized = re.search(r"\\(?:left|[bB]igg?l?)\s*$", latex[: node.span[0]])
-    return sized.start() if sized else node.span[0]
+    start = node.span[0] if node.span else 0
+    sized = re.search(r"\\(?:left|[bB]igg?l?)\s*$", latex[:start])
+    return sized.start() if sized else start
+
+
+def _end(node: t.Node) -> int:
+    return node.span[1] if node.span else 0
 
 
 def _only_change(old: t.Node, new: t.Node) -> tuple[t.Node, t.Node] | None:
@@ -298,19 +307,19 @@ def _stands_alone(before: str, behind: str) -> bool:
 
 def _is_printed_in_one(node: t.Node) -> bool:
     r"""Does the exponent stand within its base, as in \\sin^2 x?"""
-    inner = (node.base.span, node.exponent.span) if isinstance(node, t.Pow) else (None, None)
-    return None not in inner and inner[0][0] <= inner[1][0] < inner[0][1]
+    base, exponent = (node.base.span, node.exponent.span) if isinstance(node, t.Pow) else (None, None)
+    return base is not None and exponent is not None and base[0] <= exponent[0] < base[1]
 
 
 def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str]) -> str:
     """The LaTeX of a part: as printed if it was there, else its symbols as the author prints them."""
     if id(node) in kept:
-        return latex[_begin(latex, node) : node.span[1]].strip()
+        return latex[_begin(latex, node) : _end(node)].strip()
     if isinstance(node, t.Neg):
         return f"-{_written(node.arg, latex, kept, symbols)}"
     if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[:-1]):
         sign, last = ("-", node.terms[-1].arg) if isinstance(node.terms[-1], t.Neg) else ("+", node.terms[-1])
-        begin = latex[_begin(latex, node.terms[0]) : node.terms[-2].span[1]].strip()
+        begin = latex[_begin(latex, node.terms[0]) : _end(node.terms[-2])].strip()
         return f"{begin} {sign} {_written(last, latex, kept, symbols)}"
     names = sorted(t.names(node) - {"pi"})
     marks = {name: f"Q_{place}" for place, name in enumerate(names, 101)}
@@ -321,5 +330,5 @@ def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str
     for name, mark in marks.items():
         own, drawn = symbols.get(name, name), re.escape(f"Q_{{{mark[2:]}}}")
         own = f"{own} " if re.search(r"\\[A-Za-z]+$", own) else own
-        text = re.sub(rf"\\vec\{{{drawn}\}}|{drawn}", lambda _, own=own: own, text)
+        text = re.sub(rf"\\vec\{{{drawn}\}}|{drawn}", own.replace("\\", r"\\"), text)
     return re.sub(r" +(?=[\^_)]|$)", "", text)

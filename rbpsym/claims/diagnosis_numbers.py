@@ -14,8 +14,8 @@ from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, Space, root
 from rbpsym.field import value as exact_value
+from rbpsym.field.elliptic import FUNCTIONS as OF_SCALARS
 from rbpsym.frozen import Frozen, field
-from rbpsym.mechanics.numbers import FUNCTIONS as OF_SCALARS
 from rbpsym.mechanics.numbers import number
 from rbpsym.quantity.bound import Motion
 from rbpsym.quantity.path import sense
@@ -34,13 +34,13 @@ class Triple(tuple[float, ...]):
     __radd__ = __add__
 
     def __rsub__(self, other: Any) -> Triple:
-        return -self + other
+        return (-self).__add__(other)
 
     def __sub__(self, other: Any) -> Triple:
-        return self + -other
+        return self.__add__(-other)
 
     def __neg__(self) -> Triple:
-        return self * -1.0
+        return Triple(-a for a in self)
 
     def __mul__(self, factor: Any) -> Triple:
         return Triple(a * float(factor) for a in self)
@@ -65,7 +65,7 @@ def cross(left: Triple, right: Triple) -> Triple:
     return Triple((b * z - c * y, c * x - a * z, a * y - b * x))
 
 
-class Numbers(dict):
+class Numbers(dict[str, float]):
     """A generic number for every name, the same each time."""
 
     def __init__(self, seed: int, known: Mapping[str, float] = {}) -> None:
@@ -158,8 +158,13 @@ def value(node: t.Node, at: Sample) -> Value:
 
 
 def _power(node: t.Pow, at: Sample) -> float:
-    base, exponent = value(node.base, at), value(node.exponent, at)
-    return base @ base if isinstance(base, Triple) else math.pow(base, exponent)
+    base = _part(node.base, at)
+    return base @ base if isinstance(base, Triple) else math.pow(base, _part(node.exponent, at))
+
+
+def _part(node: t.Node, at: Sample) -> Any:
+    """A number or triple, whichever the formula asks for."""
+    return value(node, at)
 
 
 def length(found: Value) -> float:
@@ -184,12 +189,12 @@ VALUES: Mapping[type, Callable[[Any, Sample], Value]] = {
     t.Add: lambda node, at: sum(value(term, at) for term in node.terms),
     t.Neg: lambda node, at: -value(node.arg, at),
     t.Mul: lambda node, at: math.prod(value(factor, at) for factor in node.factors),
-    t.Div: lambda node, at: value(node.num, at) * (1 / value(node.den, at)),
+    t.Div: lambda node, at: value(node.num, at) * (1 / _part(node.den, at)),
     t.Pow: _power,
-    t.Sqrt: lambda node, at: math.sqrt(value(node.arg, at)),
-    t.Fn: lambda node, at: FUNCTIONS[node.name](value(node.arg, at)),
+    t.Sqrt: lambda node, at: math.sqrt(_part(node.arg, at)),
+    t.Fn: lambda node, at: FUNCTIONS[node.name](_part(node.arg, at)),
     t.Abs: lambda node, at: length(value(node.arg, at)),
     t.Group: lambda node, at: value(node.arg, at),
-    t.Cross: lambda node, at: cross(value(node.left, at), value(node.right, at)),
-    t.Dot: lambda node, at: value(node.left, at) @ value(node.right, at),
+    t.Cross: lambda node, at: cross(_part(node.left, at), _part(node.right, at)),
+    t.Dot: lambda node, at: _part(node.left, at) @ _part(node.right, at),
 }

@@ -48,12 +48,15 @@ def glossary(symbols: Mapping[str, Meaning]) -> Glossary:
     return _glossary(tuple(symbols.items()))
 
 
+Entered = dict[tuple[str, bool], tuple[Drawn | str, str, Meaning]]  # how each symbol is drawn and printed, what it means
+
+
 @lru_cache(maxsize=256)
 def _glossary(symbols: tuple[tuple[str, Meaning], ...]) -> Glossary:
     drawn: dict[Drawn, tuple[str, ...]] = {Drawn("π"): ("pi",)}
     spelled: dict[tuple[str, ...], str] = {}
     names: dict[str, tuple[str, bool]] = {}
-    shown: dict[tuple[str, bool], tuple[Drawn | str, str, Meaning]] = {}
+    shown: Entered = {}
     for latex, meaning in symbols:
         found = _drawn(latex)
         if found:
@@ -67,7 +70,7 @@ def _glossary(symbols: tuple[tuple[str, Meaning], ...]) -> Glossary:
     return Glossary(SymbolTable(MappingProxyType(drawn), MappingProxyType(spelled)), names)
 
 
-def _enter_once(shown: dict, named: tuple[str, bool], drawing: Drawn | str, latex: str, meaning: Meaning) -> None:
+def _enter_once(shown: Entered, named: tuple[str, bool], drawing: Drawn | str, latex: str, meaning: Meaning) -> None:
     """Enter a printed symbol. Raises ReadError where another one with another meaning has its name."""
     for arrow in (True, False):
         drawn, other, means = shown.get((named[0], arrow), (drawing, latex, meaning))
@@ -159,9 +162,8 @@ class Ground(Frozen):
         vectors: dict[str, Space] = {}
         for (name, arrow), found in sorted(self.bounds.items(), key=lambda item: item[0][1], reverse=True):
             _enter(scalars, vectors, name, arrow, found)
-        for name, value in self.defined.items():
-            (vectors if isinstance(value, Space) else scalars)[name] = value
-        return scalars, vectors
+        vectors |= {name: value for name, value in self.defined.items() if isinstance(value, Space)}
+        return scalars | {name: value for name, value in self.defined.items() if isinstance(value, Scalar)}, vectors
 
     def generator(self, name: str) -> str | None:
         """The generator that a printed symbol stands for, None if it is something composed."""
@@ -176,7 +178,7 @@ class Ground(Frozen):
         return None
 
 
-def _enter(scalars: dict, vectors: dict, name: str, arrow: bool, found: Bound) -> None:
+def _enter(scalars: dict[str, Scalar], vectors: dict[str, Space], name: str, arrow: bool, found: Bound) -> None:
     """An arrow's own meaning comes first for the vector, the plain symbol's for the scalar."""
     if found.kind in ("constant", "unknown", "defined here"):
         scalars[name] = symbol(f"{name} ")

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 from math import comb, prod
 
@@ -114,21 +115,26 @@ def _path(node: t.PathIntegral, ground: Ground) -> t.Node:
     scope = ground.scope
     force, path = value(node.integrand, scope), value(node.path, scope)
     along = _rate(path, ground)
-    if isinstance(force, Space) != isinstance(along, Space):
+    if isinstance(force, Space) and isinstance(along, Space):
+        return _injected(ground.motion.work(force.dot(along)), ground)
+    if isinstance(force, Space) or isinstance(along, Space):
         raise ReadError("a vector and a scalar are multiplied under the integral")
-    power = force.dot(along) if isinstance(force, Space) else force * along
-    return _injected(ground.motion.work(power), ground)
+    return _injected(ground.motion.work(force * along), ground)
 
 
 def _rate(found: Scalar | Space, ground: Ground) -> Scalar | Space:
     """d/dt. Raises Undecided for a quantity of which no rate is known."""
     settled = ground.motion.settled
-    if not isinstance(found, Space):
-        if len(found.num) > MOST_DERIVED:
-            raise LimitError(f"the derivative of an expression of more than {MOST_DERIVED} terms is not carried out")
-        return time_derivative(settled(found), ground.scope)
+    if isinstance(found, Scalar):
+        return _speed(found, ground)
     parts = {angle: settled(length) for angle, length in found.plane.parts.items()}
     return space_derivative(Space(Vector(parts), settled(found.z)), ground.scope)
+
+
+def _speed(found: Scalar, ground: Ground) -> Scalar:
+    if len(found.num) > MOST_DERIVED:
+        raise LimitError(f"the derivative of an expression of more than {MOST_DERIVED} terms is not carried out")
+    return time_derivative(ground.motion.settled(found), ground.scope)
 
 
 def _integral(node: t.Integral, ground: Ground) -> t.Node:
@@ -169,7 +175,7 @@ def _over(place: Scalar, inside: Scalar, lower: Scalar, upper: Scalar, ground: G
     begin = substitute(place, ground.scope.start)
     for first, last, sign in ((begin, place, 1), (place, begin, -1)):
         if is_zero(lower - first) and is_zero(upper - last):
-            return ground.motion.work(inside * _rate(place, ground)) * sign
+            return ground.motion.work(inside * _speed(place, ground)) * sign
     raise Undecided("the variable of this integral is no coordinate, and it does not go from the start to now")
 
 
@@ -237,11 +243,11 @@ def _without_mass(node: t.Node) -> t.Node:
 
 def _derivative(node: t.Deriv, ground: Ground) -> t.Node:
     if node.wrt == "t":
-        found = value(node.of, ground.scope)
+        whole = value(node.of, ground.scope)
         for _ in range(node.order):
-            found = _rate(found, ground)
-        return _injected(found, ground)
-    if node.wrt == "m" and isinstance(node.of, t.Vec) and (found := ground.bound(node.of.name)) and found.density:
+            whole = _rate(whole, ground)
+        return _injected(whole, ground)
+    if node.wrt == "m" and isinstance(node.of, t.Vec) and (bound := ground.bound(node.of.name)) and bound.density:
         return t.Vec(f"{node.of.name}/dm")
     name = ground.generator(node.wrt)
     if name is None:
@@ -252,7 +258,7 @@ def _derivative(node: t.Deriv, ground: Ground) -> t.Node:
     if rate is None:
         return replace(node, wrt=name, of=_injected(_function_of(name, found, ground), ground))
     for _ in range(node.order):  # with all that changes as the coordinate does
-        found = short(_rate(found, ground) / rate)
+        found = short(_speed(found, ground) / rate)
     return _injected(found, ground)
 
 
@@ -261,7 +267,7 @@ def _on_motion(found: Scalar, ground: Ground) -> Scalar:
     return ground.motion.moved(found) if names_in(found) & ground.motion.unsettled else found
 
 
-def _beside(found: Scalar, name: str, ground: Ground) -> set[str]:
+def _beside(found: Scalar, name: str, ground: Ground) -> frozenset[str] | set[str]:
     """What stands beside a coordinate and changes as it does; beside a parameter: speeds, which depend on it along the motion."""
     motion = ground.motion
     if name in motion.speeds:
@@ -335,8 +341,8 @@ def _size(node: t.Node, scope: Scope) -> int:
         found = scope.scalars.get(node.name)
         return 1 if found is None else max(1, len(found.num)) * len(found.den)
     if isinstance(node, t.Pow):
-        count, power = _size(node.base, scope), abs(number_of(node.exponent) or 1)
-        return comb(int(power) + count - 1, count - 1) if count < MOST_TERMS else count
+        count, power = _size(node.base, scope), int(abs(number_of(node.exponent) or Fraction(1)))
+        return comb(power + count - 1, count - 1) if count < MOST_TERMS else count
     sizes = [_size(part, scope) for part in t.children(node)]
     if isinstance(node, PRODUCTS):
         return min(prod(sizes), MOST_TERMS + 1)

@@ -51,7 +51,7 @@ def _claims_of(root: Table, file: str, name: str, *, binds: bool) -> ClaimsFile:
     _check_ids(claims)
     own = settings.get(WHOLE) or (next(iter(settings.values())) if len(settings) == 1 else None)
     words = (_title(root), root.string("source"), root.string("text"))
-    return ClaimsFile(name, *words, claims, file, root.source.index.text, own, unclaimed=unclaimed)
+    return ClaimsFile(name, *words, claims, file, root.source.text, own, unclaimed=unclaimed)
 
 
 def claims_within(root: Table, file: str, name: str) -> ClaimsFile | None:
@@ -59,7 +59,7 @@ def claims_within(root: Table, file: str, name: str) -> ClaimsFile | None:
     settings, rows = _settings(root), root.rows("claim", "claim")
     claims = tuple(_claim(row, settings) for row in rows)
     _check_ids(claims)
-    return ClaimsFile(name, "", "", "", claims, file, root.source.index.text) if claims else None
+    return ClaimsFile(name, "", "", "", claims, file, root.source.text) if claims else None
 
 
 def is_claims(path: Path) -> bool:
@@ -122,7 +122,7 @@ def _many(table: Table, key: str) -> tuple[Printed, ...]:
     """A text or a list of texts."""
     value = table.data.get(key, ())
     if isinstance(value, str):
-        return (_printed(table, key),)
+        return tuple(filter(None, [_printed(table, key)]))
     if not isinstance(value, (list, tuple)) or not all(isinstance(part, str) for part in value):
         raise table.value_error(key, f"“{key}” is a list of formulas in quotes")
     return tuple(Printed(part, table.source.value((*table.path, key, i))) for i, part in enumerate(value))

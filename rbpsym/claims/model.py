@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import StrEnum
+from typing import Any
 
 from rbpsym.errors import Place
 from rbpsym.expr.tree import Node
@@ -174,7 +175,7 @@ class Result(Frozen):
 TOLD = ("id", "number", "label", "line", "says", "note", "erratum")  # what a result repeats of its claim
 
 
-def told_of(claim: Claim) -> dict[str, object]:
+def told_of(claim: Claim) -> dict[str, Any]:
     """What a result repeats of its claim, with the file and line of the claim in its claims file."""
     declared = (claim.place.file, claim.place.line) if claim.place else ("", 0)
     return {**{key: getattr(claim, key) for key in TOLD}, "declared": declared}

@@ -75,7 +75,7 @@ def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
         return undecided("")
     kept = motion.kept if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else ()
     for pair, domain in with_energy((x, y), motion):
-        found = witness_of(*pair, motion.assumptions, [*domain, *kept])
+        found = witness_of(pair[0], pair[1], motion.assumptions, [*domain, *kept])
         if found.is_refuted:
             return found
     return undecided("")
@@ -97,7 +97,7 @@ def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
         x, y = (question.begin(value) for value in (a, b))
         if not holds_unknowns(x, question) and not holds_unknowns(y, question):
             found = witness_of(x, y, question.motion.assumptions)
-            if found.is_refuted:
+            if found.witness is not None:
                 return replace(found, witness=replace(found.witness, of=order))
         a, b = (question.rate(value) for value in (a, b))
     return undecided("")
@@ -110,7 +110,8 @@ def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
         found = _differ(x, y, question)
         if found.is_refuted:
             return found
-    return _differ(*(question.seen(question.rate(v), "start") for v in (a, b)), question)
+    rates = [question.seen(question.rate(value), "start") for value in (a, b)]
+    return _differ(rates[0], rates[1], question)
 
 
 def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -123,7 +124,7 @@ def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
     for pair, when in on_path((a, b), motion):
         if holds_unknowns(pair[0] - pair[1], question) or (not motion.is_free and any(map(_holds_speed, pair))):
             continue
-        found = witness_of(*pair, motion.assumptions, [*reachable(motion), *when], path=path)
+        found = witness_of(pair[0], pair[1], motion.assumptions, [*reachable(motion), *when], path=path)
         if found.is_refuted:
             return found
     return undecided("")
@@ -137,7 +138,7 @@ def _mixes_clock(gap: Scalar, motion: Motion) -> bool:
 
 def _is_speed(index: int) -> bool:
     name = atoms.symbol_name(index)
-    return bool(name) and name.endswith(("_dot", "_ddot"))
+    return name is not None and name.endswith(("_dot", "_ddot"))
 
 
 def carried_out(value: Scalar, question: Question) -> Scalar | None:
@@ -166,7 +167,7 @@ def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> 
         if any(map(_holds_speed, pair)) and not motion.is_free:
             return undecided("the sign of the difference is not known for the motion from the start")
         domain = [*(reachable(motion) if path.names else motion.kept), *when]
-        found = witness_of(*pair, motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs, path)
+        found = witness_of(pair[0], pair[1], motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs, path)
         if not found.is_refuted:
             found = _inside_ranges(pair, motion.assumptions, domain, signs, path)
         if found.is_refuted:
@@ -175,7 +176,7 @@ def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> 
 
 
 def _inside_ranges(
-    pair: tuple[Scalar, ...], assumptions: Assumptions, domain: list[Condition], signs: tuple, path: Path
+    pair: tuple[Scalar, ...], assumptions: Assumptions, domain: list[Condition], signs: tuple[int, ...], path: Path
 ) -> Verdict:
     """Where a name has a range between other quantities, numbers alone hardly meet it: at parts of that range."""
     for name, (lower, upper) in assumptions.ranges.items():
@@ -186,7 +187,7 @@ def _inside_ranges(
             moved = [Condition(c.node, c.op, substitute(c.value, image)) for c in domain]
             sides, way = [substitute(value, image) for value in pair], replace(path, at=image)
             found = witness_of(
-                *sides, assumptions.without(name), [*moved, condition], lambda x, y: sign_of(x - y) in signs, way
+                sides[0], sides[1], assumptions.without(name), [*moved, condition], lambda x, y: sign_of(x - y) in signs, way
             )
             if found.is_refuted:
                 return Verdict(Kind.REFUTED, reason=f"where {name} is {show(place)}: {found.witness}")

@@ -14,7 +14,7 @@ from contextlib import suppress
 from dataclasses import asdict
 from hashlib import blake2b
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rbpsym.claims.check import Checker, unread
 from rbpsym.claims.ground import Ground
@@ -28,11 +28,13 @@ from rbpsym.statement.source import did_you_mean
 
 if TYPE_CHECKING:
     from rbpsym.claims.diagnosis import Diagnosis
+    from rbpsym.quantity.problem import ProblemWorld
 
 MOST = 20_000
 MOST_DIAGNOSIS = 400_000  # of them for what a refuted relation means
 MOST_WORK = 200_000_000  # products of terms for a formula: a limit that is the same on every machine
 NAME = "certificates.json"
+Entry = dict[str, Any]  # a result as JSON
 _PACKAGE = Path(__file__).resolve().parent.parent
 
 
@@ -63,7 +65,7 @@ class Certificates(Frozen):
     folder: Path | None
     engine: str = ""
     draws: bool = False
-    entries: dict[str, dict] = field(default_factory=dict)
+    entries: dict[str, Entry] = field(default_factory=dict)
     new: list[str] = field(default_factory=list)
     notary: Callable[[Ground, Node, str], str] | None = None
 
@@ -108,7 +110,7 @@ class Certificates(Frozen):
                 waiting.unlink(missing_ok=True)
 
 
-def _loaded(path: Path) -> dict[str, dict]:
+def _loaded(path: Path) -> dict[str, Entry]:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -116,14 +118,14 @@ def _loaded(path: Path) -> dict[str, dict]:
     return found if isinstance(found, dict) else {}
 
 
-def _entry(result: Result) -> dict:
+def _entry(result: Result) -> Entry:
     kept = asdict(result)
     for key in ("cached", "seconds", "declared", "rocq"):
         kept.pop(key)
     return kept
 
 
-def _result(entry: dict) -> Result:
+def _result(entry: Entry) -> Result:
     links = tuple(Link(**{**link, "outcome": Outcome(link["outcome"])}) for link in entry["links"])
     return Result(**{**entry, "outcome": Outcome(entry["outcome"]), "links": links, "cached": True})
 
@@ -167,7 +169,7 @@ class Worlds(Frozen):
     """Worlds by name, each made once; `folder` is that of the claims file. `closed`: no file outside it is read."""
 
     folder: Path = Path()
-    problems: dict[str, World] = field(default_factory=dict)
+    problems: dict[str, ProblemWorld] = field(default_factory=dict)
     theories: dict[bool, World] = field(default_factory=dict)
     closed: bool = False
 
@@ -185,7 +187,7 @@ class Worlds(Frozen):
             self.theories[setting.fixed_axis] = TheoryWorld(setting.fixed_axis)
         return self.theories[setting.fixed_axis]
 
-    def problem(self, name: str, setting: Setting | None = None) -> World:
+    def problem(self, name: str, setting: Setting | None = None) -> ProblemWorld:
         """A problem by its name in the library or the path of its file, from the claims file's folder."""
         if name not in self.problems:
             from rbpsym.ask.asking import meant_by
@@ -200,7 +202,7 @@ class Worlds(Frozen):
         return self.problems[name]
 
 
-def phase_of(world: World, setting: Setting) -> World:
+def phase_of(world: ProblemWorld, setting: Setting) -> ProblemWorld:
     """The world of the phase of a setting; the whole problem's if it names none. Raises StatementError."""
     if not setting.phase:
         return world
@@ -259,10 +261,9 @@ class Remembering(Checker):
 
     def look_at(self, setting: Setting) -> None:
         """Raises ReadError or StatementError where the problem of a setting can't be read; one that could be is remembered."""
-        try:
+        parts: tuple[str | bytes, ...] = ()
+        with suppress(RbpsymError, OSError):
             parts = (self._problems(setting), setting.theory, setting.phase)
-        except (RbpsymError, OSError):
-            parts = ()
         if setting.problem and isinstance(self.world, Worlds) and self.world.closed:
             check_closed(problem_path(setting.problem, self.folder, setting), self.folder)
         key = digest(self.cache.engine, "read", *parts) if parts and self.cache.folder else ""
@@ -327,7 +328,7 @@ def check_paper(
     own = {file.file: checker(file, cache) for file in files}
     here = Remembering(Worlds(folder, closed=True), _diagnosed, draws=cache.draws, cache=cache, folder=folder)
     said = beside(paper, folder)
-    checkers = {claim.id: own[file.file] for file in files for claim in file.claims}
+    checkers: dict[str, Checker] = {claim.id: own[file.file] for file in files for claim in file.claims}
     checkers |= {claim.id: here for _, claim in said.pairs}
     claims = [claim for file in files for claim in file.claims]
     known = [(own[file.file], file.setting) for file in files] + [(here, scope.setting) for scope in said.scopes]

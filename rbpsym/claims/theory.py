@@ -8,7 +8,7 @@ body of three particles.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from rbpsym import quantities as dimensions
 from rbpsym.chapters import theory_ground as theory
@@ -188,6 +188,10 @@ class TheoryWorld(Frozen):
         """The same theory of a body of three particles."""
         return replace(self, particles=True, shared={})
 
+    def again(self, bound: Bound) -> Bound:
+        """What a phrase of this theory means on the second road."""
+        return self.second_road.bound(next(phrase for phrase, found in self.shared.items() if found is bound))
+
 
 ELEMENT = Space(cartesian(theory.XI, theory.ETA))
 
@@ -210,19 +214,23 @@ def _velocity_of_element(world: TheoryWorld) -> Space:
     return world.velocity + Space(z=OMEGA).cross(ELEMENT)
 
 
-def _works() -> dict[str, object]:
+def _works() -> dict[str, Callable[[TheoryWorld], Bound]]:
     """work of all forces; translational and rotational work of some of them."""
     forces = {f"the {which} forces": which for which in ("conservative", "non-conservative")}
     forces |= {"the forces": "all", "a force": "conservative"}
     tails = {"": "both", ", translational": "translational", ", rotational": "rotational"}
+
+    def work(which: str, part: str) -> Callable[[TheoryWorld], Bound]:
+        return lambda w: number(w.motion.work(w.power(which, part)))
+
     return {
-        f"work of {words}{tail}": lambda w, which=which, part=part: number(w.motion.work(w.power(which, part)))
+        f"work of {words}{tail}": work(which, part)
         for words, which in forces.items()
         for tail, part in tails.items()
     }
 
 
-PHRASES: Mapping[str, object] = {
+PHRASES: Mapping[str, Callable[[TheoryWorld], Bound]] = {
     "mass": lambda w: number(MASS),
     "moment of inertia about the centre of mass": lambda w: number(MOMENT),
     "moment of inertia about the axis": lambda w: number(_about_axis(w)),
@@ -250,7 +258,7 @@ PHRASES: Mapping[str, object] = {
     "kinetic energy, translational": lambda w: number(_kinetic(w, "translational")),
     "kinetic energy, rotational": lambda w: number(_kinetic(w, "rotational")),
     "kinetic energy about the axis": lambda w: number(_about_axis(w) * OMEGA * OMEGA / 2),
-    "rotational work about the axis": lambda w: number(w.motion.work(_torque(w, False).scalar * OMEGA)),
+    "rotational work about the axis": lambda w: number(w.motion.work(_torque(w, False).number * OMEGA)),
     "magnitude of position of a mass element": lambda w: replace(plane(w.place + ELEMENT), vector=None),
     "potential energy": lambda w: number(symbol("E_p")),
     "a constant": lambda w: Bound(kind="constant"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, replace
+from typing import Any
 
 from rbpsym.expr.tree import Node
 
@@ -23,8 +24,8 @@ def sites(node: Node, path: Path = ()) -> Iterator[tuple[Path, Node]]:
                     yield from sites(part, (*path, (item.name, place)))
 
 
-def put(node: Node, path: Path, new: Node) -> Node:
-    """The formula with another part at the end of the path."""
+def put(node: Node, path: Path, new: Node) -> Any:
+    """The formula with another part at the end of the path; of the kind of the whole, if the path leads into it."""
     if not path:
         return new
     (name, place), rest = path[0], path[1:]

@@ -135,9 +135,12 @@ class World(Protocol):
     `dimensions` are those of the generators of its values.
     """
 
-    motion: Motion
-    symbols: Mapping[str, str]
-    dimensions: Mapping[str, Dimension]
+    @property
+    def motion(self) -> Motion: ...
+    @property
+    def symbols(self) -> Mapping[str, str]: ...
+    @property
+    def dimensions(self) -> Mapping[str, Dimension]: ...
 
     def bound(self, phrase: str) -> Bound:
         """What a phrase means. Raises StatementError with what is known for one that means nothing."""

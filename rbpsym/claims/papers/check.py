@@ -34,6 +34,9 @@ class Pair(Frozen):
     claim: Claim | None
 
 
+Taken = dict[Formula, Claim]
+
+
 def bound(paper: Paper, claims: Iterable[Claim], beside: Iterable[tuple[Formula, Claim]] = ()) -> list[Pair]:
     """Formulas and claims in the order of the paper, those that are `beside` their formulas among them.
 
@@ -58,10 +61,10 @@ def _asserting(paper: Paper) -> Iterator[Formula]:
 
 def _offset(pair: Pair, paper: Paper) -> int:
     """Where the formula stands in the text, or the line of a claim in words in its first file."""
-    return pair.formula.offset if pair.formula else paper.text.offset(pair.claim.line)
+    return pair.formula.offset if pair.formula else paper.text.offset(pair.claim.line if pair.claim else 0)
 
 
-def _displayed(claim: Claim, paper: Paper, taken: dict, *tests: Callable[[Formula], bool]) -> Formula | None:
+def _displayed(claim: Claim, paper: Paper, taken: Taken, *tests: Callable[[Formula], bool]) -> Formula | None:
     """The first free displayed formula that passes the first test that any of them passes."""
     if claim.printed is None or not (claim.number or claim.label):
         return None
@@ -69,7 +72,7 @@ def _displayed(claim: Claim, paper: Paper, taken: dict, *tests: Callable[[Formul
     return next((f for test in tests for f in free if test(f)), None)
 
 
-def _labelled(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+def _labelled(claim: Claim, paper: Paper, taken: Taken) -> Formula | None:
     """By the label, and the number if the label is given twice."""
     if not claim.label:
         return None
@@ -77,40 +80,39 @@ def _labelled(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
     return _displayed(claim, paper, taken, *named)
 
 
-def _same(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+def _same(claim: Claim, paper: Paper, taken: Taken) -> Formula | None:
     """Without a label: the same formula, if it can be with the same number."""
     wanted = plain(claim.printed.latex) if claim.printed else ""
     alike = (lambda f: f.number == claim.number and plain(f.latex) == wanted, lambda f: plain(f.latex) == wanted)
     return None if claim.label else _displayed(claim, paper, taken, *alike)
 
 
-def _numbered(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+def _numbered(claim: Claim, paper: Paper, taken: Taken) -> Formula | None:
     """Without a label: the formula of that number."""
     return None if claim.label else _displayed(claim, paper, taken, lambda f: f.number == claim.number)
 
 
-def _inline(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+def _inline(claim: Claim, paper: Paper, taken: Taken) -> Formula | None:
     """The same formula, in the nearest line."""
-    if not _is_inline(claim):
+    if (wanted := _inline_text(claim)) is None:
         return None
-    wanted = plain(claim.printed.latex)
     same = [f for f in _asserting(paper) if f not in taken and plain(f.latex) == wanted]
     return min(same, key=lambda f: abs(f.line - claim.line), default=None)
 
 
-def _changed(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+def _changed(claim: Claim, paper: Paper, taken: Taken) -> Formula | None:
     """The formula near the claim's line that is most like it, much like it or in that very line: it was changed."""
-    if not _is_inline(claim) or claim.says:
+    if (wanted := _inline_text(claim)) is None or claim.says:
         return None
-    wanted = plain(claim.printed.latex)
     near = [f for f in _asserting(paper) if f not in taken and f.is_relation and abs(f.line - claim.line) <= NEAR]
     ranked = [(SequenceMatcher(None, plain(f.latex), wanted).ratio(), f.line == claim.line, f) for f in near]
     likeness, same, formula = max(ranked, key=lambda item: item[:2], default=(0.0, False, None))
     return formula if likeness >= LIKENESS or same else None
 
 
-def _is_inline(claim: Claim) -> bool:
-    return claim.printed is not None and not claim.number and not claim.label
+def _inline_text(claim: Claim) -> str | None:
+    """Its formula, if that has neither number nor label."""
+    return plain(claim.printed.latex) if claim.printed is not None and not claim.number and not claim.label else None
 
 
 def plain(latex: str) -> str:
@@ -160,8 +162,8 @@ class PaperChecker(Frozen):
         """The results in the paper's order."""
         for pair in pairs:
             if pair.claim:
-                yield self.result(pair)
-            elif self.judged:
+                yield self.result(pair.claim, pair.formula)
+            elif self.judged and pair.formula:
                 yield self._without_claim(pair.formula)
 
     def scope(self, formula: Formula) -> Scope | None:
@@ -175,9 +177,8 @@ class PaperChecker(Frozen):
         found = own or self.scopes
         return found[0] if len(found) == 1 else None
 
-    def result(self, pair: Pair) -> Result:
+    def result(self, claim: Claim, formula: Formula | None) -> Result:
         """The result of a claim with the paper's own formula."""
-        claim, formula = pair.claim, pair.formula
         if formula is None:
             return self._only_claimed(claim)
         try:

@@ -13,6 +13,7 @@ from bisect import bisect_left
 from collections.abc import Iterator, Mapping
 from itertools import islice, takewhile
 from pathlib import Path
+from typing import Any
 
 from rbpsym.claims.ground import glossary
 from rbpsym.claims.loader import HOLDS
@@ -83,10 +84,11 @@ class _Reader:
             return
         keyed = _KEY.fullmatch(said)
         key = keyed["key"].replace(" ", "_") if keyed else ""
+        value = keyed["value"] if keyed else ""
         if key in OF_CLAIM and self.latest:
-            self._add(note, key, keyed["value"])
+            self._add(note, key, value)
         elif key in OF_SETTING:
-            self._set(note, key, keyed["value"])
+            self._set(note, key, value)
         elif meaning := _MEANING.fullmatch(said):
             self._mean(note, meaning["symbol"], meaning["phrase"])
         else:
@@ -97,12 +99,14 @@ class _Reader:
         """What a key says of the formulas that follow; a problem or theory begins anew."""
         if key in ("problem", "theory"):
             name = f"{note.place.file}:{note.place.line}"
-            made = Setting(name, place=note.place, **{key: self._inside(note, value) if key == "problem" else value})
+            problem, theory = (self._inside(note, value), "") if key == "problem" else ("", value)
+            made = Setting(name, problem, theory, place=note.place)
         elif key == "given":
             self._given(note, value)
             return
         else:
-            made = replace(self._current(note), **{key: value if key == "phase" else value == "true"})
+            now = self._current(note)
+            made = replace(now, phase=value) if key == "phase" else replace(now, fixed_axis=value == "true")
         self.latest.clear()
         self.scopes.append(Scope(note.offset, made))
 
@@ -167,9 +171,10 @@ class _Reader:
         start = bisect_left(self.offsets, note.offset)
         behind = (f for f in islice(self.paper.formulas, start, None) if f.displayed is not inline and f.is_relation)
         first = next(behind, None)
-        whole = first is not None and first.block >= note.offset and not inline
-        rest = takewhile(lambda f: f.block == first.block, behind) if whole else ()
-        return [first, *rest] if first else []
+        if first is None:
+            return []
+        block, whole = first.block, first.block >= note.offset and not inline
+        return [first, *(takewhile(lambda f: f.block == block, behind) if whole else ())]
 
     def _add(self, note: Note, key: str, value: str) -> None:
         """What is said of the claim above. Raises ReadError for a word that it can't have."""
@@ -178,7 +183,7 @@ class _Reader:
             raise ReadError(f"“{key}” can't be “{value[:40]}”", instead=did_you_mean(value, words, "words"), place=note.place)
         for place in self.latest:
             formula, claim = self.found[place]
-            said = Printed(self._own(note, value), note.place) if key == "right" else value
+            said: Any = Printed(self._own(note, value), note.place) if key == "right" else value
             self.found[place] = formula, replace(claim, **{key: said})
 
     def claims(self) -> Iterator[tuple[Formula, Claim]]:

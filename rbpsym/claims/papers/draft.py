@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from itertools import islice, product
+from typing import Any
 
 from rbpsym.claims.check import Checker
 from rbpsym.claims.ground import name_of
@@ -22,7 +23,7 @@ from rbpsym.expr.latex.names import drawn_name
 from rbpsym.expr.latex.reader import latex_ways
 from rbpsym.expr.symbol_table import Drawn, SymbolTable
 from rbpsym.frozen import Frozen, replace
-from rbpsym.quantity.bound import World
+from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 
@@ -43,7 +44,7 @@ USUAL = {  # what a letter usually means; C is a coordinate, B a body
 class _Any(dict[Drawn, tuple[str, ...]]):
     """A table in which every drawn letter has a name; words in a sentence have none."""
 
-    def get(self, drawn: Drawn, default: tuple[str, ...] = ()) -> tuple[str, ...]:
+    def get(self, drawn: Drawn, default: Any = ()) -> Any:
         unit = drawn in [Drawn(base, accent="hat") for base in "ijk"]
         return default if unit or drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) else (name_of(drawn),)
 
@@ -66,8 +67,8 @@ def symbols_of(formula: Formula, paper: Paper) -> tuple[str, ...]:
         trees = latex_ways(latex, ANY, whole=True).trees
     except RbpsymError:
         return ()
-    parts = (node for node in t.walk(trees[0]) if isinstance(node, (t.Sym, t.Vec)) and node.span and node.name != "pi")
-    return tuple(dict.fromkeys(latex[slice(*node.span)].strip() for node in parts))
+    parts = (node for node in t.walk(trees[0]) if isinstance(node, (t.Sym, t.Vec)) and node.name != "pi")
+    return tuple(dict.fromkeys(latex[slice(*node.span)].strip() for node in parts if node.span))
 
 
 def sections(paper: Paper) -> list[Paper]:
@@ -102,7 +103,7 @@ def _likely(paper: Paper, symbols: set[str]) -> list[str]:
     def likeness(name: str) -> float:
         problem = load_problem(problem_files()[name])
         told = set(_words(f"{name} {problem.title.get('en', '')}"))
-        own = {quantity.name for quantity in (*problem.parameters, *problem.coordinates)}
+        own = {quantity.name for quantity in problem.parameters} | {coordinate.name for coordinate in problem.coordinates}
         return 3 * len(told & words) / max(len(told), 1) + len(own & letters) / max(len(own), 1)
 
     return sorted(problem_files(), key=lambda name: (-likeness(name), name))[:MOST_PROBLEMS]
@@ -113,12 +114,12 @@ def _words(text: str) -> list[str]:
     return [word for word in re.findall(r"[a-z]{3,}", text.lower()) if word not in _EMPTY]
 
 
-def _fit(name: str, tried: list, paper: Paper, worlds: Worlds, left: list[int]) -> Fit:
+def _fit(name: str, tried: list[tuple[Formula, tuple[str, ...]]], paper: Paper, worlds: Worlds, left: list[int]) -> Fit:
     """What of the text holds in one problem; a symbol keeps the meaning with which a display was proved first."""
     known: dict[str, str] = {}
     held: list[Formula] = []
     try:
-        world = worlds(Setting(name, problem=name))
+        world = worlds.problem(name)
     except RbpsymError:
         return Fit(name, {}, ())
     for formula, symbols in tried:
@@ -132,7 +133,7 @@ def _fit(name: str, tried: list, paper: Paper, worlds: Worlds, left: list[int]) 
     return Fit(name, known, tuple(held))
 
 
-def _meanings(symbol: str, world: World, known: Mapping[str, str]) -> list[str]:
+def _meanings(symbol: str, world: ProblemWorld, known: Mapping[str, str]) -> list[str]:
     """What a symbol may mean in a problem: its own name, what such a letter usually means, another name."""
     if symbol in known:
         return [known[symbol]]
@@ -140,15 +141,15 @@ def _meanings(symbol: str, world: World, known: Mapping[str, str]) -> list[str]:
     if found in (own := _own(world)):
         return [own[found]]
     patterns = USUAL.get(found[0].base, ()) if found else ()
-    slots = [("C", c) for c in world.study.system.independent] or [("C", "")]
+    coordinates = world.study.system.independent or ("",)
     usual = [
         re.sub(r"\bC\b", coordinate, re.sub(r"\bB\b", body, pattern))
-        for pattern in patterns for _, coordinate in slots for body in world.study.system.bodies
+        for pattern in patterns for coordinate in coordinates for body in world.study.system.bodies
     ]  # fmt: skip
     return list(dict.fromkeys(usual)) or [q.name for q in world.study.problem.parameters]
 
 
-def _own(world: World) -> dict[tuple[Drawn, bool] | None, str]:
+def _own(world: ProblemWorld) -> dict[tuple[Drawn, bool] | None, str]:
     r"""What the problem's own symbols are called, by how they are drawn: \dot\theta and \dot{\theta} are one."""
     return {drawn_name(latex): name for latex, name in world.symbols.items()}
 
@@ -172,7 +173,7 @@ def _of_section(paper: Paper, worlds: Worlds) -> list[tuple[Formula, list[str]]]
     best, *others = fits(paper, worlds) or [Fit("", {}, ())]
     if len(best.formulas) < min(FEW, len(displays)):  # one display alone is true of too many problems
         best, others = Fit("", {}, ()), [best, *others]
-    own = _own(worlds(Setting(best.problem, problem=best.problem))) if best.problem else {}
+    own = _own(worlds.problem(best.problem)) if best.problem else {}
     bound = best.symbols.items()
     head = [f": problem = {best.problem}"] if best.problem else ["? problem = NAME"]
     head += [f": {symbol} is the {phrase}" for symbol, phrase in bound if own.get(drawn_name(symbol)) != phrase]

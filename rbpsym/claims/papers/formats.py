@@ -10,6 +10,7 @@ import html
 import json
 import re
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from rbpsym.claims.papers.marks import NOTE, NOTE_END, SPAN, Marked, blank, comment, display, displays, noted
 from rbpsym.claims.papers.typst import of_typst
@@ -123,7 +124,7 @@ def _of_html(text: str) -> str:
 def _html_piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
     if found["comment"]:
         return _commented(text, found.end())
-    name = re.match(r"\w*", found["tag"])[0].lower()
+    name = re.split(r"\W", found["tag"], maxsplit=1)[0].lower()
     if name not in ("script", "style", "pre", "code"):
         return blank(found[0]), found.end()
     closed = text.closing(rf"</{name}\s*+>", found.end(), len(text.text)) or (found.end(), found.end())
@@ -175,7 +176,7 @@ def _of_notebook(text: str, file: str) -> Lines:
     return [(number, line) for (number, _), line in zip(found, plain, strict=True)]
 
 
-def _told(part: Mapping) -> list[str]:
+def _told(part: Mapping[str, Any]) -> list[str]:
     """What the metadata of a notebook or of a cell say to us, `"rbpsym": "claim"` or a list, as comments."""
     said = part.get("metadata", {}).get("rbpsym", [])
     lines = [said] if isinstance(said, str) else said

@@ -41,7 +41,7 @@ def definitions(text: str) -> tuple[dict[str, Macro], str, list[tuple[int, str]]
     """(macros by command, the text with the definitions blanked out, where a definition is never closed: it is left out)."""
     found: dict[str, Macro] = {}
     faults: list[tuple[int, str]] = []
-    position, pieces = 0, []
+    position, pieces = 0, list[str]()
     while (head := _HEAD.search(text, position)) is not None:
         name = next(filter(None, (head[place] for place in NAMES)))
         try:
@@ -168,15 +168,19 @@ def _filled(macro: Macro, arguments: list[str]) -> str:
 def _arguments(latex: str, position: int, macro: Macro) -> tuple[list[str], int]:
     found: list[str] = []
     if macro.called:
-        return _in_parentheses(latex, re.compile(r"\s*").match(latex, position).end(), macro.count)
+        return _in_parentheses(latex, _behind_blanks(latex, position), macro.count)
     for place in range(macro.count):
-        blank = re.compile(r"\s*").match(latex, position).end()
+        blank = _behind_blanks(latex, position)
         if place == 0 and macro.default is not None:
             value, position = _optional(latex, blank, macro.default)
         else:
             value, position = _required(latex, blank)
         found.append(value)
     return found, position
+
+
+def _behind_blanks(latex: str, position: int) -> int:
+    return position + len(latex[position:]) - len(latex[position:].lstrip())
 
 
 def _in_parentheses(latex: str, start: int, count: int) -> tuple[list[str], int]:

@@ -7,8 +7,9 @@ from bisect import bisect_right
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from rbpsym.claims.papers.formats import LATEX, NOTE, NOTE_END, lines_of
+from rbpsym.claims.papers.formats import LATEX, lines_of
 from rbpsym.claims.papers.macros import site_macros
+from rbpsym.claims.papers.marks import NOTE, NOTE_END
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
 from rbpsym.frozen import Frozen
 from rbpsym.statement.files import latin_or_utf8_in
@@ -135,7 +136,7 @@ class _Files:
         for number, raw in lines_of(self._content(path), file, ending):
             if len(raw) > MAX_LINE:
                 raise LimitError(f"a line of more than {MAX_LINE} characters", place=Place(str(path), number))
-            said, line, begin = (), raw, 0
+            said, line, begin = tuple[str, ...](), raw, 0
             if NOTE in raw:
                 said, line = tuple(note[1] for note in _NOTE.finditer(raw)), _NOTE.sub("", raw)
             if "%" in line:

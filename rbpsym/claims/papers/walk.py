@@ -112,7 +112,8 @@ class _Walker:
             elif sub:
                 self.counters.group(sub == "begin")
             elif name:
-                position = _ARGUMENTS.match(self.text, position).end() if name in ARGUED else position
+                arguments = _ARGUMENTS.match(self.text, position) if name in ARGUED else None
+                position = arguments.end() if arguments else position
                 end, behind, fault = self._end(found, *_ends_of(name + star))
                 if fault:
                     yield self._formula(position, end, "", True, fault=fault)
