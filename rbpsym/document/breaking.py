@@ -150,7 +150,7 @@ NUMBER = 6.0  # em: what the number at the right takes, the box, and the room be
 
 def reason_fits(block: Display, notation: Notation, column: float) -> bool:
     """Is there room for the reason beside the formula (with the number at the right)?"""
-    used = widest(display_lines(block, notation, column)) + 0.9 * text_width(block.reason, notation)
+    used = widest(display_lines(block, notation, column)) + 0.9 * text_width(block.reason or (), notation)
     return used + 5.0 <= 0.92 * column
 
 

@@ -13,7 +13,7 @@ from rbpsym.document.needless import is_still
 from rbpsym.document.notes_figures import figure_label, free_bodies_figure, free_bodies_label, is_drawn_beside
 from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
-from rbpsym.proof.assertions import Said
+from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import Derivation, Step
 
 ORDER = (
@@ -139,7 +139,7 @@ def _inertia(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
         yield from _intro("inertia", derivation, said)
     teller, before = telling.Teller(said), set()
     for step in steps:
-        road = step.statement.items[2:] if step.phrase.startswith("inertia.integral") and not said.is_full else ()
+        road = t.rows(step.statement)[0].items[2:] if step.phrase.startswith("inertia.integral") and not said.is_full else ()
         yield from teller.step(replace(step, statement=ends(step.statement), phrase=ALIKE) if road in before else step)
         before |= {road} if road else set()
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from rbpsym.decide.verdict import Verdict
 from rbpsym.document.language import usual_notation
-from rbpsym.document.model import Block, Display, Document, Inlines, Paragraph, Section, Strong, Text, words
+from rbpsym.document.model import Block, Callout, Display, Document, Inlines, Paragraph, Section, Strong, Text, words
 from rbpsym.document.notes import notation_of, shown_steps, words_of
 from rbpsym.document.notes_checks import checks_section, results_section
 from rbpsym.document.notes_statement import statement_section
@@ -20,7 +20,7 @@ from rbpsym.document.writers.page import body, page_for
 from rbpsym.expr.glyphs import DEFAULT, Notation, notation_for
 from rbpsym.expr.tree import Node
 from rbpsym.mechanics.study import Study
-from rbpsym.proof.step import UNCHECKED, Derivation, DerivedCourse, Excerpt, Lesson, Step
+from rbpsym.proof.step import UNCHECKED, Certificate, Derivation, DerivedCourse, Excerpt, Lesson, Step
 from rbpsym.statement.model import Problem
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.text import to_text
@@ -108,15 +108,15 @@ def verdict_words(verdict: Verdict) -> Inlines:
 def step_blocks(step: Step) -> tuple[Block, ...]:
     """The formula of a step, and what became of its check."""
     shown = Display(step.statement, "", False, step.is_result)
-    return (shown,) if step.certificate is UNCHECKED else (shown, Paragraph(checked(step)))
+    return (shown,) if step.certificate is UNCHECKED else (shown, Paragraph(checked(step.certificate)))
 
 
-def checked(step: Step) -> Inlines:
+def checked(certificate: Certificate) -> Inlines:
     """The verdict on a step and the ways in which it was checked."""
     language = spoken()
-    names = [name for name in step.certificate.checks if has_phrase(f"checked.{name}", language)]
+    names = [name for name in certificate.checks if has_phrase(f"checked.{name}", language)]
     told = [part for name in names for part in (Text(" "), *phrase(f"checked.{name}", language))]
-    verdict = step.certificate.verdict
+    verdict = certificate.verdict
     if not verdict.is_proved or not told:
         return verdict_words(verdict)
     return (Strong(capital(phrase(f"verdict.{verdict.kind}", language))), Text("."), *told)
@@ -133,14 +133,14 @@ def of_problem(problem: Problem) -> Bundle:
 def of_derivation(derivation: Derivation) -> Bundle:
     """The results, and what was proved by which roads."""
     said = words_of(derivation, shown_steps(derivation, "standard"), spoken())
-    results = (block for section in results_section(derivation, said, 1) for block in section.blocks)
-    results = tuple(_without_reasons(block) for block in results)
+    shown = (block for section in results_section(derivation, said, 1) for block in section.blocks)
+    results = [_without_reasons(block) for block in shown if isinstance(block, Callout)]
     checks = checks_section(derivation, said, 1, None).blocks
     problem = derivation.study.problem
     return fragment((*results, *checks), said.notation, words(said.title(problem.title)))
 
 
-def _without_reasons(block: Block) -> Block:
+def _without_reasons(block: Callout) -> Callout:
     """A callout of results whose numbers stand on no page here."""
     plain = (replace(one, reason=None, repeats=None) if isinstance(one, Display) else one for one in block.blocks)
     return replace(block, blocks=tuple(plain))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
+from typing import Any
 
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
@@ -60,11 +61,11 @@ def _is_rest(step: Step) -> bool:
 # --- under which conditions the formulas on a page hold: their own open obligations, and those of what is not shown
 
 
-def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Node, ...]]:
+def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Any, ...]]:
     """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on. What the
     page has said is not said again, but where it was said of another case."""
     by_id = {step.id: step for step in steps}
-    found: dict[str, tuple[Node, ...]] = {}
+    found: dict[str, tuple[Any, ...]] = {}
     told: list[tuple[tuple[Node, ...], set[Node]]] = []
     for id in (id for id in by_id if id in shown):
         own = merged(_open(by_id, by_id[id], shown))
@@ -75,7 +76,7 @@ def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Node, 
     return {id: nodes for id, nodes in found.items() if nodes}
 
 
-def _are_cases(one: tuple[Node, ...], other: tuple[Node, ...]) -> bool:
+def _are_cases(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
     """Whether something is positive in the one that is negative in the other."""
     signs = {node.items[0] for node in one if node.ops == (">",)}
     return any(t.neg(node.items[0]) in signs for node in other if node.ops == (">",))
@@ -93,12 +94,11 @@ def _in_its_words(step: Step) -> set[Node]:
 def _open(by_id: Mapping[str, Step], step: Step, shown: Set[str]) -> list[Node]:
     found = [duty.relation for duty in step.certificate.verdict.open_obligations]
     if step.is_result:
-        hidden, seen = [id for id in step.premises if id in by_id and id not in shown], set()
+        hidden, seen = [id for id in step.premises if id in by_id and id not in shown], set[str]()
         while hidden:
             id = hidden.pop()
-            if id not in seen:
+            if id not in seen and (certificate := by_id[id].certificate):
                 seen.add(id)
-                verdict = by_id[id].certificate.verdict
-                found += [duty.relation for duty in verdict.open_obligations]
+                found += [duty.relation for duty in certificate.verdict.open_obligations]
                 hidden += [more for more in by_id[id].premises if more in by_id and more not in shown]
     return found

@@ -143,8 +143,8 @@ def problem_sections(
 def _curves(derivation: Derivation, said: Words, level: int, told: Iterable[Told]) -> Section:
     """The formulas as curves; a sentence where numpy, which draws them, is not there (in a browser)."""
     if find_spec("numpy") is None:
-        told = Paragraph(said.say("plots.none.numpy"))
-        return Section(said.say("plots.title"), (told,), said.prefix + "section.plots", level)
+        why = Paragraph(said.say("plots.none.numpy"))
+        return Section(said.say("plots.title"), (why,), said.prefix + "section.plots", level)
     from rbpsym.document.notes_plots import plots_section
 
     return plots_section(derivation, said, level, () if said.is_full else told)
@@ -181,7 +181,7 @@ def course_notes(
     derived: DerivedCourse, language: str = "en", detail: str = "standard", *, plots: bool = False
 ) -> Document:
     """The notes of a course: theory, problems and comparisons in its order, with curves if `plots` are wanted."""
-    course, sections, problems = derived.course, [], []
+    course, sections, problems = derived.course, list[Section](), list[Live]()
     said = Words(language)
     for place, part in enumerate(course.parts, 1):
         prefix = f"p{place}."
@@ -215,10 +215,10 @@ def _part_sections(
     plots = plots and part.plots
     if part.kind == "problem":
         derivation = derived.derivations[part.name]
-        title = said.title(part.title or derivation.study.problem.title)
+        title = words(said.title(part.title or derivation.study.problem.title))
         level = part.detail or detail if detail == "standard" else detail
         found = problem_sections(derivation, said.language, level, prefix, 2, CHECKS, plots=plots)
-        return [Section(words(title), own, prefix + "part", 1), *found]
+        return [Section(title, own, prefix + "part", 1), *found]
     if part.kind == "remark":
         title = words(said.title(part.title)) if part.title else said.say("section.introduction")
         return [Section(title, own, prefix + "part", 1)]
@@ -227,9 +227,10 @@ def _part_sections(
     title = words(said.title(part.title)) if part.title else first.title
     drawn: Iterable[Block] = ()
     if part.kind == "comparison" and plots:
-        pair = (derived.derivations[name] for name in (part.first, part.second))
-        speech = Words(said.language, _about(derived, lesson).study.problem, prefix)
-        drawn = compared_figure(*pair, part.coordinate, speech)
+        one, other = (derived.derivations[name] for name in (part.first, part.second))
+        about = _about(derived, lesson)
+        speech = Words(said.language, about.study.problem if about else None, prefix)
+        drawn = compared_figure(one, other, part.coordinate, speech)
     return [replace(first, title=title, blocks=(*own, *first.blocks, *drawn)), *rest]
 
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 from math import floor, log10
+from typing import Any
 
 from rbpsym.chapters.methods.registry import METHODS
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.needless import is_still
 from rbpsym.document.words import Words, capital, sentences
 from rbpsym.expr.tree import Node, Num, Pow
-from rbpsym.proof.assertions import Said
+from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.remarks.choosing import remarks
 
@@ -72,7 +73,7 @@ def _behind(block: Block, about: Mapping[str, tuple[list[Step], Words]]) -> Iter
             yield from _remarked(found, said)
 
 
-def _distinct(found: list[tuple[Words, Step, Iterable[Step]]]) -> Iterator[tuple[Step, Words, Iterable[Step]]]:
+def _distinct(found: Sequence[tuple[Words, Step, Iterable[Step]]]) -> Iterator[tuple[Step, Words, Iterable[Step]]]:
     seen = []
     for speech, step, about in found:
         if step.statement not in seen:
@@ -121,8 +122,9 @@ def left_out(skipped: Skipped, said: Words) -> Inlines:
 
 def course_checks_section(derived: DerivedCourse, said: Words, label: str, detail: str) -> Section:
     """What was proved in the whole course, and how; if all of it is, a table tells that in full notes alone."""
-    steps = [step for part in (*derived.derivations.values(), *derived.lessons.values()) for step in part.steps]
-    kinds = Counter(str(step.certificate.verdict.kind).lower() for step in steps)
+    steps = [step for part in derived.derivations.values() for step in part.steps]
+    steps += [step for lesson in derived.lessons.values() for step in lesson.steps]
+    kinds = Counter(str(step.certificate.verdict.kind).lower() for step in steps if step.certificate)
     counts = {name: kinds[name] for name in ("proved", "refuted", "undecided")}
     is_short = kinds["proved"] == len(steps) and detail != "full"
     key = "checks.course_short" if is_short else "checks.course" if kinds["proved"] == len(steps) else "checks.some"
@@ -134,7 +136,7 @@ def course_checks_section(derived: DerivedCourse, said: Words, label: str, detai
 def checks_table(steps: Iterable[Step], said: Words) -> Table:
     """How steps were checked, and how many in each way."""
     steps = tuple(steps)
-    counts = Counter(name for step in steps for name in step.certificate.checks)
+    counts = Counter(name for step in steps if step.certificate for name in step.certificate.checks)
     rows = tuple(
         (said.say(f"checked.{name}"), words(str(count)))
         for name, count in counts.items()
@@ -145,7 +147,7 @@ def checks_table(steps: Iterable[Step], said: Words) -> Table:
     return Table(header, rows, caption, "lr", said.prefix + "table.checks")
 
 
-def _methods(summary: dict, said: Words, ground: Said) -> Iterator[Inlines]:
+def _methods(summary: Mapping[str, Any], said: Words, ground: Any) -> Iterator[Inlines]:
     relative = any(step.phrase == "energy.relative" for step in ground.steps)
     keys = ["energy_relative" if relative and name == "energy" else name for name in summary["methods"]]
     names = [said.say(f"method.{key}") for key in keys]
@@ -153,7 +155,7 @@ def _methods(summary: dict, said: Words, ground: Said) -> Iterator[Inlines]:
         yield said.say("checks.methods", ground=ground, methods=names)
 
 
-def _oracles(summary: dict, said: Words, ground: Said) -> Iterator[Inlines]:
+def _oracles(summary: Mapping[str, Any], said: Words, ground: Said) -> Iterator[Inlines]:
     if summary["lagrange"]:
         yield said.say(f"checks.lagrange.{summary['lagrange']}", ground=ground)
     if summary["simulation"]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from rbpsym.chapters.endings import begun
 from rbpsym.document.model import Inlines
@@ -27,7 +28,7 @@ def phase_sentences(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
 def _begins(phase: Phase, before: Problem, pose: DrawnPose, said: Words) -> Inlines:
     """At which event."""
     subject = next((e for e in (phase.gap, *before.constraints) if e is not None and e.name == phase.subject), None)
-    slots = {} if subject is None else touched(subject, pose, said)
+    slots: dict[str, Any] = {} if subject is None else touched(subject, pose, said)
     if phase.subject:
         slots |= {"force": _letter(subject) if subject else (), "coordinate": t.Sym(phase.subject)}
     name = said.say("statement.phase", name=said.named(phase.name))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from rbpsym.decide.signs import sign
 from rbpsym.document.model import FigureBlock, Inlines, Text
@@ -48,26 +49,16 @@ def sentence(key: str, parts: list[str], language: str, **slots: str) -> str:
 
 def seen(sketch: sk.Sketch, language: str, notation: Notation) -> Iterator[str]:
     """The parts of a system, one after the other."""
-    for body in sketch.bodies:
-        yield body_words(body, language, notation)
-    for point in sketch.points:
-        yield point_words(point, language, notation)
-    for line in sketch.lines:
-        key = f"figure.part.{line_kind(line)}"
-        yield plain(key, language, name=named(line.label, notation))
-    for circle in sketch.circles:
-        yield plain(f"figure.circle.{circle.kind}", language, name=named(circle.label, notation))
-    marks = (*sketch.links, *sketch.coils)
-    for mark in marks:
-        yield plain(f"figure.part.{mark.kind}", language, name=named(mark.label, notation))
-    for cord in sketch.cords:
-        yield plain(f"figure.part.{cord.kind}", language, name=named(cord.label, notation))
-    for mark in sketch.angles:
-        yield plain("figure.part.angle", language, name=named(mark.label, notation))
-    for mark in (*sketch.lengths, *sketch.radii):
-        yield plain("figure.part.length", language, name=named(mark.label, notation))
-    for arrow in sketch.arrows:
-        yield plain(f"figure.arrow.{arrow.kind}", language, name=named(arrow.label, notation))
+    yield from (body_words(body, language, notation) for body in sketch.bodies)
+    yield from (point_words(point, language, notation) for point in sketch.points)
+    marks: list[tuple[str, Any]] = [(f"part.{line_kind(line)}", line) for line in sketch.lines]
+    marks += [(f"circle.{circle.kind}", circle) for circle in sketch.circles]
+    joining: list[Any] = [*sketch.links, *sketch.coils, *sketch.cords]
+    marks += [(f"part.{mark.kind}", mark) for mark in joining]
+    marks += [("part.angle", mark) for mark in sketch.angles]
+    marks += [("part.length", mark) for mark in (*sketch.lengths, *sketch.radii)]
+    marks += [(f"arrow.{arrow.kind}", arrow) for arrow in sketch.arrows]
+    yield from (plain(f"figure.{key}", language, name=named(mark.label, notation)) for key, mark in marks)
 
 
 def named(label: sk.Caption, notation: Notation) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from rbpsym.claims.comparison import common_coordinate
 from rbpsym.document.model import Block, FigureBlock, Inlines, Paragraph, Section
@@ -14,7 +15,7 @@ from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.pictures.figures.placing import placed
-from rbpsym.pictures.figures.scene import Circle, Label, Line, Point, Scene, direction, polar
+from rbpsym.pictures.figures.scene import Circle, Item, Label, Line, Point, Scene, direction, polar
 from rbpsym.proof.step import Derivation, Lesson, Step
 
 # --- the figure of the general theory: a point of a body seen from the origin and from the centre of mass, r' = R + r
@@ -35,7 +36,7 @@ def split_of_place(notation: Notation) -> Scene:
         (CENTRE, PLACE, "r", "velocity", -1),
         (ORIGIN, PLACE, "r_prime", "force", 1),
     )
-    items = [Line(outline, "body", closed=True), *(Line((ORIGIN, end), "axis", heads="end") for end in AXES.values())]
+    items: list[Item] = [Line(outline, "body", closed=True), *(Line((ORIGIN, end), "axis", heads="end") for end in AXES.values())]
     items += [Line((start, end), style, heads="end") for start, end, _, style, _ in vectors]
     items += [Circle(point, 0.0, "dot") for point in (ORIGIN, CENTRE, PLACE)]
     labels = [Label(t.Sym(name), end, direction(ORIGIN, end)) for name, end in AXES.items()]
@@ -87,7 +88,7 @@ def compared_figure(first: Derivation, second: Derivation, coordinate: str, said
         panels = list(beside(pair, name))
     except NotApplicable:
         return
-    titles = {key: said.title(one.study.problem.title) for key, one in (("first", first), ("second", second))}
+    titles: dict[str, Any] = {key: said.title(one.study.problem.title) for key, one in (("first", first), ("second", second))}
     yield panels_figure("compared", panels, said.say("comparison.figure", **titles), said)
     yield Paragraph(numbers(pair[0], said))
 

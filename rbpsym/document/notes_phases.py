@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from itertools import chain, groupby
+from typing import Any
 
 from rbpsym.chapters.endings import begun
 from rbpsym.document.chapters import chapter_blocks, chapter_sections, manner_of_solution
@@ -40,8 +41,8 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
         begins = (*_event(stated, first), *_begins(phase, first, inertia), *_motion_again(phase.derivation, own))
         title = said.say("phases.title", number=number, name=said.named(phase.name))
         below = tuple(chapter_sections(phase.derivation, own, level + 1))
-        told = () if own.is_full else chain.from_iterable(section.blocks for section in below)
-        yield Section(title, (*begins, *_clock(phase, own), *told), first.prefix + "section", level)
+        blocks = () if own.is_full else tuple(chain.from_iterable(section.blocks for section in below))
+        yield Section(title, (*begins, *_clock(phase, own), *blocks), first.prefix + "section", level)
         yield from below if own.is_full else ()
 
 
@@ -76,7 +77,7 @@ def _event(stated: Phase, own: Words) -> Iterator[Block]:
     """What ends the phase before."""
     key = f"phases.event.{begun(stated).replace(' ', '_')}"
     if own.has(key):
-        letters = {name: t.Sym(stated.subject) for name in ("force", "coordinate") if stated.subject}
+        letters: dict[str, Any] = {name: t.Sym(stated.subject) for name in ("force", "coordinate") if stated.subject}
         yield Paragraph(own.say(key, value=stated.value, **letters))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -113,6 +114,7 @@ def course(values: Sequence[float], small: float) -> str:
 
 IN_A_ROW = 3
 Panels = Sequence[Panel]
+Slots = dict[str, Any]
 ALL = ("energies", "speeds", "forces", "positions")
 FEW = ("forces", "energies", "positions")  # one row of panels, where not everything is shown
 
@@ -152,7 +154,7 @@ def plot_figures(
     if few and any(map(is_split, worked)):
         worked = [panel for panel in worked if is_split(panel) and len(panel.curves) <= IN_A_ROW][: IN_A_ROW - 1]
     several = len(worked) > 1 and not few
-    groups = [(("works",), worked)] if several else []
+    groups: list[tuple[tuple[str, ...], list[Panel]]] = [(("works",), worked)] if several else []
     name = "works" if len(worked) > 1 else "works_one"
     rest = [(name, panel) for panel in worked if not several]
     rest += [(name, called(panel, said)) for name in wanted for panel in made[name] if not few or has_course(panel)]
@@ -193,7 +195,7 @@ def caption(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, said:
     return sentences([*told, *(said.say(f"plots.{key}", **slots) for key, slots in remarks(moving, names, panels, is_first))])
 
 
-def remarks(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, is_first: bool) -> Iterator[tuple[str, dict]]:
+def remarks(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, is_first: bool) -> Iterator[tuple[str, Slots]]:
     """What has to be said beside: keys of phrases and their slots."""
     all_curves = [curve for panel in panels for curve in panel.curves]
     if any(isinstance(curve.name, t.Delta) for curve in all_curves):
@@ -212,7 +214,8 @@ def remarks(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, is_fi
 
 def kind_of_loss(moving: PlottedMotion) -> str:
     """Whether a string goes slack, a contact is lost, or static friction gives way."""
-    force, constraints = moving.loss[1], moving.way.legs[-1].study.problem.constraints
+    force = moving.loss[1] if moving.loss else ""
+    constraints = moving.way.legs[-1].study.problem.constraints
     if any(element.values.get("friction") == force for element in constraints):
         return "slips"
     return next("slack" if element.kind == "string" else "lost" for element in constraints if force in pushes(element))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import replace
 from itertools import groupby
+from typing import TypeGuard
 
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused
@@ -17,8 +18,8 @@ from rbpsym.document.words import Words, capital, sentences
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import RELATION_SIGNS
 from rbpsym.field import names_in, symbol
-from rbpsym.proof.assertions import Said
 from rbpsym.proof.forms import Forms
+from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import Step, StepRef
 
 Found = Answer | Refused
@@ -118,7 +119,7 @@ def answer_section(
     for number, found in enumerate(answers):
         if mark := _stated(found, shown):
             stated[number] = mark
-            held.setdefault(found.valid, []).append(mark)
+            held.setdefault(() if isinstance(found, Refused) else found.valid, []).append(mark)
             continue
         own = replace(said, prefix=f"{said.prefix}ask{number + 1}.", same={}, owed={}, shown=frozenset())
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
@@ -127,14 +128,13 @@ def answer_section(
         head = [Paragraph((Emph(capital(question(text_of(found), said))),))] if road else []
         blocks += [*head, *road]
     if together and blocks:
-        steps = [step for found in answers for step in found.steps]
+        steps = [step for found in answers if isinstance(found, Answer) for step in found.steps]
         blocks.append(Paragraph(said.say("question.proved.many", ground=Said(steps=steps))))
     lasting = [(list(valid), marks) for valid, marks in held.items() if valid]
-    slots = [{"steps": marks, "conditions": valid, "count": len(marks)} for valid, marks in lasting]
-    blocks = [*(Paragraph(said.say("question.stated", **each)) for each in slots), *blocks]
+    said_of = (said.say("question.stated", steps=marks, conditions=valid, count=len(marks)) for valid, marks in lasting)
     labels = {mark.label for mark in stated.values()}
-    found = tuple(_boxed(block, labels, others=True) for block in blocks)
-    return Section(said.say("section.answer"), found, said.prefix + "section.answer", level) if blocks else None, stated
+    blocks = [_boxed(block, labels, others=True) for block in (*map(Paragraph, said_of), *blocks)]
+    return Section(said.say("section.answer"), tuple(blocks), said.prefix + "section.answer", level) if blocks else None, stated
 
 
 def text_of(found: Found) -> str:
@@ -167,7 +167,7 @@ def _comes_to(statement: t.Node) -> t.Node | None:
     return statement.items[-1] if isinstance(statement, t.Chain) and set(statement.ops) == {"="} else None
 
 
-def _states(found: Found) -> bool:
+def _states(found: Found) -> TypeGuard[Answer]:
     """Is the last step what was asked?"""
     return isinstance(found, Answer) and bool(found.steps) and found.steps[-1].is_result
 

@@ -12,13 +12,13 @@ from rbpsym.elements.interactions import LETTERS
 from rbpsym.expr import tree as t
 from rbpsym.mechanics.impulse import is_holding
 from rbpsym.pictures.pose import DrawnPose
-from rbpsym.proof.assertions import Said
+from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Element, PointRef, Turn
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.slots import ALL
 
-Slots = dict[str, object]
+Slots = dict[str, Any]
 
 
 def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
@@ -26,7 +26,8 @@ def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
     key = f"statement.{element.kind}{ALL[element.kind].told(element, pose.study.problem)}"
     slots = in_words(element, pose, said) | {"force": t.Vec(element.name), "letter": t.Sym(element.name)}
     key = key if said.has(key) else "statement.other"
-    return capital(said.say(key, ground=Said(pose.study), kind=element.kind.replace("-", " "), **slots))
+    told: Inlines = capital(said.say(key, ground=Said(pose.study), kind=element.kind.replace("-", " "), **slots))
+    return told
 
 
 def in_words(element: Element, pose: DrawnPose, said: Words) -> Slots:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, Text, words
 from rbpsym.document.notes_events import phase_sentences
@@ -12,7 +13,7 @@ from rbpsym.document.places import growth
 from rbpsym.document.words import Words, capital, sentences
 from rbpsym.expr import tree as t
 from rbpsym.pictures.pose import DrawnPose
-from rbpsym.proof.assertions import Said
+from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import BodyRef, Derivation
 from rbpsym.quantities import NUMBER, Quantity
 from rbpsym.statement.model import Body, Coordinate, PlacedShape, Problem
@@ -110,7 +111,8 @@ def _letters(symbols: Table, told: tuple[Inlines, ...], said: Words) -> Iterator
 def _bodies(problem: Problem, said: Words, ground: Said) -> Inlines:
     """ "A thin uniform rod of mass m and length ℓ moves in a vertical plane."""
     described = [_described(body, said) for body in problem.bodies]
-    return capital(said.say("statement.vertical", ground=ground, bodies=described, count=len(described)))
+    told: Inlines = capital(said.say("statement.vertical", ground=ground, bodies=described, count=len(described)))
+    return told
 
 
 def _described(body: Body, said: Words) -> Inlines:
@@ -127,13 +129,15 @@ def _shape(body: Body, said: Words) -> Inlines:
     holes = [_part(part, said) for part in body.shape.parts if part.removed]
     if parts and all(said.has(f"part.{part.shape.kind}") for part in body.shape.parts):
         return said.say("shape.cut" if holes else "shape.made", mass=body.mass, parts=parts, holes=holes)
-    return said.say(f"shape.{body.shape.kind}", mass=body.mass, **body.shape.sizes)
+    sizes: dict[str, Any] = dict(body.shape.sizes)
+    return said.say(f"shape.{body.shape.kind}", mass=body.mass, **sizes)
 
 
 def _part(part: PlacedShape, said: Words) -> Inlines:
     """A part of a composite by its shape and sizes."""
     key = f"part.{part.shape.kind}"
-    found = said.say(key, **part.shape.sizes) if said.has(key) else ()
+    sizes: dict[str, Any] = dict(part.shape.sizes)
+    found = said.say(key, **sizes) if said.has(key) else ()
     return found if part.count is None else said.say("shape.repeated", often=part.count, part=found)
 
 
@@ -165,8 +169,9 @@ def _coordinate(coordinate: Coordinate, said: Words, count: int) -> Inlines:
 def _start(problem: Problem, said: Words, ground: Said) -> Iterator[Inlines]:
     """Where it starts, and how fast."""
     begun = [c for c in problem.coordinates if c.start is not None]
-    places = [t.equation(t.Sym(c.name), c.start) for c in begun]
-    free = [c for c in begun if c.speed is not None or c.name in ground.study.system.independent]
+    places = [t.equation(t.Sym(c.name), c.start) for c in begun if c.start is not None]
+    independent = ground.study.system.independent if ground.study else ()
+    free = [c for c in begun if c.speed is not None or c.name in independent]
     speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed or t.ZERO) for c in free]
     is_moving = any(c.speed not in (None, t.ZERO) for c in free)
     beside = said.say("statement.with", speed=speeds) if speeds else ()
@@ -192,5 +197,5 @@ def _conventions(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
         if way:
             found.setdefault((way, body if way == "against" else ""), []).append(t.Sym(coordinate.name))
     for (way, body), letters in found.items():
-        slots = {"coordinates": letters, "count": len(letters)}
-        yield said.say(f"growth.{way}", **slots, **({"body": BodyRef(body)} if body else {}))
+        slots: dict[str, Any] = {"body": BodyRef(body)} if body else {}
+        yield said.say(f"growth.{way}", coordinates=letters, count=len(letters), **slots)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
+from typing import Any
 
 from rbpsym.document import model as d
 from rbpsym.expr.tree import Node
@@ -70,7 +71,7 @@ def number_table(block: d.Table, counters: LabelCounters) -> d.Table:
     return replace(block, number=number)
 
 
-NUMBERED: Mapping[type, Callable] = {
+NUMBERED: Mapping[type, Callable[[Any, LabelCounters], Any]] = {
     d.Display: number_display,
     d.FigureBlock: number_figure,
     d.Table: number_table,
@@ -78,9 +79,9 @@ NUMBERED: Mapping[type, Callable] = {
 }
 
 
-def number_blocks(blocks: tuple, counters: LabelCounters) -> tuple:
+def number_blocks(blocks: tuple[d.Block, ...], counters: LabelCounters) -> tuple[d.Block, ...]:
     """The blocks with numbers, in reading order."""
-    return tuple(NUMBERED.get(type(block), lambda b, _: b)(block, counters) for block in blocks)
+    return tuple(NUMBERED[type(block)](block, counters) if type(block) in NUMBERED else block for block in blocks)
 
 
 def section_number(level: int, counters: LabelCounters) -> str:
@@ -101,21 +102,21 @@ def number_section(section: d.Section, counters: LabelCounters) -> d.Section:
     return replace(section, number=number, blocks=number_blocks(section.blocks, counters))
 
 
-def resolve(part: object, counters: LabelCounters) -> object:
+def resolve(part: Any, counters: LabelCounters) -> Any:
     """The same part of a document with each Ref's mark filled in."""
     if isinstance(part, d.Ref):
         return resolve_ref(part, counters)
     if isinstance(part, tuple):
         return once_each(tuple(resolve(item, counters) for item in part))
-    if is_dataclass(part) and type(part).__module__.endswith("document.model"):
+    if is_dataclass(part) and not isinstance(part, type) and type(part).__module__.endswith("document.model"):
         values = {item.name: getattr(part, item.name) for item in fields(part)}
         return type(part)(**{name: resolve(value, counters) for name, value in values.items()})
     return part
 
 
-def once_each(parts: tuple) -> tuple:
+def once_each(parts: tuple[Any, ...]) -> tuple[Any, ...]:
     """A list of references without those that print the same number again: (7), (7) and (8) is (7) and (8)."""
-    found: list = []
+    found: list[Any] = []
     for part in parts:
         if isinstance(part, d.Ref) and len(found) > 1 and part == found[-2] and is_joint(found[-1]):
             joint = found.pop()
@@ -143,7 +144,8 @@ def numbered(document: d.Document) -> d.Document:
     """The document with all numbers given and all references resolved."""
     counters = LabelCounters(document.is_book)
     sections = tuple(number_section(section, counters) for section in document.sections)
-    return resolve(replace(document, sections=sections), counters)
+    resolved: d.Document = resolve(replace(document, sections=sections), counters)
+    return resolved
 
 
 def parts(value: object) -> Iterator[object]:

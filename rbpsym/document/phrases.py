@@ -19,6 +19,7 @@ from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from string import Formatter
+from typing import Any
 
 from rbpsym.document import model as d
 from rbpsym.expr.tree import Node, Word, walk
@@ -148,9 +149,10 @@ def plain(key: str, language: str = "en", **slots: object) -> str:
 
 def text_of(inlines: d.Inlines, key: str) -> str:
     """Inlines that are nothing but text, as a string."""
-    if not all(isinstance(inline, d.Text) for inline in inlines):
+    texts = [inline.text for inline in inlines if isinstance(inline, d.Text)]
+    if len(texts) < len(inlines):
         raise d.DocumentError(f"phrase “{key}” is more than text")
-    return "".join(inline.text for inline in inlines)
+    return "".join(texts)
 
 
 def has_phrase(key: str, language: str = "en") -> bool:
@@ -176,7 +178,7 @@ def template(key: str, language: str, slots: Mapping[str, object], folder: Path 
     )
 
 
-def variant(language: str, slots: Mapping[str, object]) -> str:
+def variant(language: str, slots: Mapping[str, Any]) -> str:
     """The name of the variant: given, or chosen by the count; "" if neither is there."""
     if "variant" in slots:
         return str(slots["variant"])

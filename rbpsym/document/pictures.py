@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from importlib.util import find_spec
+from typing import Any
 
 from rbpsym.document.model import Document, FigureBlock
 from rbpsym.document.numbering import parts
@@ -47,7 +48,7 @@ def pictures(document: Document, kind: str = "png", resolution: float = RESOLUTI
     return {n: picture(n, content, kind, resolution) for n, content in zip(numbers, drawn, strict=True)}
 
 
-def drawings(scenes: Sequence[tuple[tuple, Notation]], kind: str, resolution: float) -> list[bytes]:
+def drawings(scenes: Sequence[tuple[tuple[Scene, ...], Notation]], kind: Any, resolution: float) -> list[bytes]:
     """Each group of scenes side by side, all of them drawn in one run."""
     if not scenes:
         return []

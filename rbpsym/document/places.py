@@ -25,7 +25,7 @@ def point_in_words(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
     if ref.body is None:
         return fixed_point(ref, pose, said)
     body = said.the(ref.body)
-    if pose.study.problem.body(ref.body).shape.kind == "particle":
+    if shape_of(ref, pose) == "particle":
         return body
     return said.say("point.of", point=point_name(ref, pose, said), body=body)
 
@@ -40,16 +40,20 @@ def locator(study: Study) -> Callable[[str, str, Words], Inlines]:
     return lambda body, point, said: point_in_words(PointRef(f"{body}.{point}", body, point), pose(), said)
 
 
+def shape_of(ref: PointRef, pose: DrawnPose) -> str:
+    """The kind of the body on which a point is, "" if it is on none."""
+    return pose.study.problem.body(ref.body).shape.kind if ref.body else ""
+
+
 def point_name(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
     """The point alone: "lower end", "centre"."""
-    point = ref.point or "cm"
-    if point in ENDS and pose.study.problem.body(ref.body).shape.kind == "rod":
+    point, shape = ref.point or "cm", shape_of(ref, pose)
+    if point in ENDS and shape == "rod":
         return said.say(f"point.end.{_side(ref, pose)}")
     if point == "cm" and not _is_centre(ref, pose):
         return said.say("point.cm")
     if point == "origin" and not _is_centre(ref, pose):
         return said.say("point.origin")
-    shape = pose.study.problem.body(ref.body).shape.kind
     if said.has(f"point.{shape}.{point}"):
         return said.say(f"point.{shape}.{point}")
     if point in CENTERS:
@@ -65,12 +69,12 @@ def is_word(name: str) -> bool:
 
 def _is_centre(ref: PointRef, pose: DrawnPose) -> bool:
     """Is the centre of mass also the centre of the shape?"""
-    return "center" in pose.study.problem.body(ref.body).points
+    return ref.body is not None and "center" in pose.study.problem.body(ref.body).points
 
 
 def _side(ref: PointRef, pose: DrawnPose) -> str:
     """Which end of a rod it is in the figure."""
-    other = PointRef(ref.label, ref.body, ENDS[ref.point])
+    other = PointRef(ref.label, ref.body, ENDS[ref.point or "start"])
     (x, y), (u, v) = pose.ref(ref), pose.ref(other)
     if abs(y - v) > 0.25 * math.dist((x, y), (u, v)):
         return "upper" if y > v else "lower"

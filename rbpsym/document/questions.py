@@ -21,7 +21,7 @@ MARK = "`"  # stands around the formulas of a question in another language
 
 def question(text: str, said: Words) -> Inlines:
     """The question in the language of the page if the file tells it so, else as it is asked."""
-    told = said.problem.questions.get(text, {}).get(said.language, "")
+    told = said.problem.questions.get(text, {}).get(said.language, "") if said.problem else ""
     return merged(_marked(told, said)) if told else spoken(_with_articles(text, said), said)
 
 
@@ -32,7 +32,7 @@ def _with_articles(text: str, said: Words) -> str:
     """“the speed of x when “rolling” begins” of “speed of x when rolling begins”."""
     nouns = plain("question.nouns").replace(", ", "|")
     text = re.sub(rf"{BEFORE}(?={nouns})(?=\S+ )", "the ", text)
-    names = "|".join(map(re.escape, (phase.name for phase in said.problem.phases)))
+    names = "|".join(re.escape(phase.name) for phase in (said.problem.phases if said.problem else ()))
     text = re.sub(rf"\b({names}) begins", "“\\1” begins", text) if names else text
     return re.sub(r"^(\w+) (?=for which )", r"the \1 ", text)
 
@@ -51,9 +51,8 @@ def _spoken(text: str, said: Words) -> Iterator[Inline]:
     """The words of the grammar; the longest runs that are formulas as formulas."""
     words, start = text.split(), 0
     while start < len(words):
-        ways = range(min(len(words), start + MOST_WORDS), start, -1)
         is_article = words[start : start + 2] == ["a", "function"]  # no letter
-        ways = () if is_article else ways
+        ways = range(start if is_article else min(len(words), start + MOST_WORDS), start, -1)
         found = next(((end, node) for end in ways if (node := _formula(" ".join(words[start:end]), said))), None)
         yield Text(" " if start else "")
         yield from (found[1],) if found else _thing(words[start], said)
@@ -62,6 +61,8 @@ def _spoken(text: str, said: Words) -> Iterator[Inline]:
 
 def _formula(text: str, said: Words) -> Math | None:
     read = read_relation if any(sign in text for sign in RELATION_SIGNS) else read_infix
+    if said.problem is None:
+        return None
     blows = (element for phase in said.problem.phases for element in phase.impulses)
     struck = {name for element in blows for name in (element.name, element.values.get("friction")) if name}
     try:
@@ -73,6 +74,6 @@ def _formula(text: str, said: Words) -> Math | None:
 def _thing(word: str, said: Words) -> Inlines:
     """A body, or a point of one, as the page calls it."""
     body, dot, _ = word.partition(".")
-    if body not in said.problem.body_names:
+    if said.problem is None or body not in said.problem.body_names:
         return (Text(word),)
     return said.label(word) if dot else said.the(body)

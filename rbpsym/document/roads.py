@@ -28,13 +28,13 @@ def _road(road: Road, said: Words) -> Inlines:
     if road.first is None:
         return said.say(f"roads.{road.kind}")
     bodies = [BodyRef(name) for name in road.first.bodies]
-    slots = {"bodies": PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)})}
-    return (*mark, *said.say(f"roads.{road.kind}", label=_label(road, said), **slots))
+    told = PhraseRef("bodies", {"bodies": bodies, "count": len(bodies)})
+    return (*mark, *said.say(f"roads.{road.kind}", label=_label(road, said), bodies=told))
 
 
 def _label(road: Road, said: Words) -> Inlines:
     """A fixed point or an axis by its letter, what meets at a crossing by the forces, other points as the file names them."""
-    label = road.first.label
+    label = road.first.label if road.first else ""
     if road.kind == "crossing":
         return _names(label.split(", "))
     if road.kind == "fixed" or label in ("x", "y"):

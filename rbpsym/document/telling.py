@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
 from rbpsym.document.breaking import lines, table_width
 from rbpsym.document.model import Block, Display, Inlines, Math, Paragraph, Table, Text
@@ -10,9 +11,8 @@ from rbpsym.document.places import point_name
 from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
 from rbpsym.pictures.pose import DrawnPose
-from rbpsym.proof.assertions import Said
 from rbpsym.proof.duties import merged
-from rbpsym.proof.grounds import is_steady
+from rbpsym.proof.grounds import Said, is_steady
 from rbpsym.proof.step import BodyRef, Derivation, Step, StepRef
 from rbpsym.statement.model import PointRef
 
@@ -67,7 +67,7 @@ def long_forces(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     opposite the second is known."""
     shown = [step for step in derivation.steps if step.id in said.shown]
     net = [step for step in shown if step.phrase.startswith("torque.net")]
-    taken = [(step.statement.items[0].name, [b.name for b in step.slots["bodies"].slots["bodies"]]) for step in net]
+    taken = [(t.rows(step.statement)[0].items[0].name, [b.name for b in step.slots["bodies"].slots["bodies"]]) for step in net]
     about = {step.id.partition(".")[2] for step in shown if step.rule == "work" or step.phrase == "newton_euler.body"}
     told: set[t.Node] = set()
     for step in steps:
@@ -158,7 +158,7 @@ def _halves(step: Step) -> tuple[Inlines, ...]:
     )
 
 
-def _half(row: t.Chain) -> str:
+def _half(row: Any) -> str:
     """T or theta, from the name of the work."""
     return "theta" if row.items[0].name.startswith("cal_W_theta") else "T"
 
@@ -176,7 +176,7 @@ def done_table(steps: list[Step], said: Words) -> Table:
 
 def _done_row(halves: dict[str, Step], several: bool, said: Words) -> tuple[Inlines, ...]:
     step = next(iter(halves.values()))
-    values = [halves[half].statement.items[-1] if half in halves else t.ZERO for half in ("T", "theta")]
+    values = [t.rows(halves[half].statement)[0].items[-1] if half in halves else t.ZERO for half in ("T", "theta")]
     return (whose(step, several, said), *((Math(value),) for value in values))
 
 
@@ -216,14 +216,14 @@ class Teller:
 
     def own_conditions(self, steps: Sequence[Step]) -> Iterator[Block]:
         """The same of what a sentence alone says."""
-        duties = (duty for step in steps for duty in step.certificate.verdict.open_obligations)
+        duties = (duty for step in steps if step.certificate for duty in step.certificate.verdict.open_obligations)
         yield from self._owed(steps, (duty.relation for duty in duties))
 
     def _owed(self, steps: Sequence[Step], nodes: Iterable[t.Node]) -> Iterator[Block]:
         if owed := merged(nodes):
             yield Paragraph(self.said.say("obligation.told", conditions=list(owed), count=len(steps)))
 
-    def sentence(self, step: Step, key: str, **slots: object) -> Inlines:
+    def sentence(self, step: Step, key: str, **slots: Any) -> Inlines:
         """What is said before a step, in the variant for a second time if there is one."""
         found = known_key(key, self.said)
         if found is None:
@@ -234,7 +234,8 @@ class Teller:
         chosen = again if found in self.before and self.said.has(again) else found
         self.before.add(found)
         known = self.said.same.get(step.id)
-        text = self.said.say(chosen, **slots, **({"first": StepRef(known)} if known else {}))
+        slots |= {"first": StepRef(known)} if known else {}
+        text = self.said.say(chosen, **slots)
         return text if any(not isinstance(i, Text) or i.text.strip() for i in text) else ()
 
     def together(self, steps: Sequence[Step], key: str, **slots: object) -> Iterator[Block]:

@@ -57,9 +57,10 @@ def reaches_beyond(whole: Derivation) -> bool:
 def _asked(whole: Derivation) -> frozenset[t.Node] | None:
     """What those steps say from which the answers to a problem's own questions follow; None where none is asked or answered."""
     answers = tuple(own_answers(whole.study))
-    if not answers or any(isinstance(found, Refused) for found in answers):
+    answered = [found for found in answers if not isinstance(found, Refused)]
+    if not answered or len(answered) < len(answers):
         return None
-    return frozenset(step.statement for found in answers for step in found.steps)
+    return frozenset(step.statement for found in answered for step in found.steps)
 
 
 def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Node] | None) -> list[Step]:
@@ -67,7 +68,7 @@ def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Nod
     from which no speed follows, is none; of the unknown forces those that are asked for, that vanish
     altogether, or by which a contact pushes."""
     if is_struck(derivation):
-        return derivation.chapter("inertia")
+        return [*derivation.chapter("inertia")]
     system = derivation.study.system
     is_given = not system.independent
     without = {"energy"} if system.has_clock and is_given else set()
@@ -104,7 +105,8 @@ def retold(derivation: Derivation) -> frozenset[str]:
     is_kept = any(step.id == "energy" for step in derivation.steps)
     phrases = (*OF_THE_WHOLE, "work.theorem.") if is_kept else OF_THE_WHOLE
     works = derivation.chapter("work") if derivation.chapter("energy") else ()
-    again = [s.id for s in works if s.phrase.startswith(phrases) or (s.rule == "power" and s.statement.items[-1] in ends)]
+    same = {s.id for s in works if s.rule == "power" and t.rows(s.statement)[0].items[-1] in ends}
+    again = [s.id for s in works if s.phrase.startswith(phrases) or s.id in same]
     if is_kept and len(derivation.study.system.bodies) > 1:
         turning = {step.id.split(".")[1] for step in works if step.rule == "work" and _turns(step)}
         again += [s.id for s in works if s.rule in ("work", "workless") and s.id.split(".")[1] not in turning]

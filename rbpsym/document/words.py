@@ -13,7 +13,8 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation, spaced
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field
-from rbpsym.proof.assertions import Said, on_page
+from rbpsym.proof.assertions import on_page
+from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import FULL, STANDARD, BodyRef, PhraseRef, QuestionRef, StepRef
 from rbpsym.statement.model import Problem
 
@@ -91,7 +92,7 @@ class Words(Frozen):
             return self.title(value)
         return self.several(value) if isinstance(value, list) else value
 
-    def several(self, values: list) -> list:
+    def several(self, values: list[Any]) -> list[Any]:
         """A list of slots; steps that are not shown are left out of a list of steps."""
         if values and all(isinstance(value, StepRef) for value in values):
             marks = [self.step(value.id) for value in values if self.is_seen(value.id)]
@@ -184,7 +185,7 @@ def small(inlines: Inlines) -> Inlines:
 
 def sentences(parts: list[Inlines]) -> Inlines:
     """Sentences with a space between them."""
-    found: list = []
+    found: list[Any] = []
     for part in parts:
         found += [Text(" ")] if found else []
         found += part

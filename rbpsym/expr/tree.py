@@ -270,7 +270,7 @@ def walk(node: Node) -> Iterator[Node]:
 
 def mapped(node: Node, change: Callable[[Node], Node]) -> Node:
     """The node with each of its direct parts changed."""
-    changed: dict[str, object] = {}
+    changed: dict[str, Any] = {}
     for name in parts(type(node)):
         value = getattr(node, name)
         if isinstance(value, Node):

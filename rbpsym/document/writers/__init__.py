@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from importlib import import_module
+from typing import Any
 
 from rbpsym.document.model import Document, DocumentError
 
-Writer = Callable[[Document], "str | bytes"]
+Writer = Callable[..., "str | bytes"]  # of a document
 
 # format -> (module, function); imported when asked for
 WRITERS: Mapping[str, tuple[str, str]] = {
@@ -27,7 +28,11 @@ def writer(format_name: str) -> Writer:
     if format_name not in WRITERS:
         known = ", ".join(WRITERS)
         raise DocumentError(f"unknown format “{format_name}”", instead=f"known: {known}.")
-    module, name = WRITERS[format_name]
+    found: Writer = _found(*WRITERS[format_name])
+    return found
+
+
+def _found(module: str, name: str) -> Any:
     return getattr(import_module(module), name)
 
 
@@ -43,8 +48,8 @@ SEVERAL: Mapping[str, tuple[str, str]] = {
 def files(document: Document, format_name: str, stem: str, engine: str = "typst") -> Mapping[str, str | bytes]:
     """The files of a document in a format, by the names that they should have; `engine` makes the PDF."""
     if format_name in SEVERAL:
-        module, name = SEVERAL[format_name]
-        return getattr(import_module(module), name)(document, stem)
+        several: Files = _found(*SEVERAL[format_name])
+        return several(document, stem)
     write = writer(format_name)
     content = write(document, engine) if format_name == "pdf" else write(document)
     return {f"{stem}.{format_name}": content}

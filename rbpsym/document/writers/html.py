@@ -13,13 +13,14 @@ from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
 from rbpsym.document.model import Display
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, body, page_for, prints, shell
+from rbpsym.document.writers.page import Page, alone, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen
 from rbpsym.pictures.figures.svg import color_rules, to_svg
 from rbpsym.typeset import boxes as b
 from rbpsym.typeset.accents import accented
+from rbpsym.typeset.cutting import terms, width
 from rbpsym.typeset.escaping import typographic
 from rbpsym.typeset.mathml import render, to_mathml
 
@@ -56,7 +57,7 @@ def table_row(line: breaking.DisplayLine) -> str:
 def widest_piece(block: Display, page: Page) -> float:
     """The width in em of the widest part of a formula that stands on one line even on a phone."""
     lines = breaking.display_lines(block, page.notation, page.column)
-    return max(breaking.width(piece) for line in lines for piece in (line.left, *folding_pieces(line.right)))
+    return max(width(piece) for line in lines for piece in (line.left, *folding_pieces(line.right)))
 
 
 def folding_piece(piece: b.Row) -> str:
@@ -70,7 +71,7 @@ def folding_piece(piece: b.Row) -> str:
 
 def folding_pieces(box: b.Box) -> tuple[b.Row, ...]:
     """The pieces of a line: cut before each relation sign and each sign of a sum."""
-    return tuple(part for term in breaking.terms(box) for part in at_relations(term))
+    return tuple(part for term in terms(box) for part in at_relations(term))
 
 
 def at_relations(term: b.Row) -> list[b.Row]:
@@ -205,7 +206,7 @@ def table(block: d.Table, page: Page) -> str:
     )
 
 
-def row(cells: tuple, columns: str, tag: str, page: Page) -> str:
+def row(cells: tuple[d.Inlines, ...], columns: str, tag: str, page: Page) -> str:
     """One row of a table."""
     kinds = [f'{tag} scope="col"' if tag == "th" else tag] * len(cells)
     inner = "".join(
@@ -215,11 +216,10 @@ def row(cells: tuple, columns: str, tag: str, page: Page) -> str:
     return f"<tr>{inner}</tr>"
 
 
-def content(cell: tuple, page: Page) -> str:
+def content(cell: d.Inlines, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
     found = page.inlines(cell)
-    alone = len(cell) == 1 and isinstance(cell[0], d.Math)
-    return found.replace("<math ", '<math displaystyle="true" ', 1) if alone else found
+    return found.replace("<math ", '<math displaystyle="true" ', 1) if alone(cell) else found
 
 
 def captioned(block: d.Table | d.FigureBlock, kind: str, page: Page) -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.numbering import numbered
 from rbpsym.document.phrases import plain
-from rbpsym.document.writers.page import Page, body, page_for, prints, shell
+from rbpsym.document.writers.page import Page, alone, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.rare_letters import with_rare_letters
 from rbpsym.pictures.figures.tikz import tikz_styles, to_tikz
@@ -24,7 +26,7 @@ def write_latex(document: d.Document) -> str:
     return source_of("article.tex", document, page, body(document, page))
 
 
-def source_of(name: str, document: d.Document, page: Page, inner: str, **more: object) -> str:
+def source_of(name: str, document: d.Document, page: Page, inner: str, **more: Any) -> str:
     """The source of a numbered document in a shell of LaTeX."""
     source = shell(
         name,
@@ -57,7 +59,7 @@ def section(part: d.Section, page: Page) -> str:
     return f"{heading}\n\n{blocks(part.blocks, page)}".rstrip()
 
 
-def blocks(parts: tuple, page: Page) -> str:
+def blocks(parts: tuple[d.Block, ...], page: Page) -> str:
     """Blocks below each other; a formula and what it follows are one paragraph for TeX."""
     found = ""
     for block, before in zip(parts, (None, *parts[:-1]), strict=False):
@@ -126,14 +128,13 @@ def table(block: d.Table, page: Page) -> str:
     return f"{head}\n{tabular(block, rules, page)}\n\\end{{table}}"
 
 
-def cell(inlines: tuple, page: Page) -> str:
+def cell(inlines: d.Inlines, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
-    if len(inlines) != 1 or not isinstance(inlines[0], d.Math):
-        return page.inlines(inlines)
-    return rf"$\displaystyle {to_latex(inlines[0].node, page.notation)}$"
+    node = alone(inlines)
+    return rf"$\displaystyle {to_latex(node, page.notation)}$" if node else page.inlines(inlines)
 
 
-def strut(row: tuple, page: Page) -> str:
+def strut(row: tuple[d.Inlines, ...], page: Page) -> str:
     """What keeps the lines of a row with tall formulas apart."""
     nodes = [part.node for inlines in row for part in inlines if isinstance(part, d.Math)]
     tall = any(cutting.node_height(node, page.notation) > 1.6 for node in nodes)

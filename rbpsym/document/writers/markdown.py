@@ -9,7 +9,7 @@ from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
-from rbpsym.document.writers.page import Page, body, prints
+from rbpsym.document.writers.page import Page, alone, body, prints
 from rbpsym.expr.letters import script
 from rbpsym.typeset import cutting
 from rbpsym.typeset.escaping import markdown_text
@@ -111,10 +111,10 @@ def table(block: d.Table, page: Page) -> str:
 
 def cell(inlines: d.Inlines, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
-    if len(inlines) != 1 or not isinstance(inlines[0], d.Math):
+    if (node := alone(inlines)) is None:
         return in_cell(page.inlines(inlines))
-    style = r"\displaystyle " if cutting.node_height(inlines[0].node, page.notation) > 1.6 else ""
-    return in_cell(f"${style}{in_markdown(to_latex(inlines[0].node, page.notation))}$")
+    style = r"\displaystyle " if cutting.node_height(node, page.notation) > 1.6 else ""
+    return in_cell(f"${style}{in_markdown(to_latex(node, page.notation))}$")
 
 
 def captioned(block: d.Table | d.FigureBlock, kind: str, page: Page) -> str:

@@ -6,12 +6,13 @@ import base64
 import json
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from rbpsym.document.model import Block, Callout, Display, Document, FigureBlock, Live, Section
 from rbpsym.document.numbering import numbered
 from rbpsym.document.pictures import easiest, pictures
 from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
-from rbpsym.document.writers.page import page_of
+from rbpsym.document.writers.page import Page, page_of
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.frozen import Frozen
 
@@ -47,9 +48,9 @@ def name(number: str) -> str:
     return f"figure-{number}.{easiest()}"
 
 
-def as_json(cell: NotebookCell, place: int) -> dict:
+def as_json(cell: NotebookCell, place: int) -> dict[str, Any]:
     """The cell as the format has it."""
-    found: dict = {"id": f"cell-{place}", "metadata": {}, "source": cell.source.splitlines(keepends=True)}
+    found: dict[str, Any] = {"id": f"cell-{place}", "metadata": {}, "source": cell.source.splitlines(keepends=True)}
     if cell.is_code:
         return {"cell_type": "code", "execution_count": None, "outputs": [], **found}
     if cell.files:
@@ -65,10 +66,9 @@ def cells_of(document: Document, page: MarkdownPage, drawn: dict[str, bytes]) ->
     waiting = list(document.live)
     for section in document.sections:
         live = owner(section, document.live)
-        begins = live in waiting
         heading, *rest = section_cells(section, live, page_of(section, page), drawn)
         yield heading
-        if begins:
+        if live is not None and live in waiting:
             waiting.remove(live)
             yield from building(live, page)
         yield from rest
@@ -109,10 +109,11 @@ def checking(page: MarkdownPage) -> Iterator[NotebookCell]:
     )
 
 
-def section_cells(section: Section, live: Live | None, page: MarkdownPage, drawn: dict[str, bytes]) -> Iterator[NotebookCell]:
+def section_cells(section: Section, live: Live | None, page: Page, drawn: dict[str, bytes]) -> Iterator[NotebookCell]:
     """A section cut behind each result, which is shown again by the derivation of the reader's own machine."""
     number = f"{section.number} " if section.number else ""
-    held, files = [f"{'#' * (min(section.level, 3) + 1)} {number}{page.inlines(section.title)}"], ()
+    files: tuple[tuple[str, bytes], ...] = ()
+    held = [f"{'#' * (min(section.level, 3) + 1)} {number}{page.inlines(section.title)}"]
     for block in section.blocks:
         held.append(page.show(block))
         files = (*files, *((name(n), drawn[n]) for n in figures(block) if n in drawn))

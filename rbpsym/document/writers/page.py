@@ -10,9 +10,10 @@ from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
 from rbpsym.document.phrases import plain
 from rbpsym.expr.glyphs import Notation
+from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, replace
 
-Print = Callable[[Any, "Page"], str]
+Print = Callable[[Any, Any], str]  # of a part, on a page
 
 
 class Page(Frozen):
@@ -26,7 +27,7 @@ class Page(Frozen):
     language: str
     column: float = 36.0
 
-    def show(self, part: object) -> str:
+    def show(self, part: Any) -> str:
         """One inline or block."""
         try:
             show = self.table[type(part)]
@@ -67,6 +68,11 @@ def prints(*functions: Print, **more: Print) -> Mapping[type, Print]:
     return {kind: named.pop(name) for name, kind in KINDS.items()}
 
 
+def alone(cell: d.Inlines) -> Node | None:
+    """The formula that a cell holds and nothing else, which stands in display style."""
+    return cell[0].node if len(cell) == 1 and isinstance(cell[0], d.Math) else None
+
+
 def page_for(document: d.Document, table: Mapping[type, Print], column: float) -> Page:
     """The page that a numbered document is printed on."""
     return Page(table, document.notation, document.language, column)
@@ -83,11 +89,11 @@ def page_of(section: d.Section, page: Page) -> Page:
 
 
 @cache
-def environment(autoescape: bool) -> object:
+def environment(autoescape: bool) -> Any:
     """The Jinja2 environment of the page shells; LaTeX and Typst shells use << >> and <% %>."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-    marks = {} if autoescape else BRACKETS
+    marks: Mapping[str, Any] = {} if autoescape else BRACKETS
     return Environment(
         loader=FileSystemLoader(data_folder("templates")),
         undefined=StrictUndefined,
@@ -109,6 +115,6 @@ BRACKETS = {
 }
 
 
-def shell(name: str, /, *, autoescape: bool = False, **values: object) -> str:
+def shell(name: str, /, *, autoescape: bool = False, **values: Any) -> str:
     """A page shell with its places filled."""
-    return environment(autoescape).get_template(name).render(**values)
+    return str(environment(autoescape).get_template(name).render(**values))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from collections.abc import Callable, Collection, Iterator, Mapping
 from textwrap import wrap
+from typing import Any
 
 import click
 
@@ -20,7 +21,7 @@ from rbpsym.typeset.text import to_text
 
 MARKS: Mapping[Kind, tuple[str, str]] = {PROVED: ("✓", "green"), REFUTED: ("✗", "red"), UNDECIDED: ("?", "yellow")}
 UNCERTIFIED = ("○", "green")  # proved, and Rocq was asked and has not certified it
-SIDES = {"l": "left", "p": "left", "c": "center", "r": "right"}
+SIDES: Mapping[str, Any] = {"l": "left", "p": "left", "c": "center", "r": "right"}
 WIDEST = 100
 
 
@@ -134,7 +135,7 @@ def _callout(block: d.Callout, screen: Screen) -> Iterator[str]:
         yield from BLOCKS[type(inner)](inner, screen)
 
 
-BLOCKS: Mapping[type, Callable[[d.Block, Screen], Iterator[str]]] = {
+BLOCKS: Mapping[type, Callable[[Any, Screen], Iterator[str]]] = {
     d.Paragraph: _paragraph, d.Display: _display, d.Table: _table, d.FigureBlock: _figure, d.ItemList: _items,
     d.Callout: _callout,
 }  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, body, page_for, prints, shell
+from rbpsym.document.writers.page import Page, alone, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.expr.tree import Node
 from rbpsym.pictures.figures.typst import to_typst_drawing
@@ -40,11 +40,11 @@ def section(part: d.Section, page: Page) -> str:
     return f"{heading}\n\n{blocks(part.blocks, page)}".rstrip()
 
 
-def blocks(parts: tuple, page: Page) -> str:
+def blocks(parts: tuple[d.Block, ...], page: Page) -> str:
     """Blocks below each other; a paragraph stays with the formula that it leads to."""
     found, led = [], ""
     for block, after in zip(parts, (*parts[1:], None), strict=False):
-        shown = display(block, page, led) if led else page.show(block)
+        shown = display(block, page, led) if led and isinstance(block, d.Display) else page.show(block)
         led = shown if breaking.is_run_in(block, after, page.notation, page.column) else ""
         if not led:
             found.append(f"#lead[{shown}]" if page.is_lead(block, after) else shown)
@@ -125,16 +125,15 @@ def column(block: d.Table, place: int, page: Page) -> str:
 ALIGN = {"p": "left", "l": "left", "c": "center", "r": "right"}
 
 
-def cells(row: tuple, page: Page) -> str:
+def cells(row: tuple[d.Inlines, ...], page: Page) -> str:
     """The cells of a row as content blocks."""
     return ", ".join(f"[{cell_content(cell, page)}]" for cell in row)
 
 
-def cell_content(cell: tuple, page: Page) -> str:
+def cell_content(cell: d.Inlines, page: Page) -> str:
     """A cell; a formula alone in it stands in display style and is never broken."""
-    if len(cell) != 1 or not isinstance(cell[0], d.Math):
-        return page.inlines(cell)
-    return f"#cell({spoken(cell[0].node, page)}, ${to_typst(cell[0].node, page.notation)}$);"
+    node = alone(cell)
+    return f"#cell({spoken(node, page)}, ${to_typst(node, page.notation)}$);" if node else page.inlines(cell)
 
 
 def figure(block: d.FigureBlock, page: Page) -> str:

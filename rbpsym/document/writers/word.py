@@ -9,9 +9,10 @@ from rbpsym.document import model as d
 from rbpsym.document.files import extra
 from rbpsym.document.model import Display
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, body, prints
+from rbpsym.document.writers.page import Page, alone, body, prints
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_xml import STAYS, Cell, TableLook, link, paragraph, safe, table_of, text_run
+from rbpsym.typeset.cutting import width
 from rbpsym.typeset.escaping import typographic
 from rbpsym.typeset.layout import layout
 from rbpsym.typeset.omml import NOTHING, formula, render, to_omml
@@ -40,7 +41,7 @@ def display_table(block: Display, page: Page, name: str) -> str:
 
 def is_aside(block: Display, page: Page) -> bool:
     """Does the reason stand at the right, where there is no number?"""
-    return bool(block.reason) and not block.number and breaking.text_width(block.reason, page.notation) <= ASIDE
+    return bool(block.reason) and not block.number and breaking.text_width(block.reason or (), page.notation) <= ASIDE
 
 
 ASIDE = 5.0  # em
@@ -51,7 +52,7 @@ def aside(block: Display, page: Page) -> str:
     if block.repeats:
         return page.show(block.repeats)
     if is_aside(block, page):
-        return page.inlines(block.reason)
+        return page.inlines(block.reason or ())
     return text_run(f"({block.number})") if block.number else ""
 
 
@@ -59,8 +60,8 @@ def halves(lines: tuple[breaking.DisplayLine, ...]) -> tuple[int, int]:
     """The widths of both sides of the place where lines meet; one line is one piece."""
     if len(lines) == 1:
         return 0, twips(lines[0].width)
-    left = max(breaking.width(line.left) for line in lines)
-    right = max(line.width - breaking.width(line.left) for line in lines)
+    left = max(width(line.left) for line in lines)
+    right = max(line.width - width(line.left) for line in lines)
     return (twips(left) if left else 0), twips(right)
 
 
@@ -69,9 +70,9 @@ def fitted(left: int, right: int, room: int) -> tuple[int, int]:
     return (left, right) if left + right <= room else (min(left, room // 3), room - min(left, room // 3))
 
 
-def twips(width: float) -> int:
+def twips(wide: float) -> int:
     """A width in em as twips."""
-    return round(width * EM) + PADDING
+    return round(wide * EM) + PADDING
 
 
 def row(line: breaking.DisplayLine, place: int, lines: tuple[breaking.DisplayLine, ...], block: Display, name: str) -> list[Cell]:
@@ -158,7 +159,7 @@ def section(part: d.Section, page: Page) -> str:
     return heading + blocks(part.blocks, page)
 
 
-def blocks(parts: tuple, page: Page) -> str:
+def blocks(parts: tuple[d.Block, ...], page: Page) -> str:
     """Blocks below each other; a paragraph stays with the formula that it leads to."""
     pairs = zip(parts, (*parts[1:], None), strict=False)
     return "".join(
@@ -178,8 +179,8 @@ def marked(inlines: d.Inlines, page: Page, look: str) -> str:
 def display(block: d.Display, page: Page) -> str:
     """A displayed formula with its reason below."""
     shown = display_table(block, page, block.label)
-    below = block.reason and not is_aside(block, page)
-    return shown + paragraph(page.inlines(block.reason), "Reason") if below else shown
+    below = () if is_aside(block, page) else block.reason
+    return shown + paragraph(page.inlines(below), "Reason") if below else shown
 
 
 def table(block: d.Table, page: Page) -> str:
@@ -231,8 +232,8 @@ def wraps(block: d.Table, place: int) -> bool:
 def cell(inlines: d.Inlines, letter: str, page: Page, look: str = "", stays: str = "") -> str:
     """The paragraph of a cell; a formula alone in it stands in display style."""
     side = f'{stays}<w:jc w:val="{SIDES[letter]}"/>'
-    if len(inlines) == 1 and isinstance(inlines[0], d.Math):
-        return paragraph(math(render(layout(inlines[0].node, page.notation)), SIDES[letter]), "Cell", more=side)
+    if node := alone(inlines):
+        return paragraph(math(render(layout(node, page.notation)), SIDES[letter]), "Cell", more=side)
     return paragraph(marked(inlines, page, look) if look else page.inlines(inlines), "Cell", more=side)
 
 
@@ -243,14 +244,14 @@ def captioned(block: d.Table | d.FigureBlock, kind: str, page: Page) -> str:
     return paragraph(name + page.inlines(block.caption), "Caption", block.label, more=stay)
 
 
-def figure(block: d.FigureBlock, page: Page) -> str:
+def figure(block: d.FigureBlock, page: WordPage) -> str:
     """A picture with its alt text, and its caption below."""
     drawn = (page.pictures or {}).get(block.number, "")
     drawn = drawn.replace("ALTERNATIVE", safe(block.alt)).replace("NAME", safe(f"figure {block.number}"))
     return paragraph(drawn, "Figure") + captioned(block, "figure", page)
 
 
-def item_list(block: d.ItemList, page: Page) -> str:
+def item_list(block: d.ItemList, page: WordPage) -> str:
     """A list; an ordered one has a numbering of its own."""
     number = (page.lists or {}).get(id(block)) if block.ordered else None
     own = f'<w:numPr><w:ilvl w:val="0"/><w:numId w:val="{number}"/></w:numPr>' if number else ""
