@@ -79,7 +79,7 @@ def read_ways(
     for plain in (False, True):
         trees: list[t.Node] = []
         waiting: list[tuple[bool, ...]] = [()]
-        error, parted = None, []
+        error, parted = None, list[tuple[bool, ...]]()
         while waiting and len(trees) + len(waiting) <= MOST_WAYS:
             script = waiting.pop(0)
             reader = _reader(text, symbols, functions, MappingProxyType({}), None)
@@ -91,12 +91,13 @@ def read_ways(
             waiting += [(*chosen[:place], True) for place in range(len(script), len(chosen))]
         if not waiting:
             return Ways(tuple(trees), error, tuple(parted))
+    assert error is not None  # there were several ways
     raise error
 
 
 def _whole(reader: InfixReader) -> t.Node:
     """The expression or relation that a text is."""
-    items, ops = [expression(reader)], []
+    items, ops = [expression(reader)], list[str]()
     while reader.sees(*RELATION_SIGNS):
         ops.append(reader.take().text)
         items.append(expression(reader))

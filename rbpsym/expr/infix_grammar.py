@@ -117,8 +117,9 @@ def _with_implied(reader: InfixReader, before: t.Node) -> tuple[t.Node, ...]:
     factor = _factor(reader)
     if inside:
         return (in_last_argument(before, lambda arg: t.Mul((arg, factor))),)
-    if below:
-        return (replace(before, den=t.Mul((before.den, factor)), span=(before.span[0], reader.previous_end)),)
+    if below and isinstance(before, t.Div):
+        start = before.span[0] if before.span else 0
+        return (replace(before, den=t.Mul((before.den, factor)), span=(start, reader.previous_end)),)
     return before, factor
 
 
@@ -144,19 +145,22 @@ def _exponent(reader: InfixReader) -> t.Node:
 def _fraction(reader: InfixReader, exponent: t.Node) -> t.Node:
     """The exponent, or the fraction that it begins: in x^1/2 it may be one half."""
     below = reader.ahead()
-    numbers = isinstance(exponent, t.Num) and reader.sees("/") and below.kind == "number" and below.value
-    if not numbers or (exponent.value / below.value).denominator == 1:
+    if not isinstance(exponent, t.Num) or not reader.sees("/") or below.kind != "number" or not below.value:
+        return exponent
+    if (exponent.value / below.value).denominator == 1:
         return exponent
     what = "this can be read in two ways: is the exponent a fraction, or is the power divided?"
     if not reader.decide(what, "Write x^(1/2), or (x^1)/2.", changes_value=True, usual=True):
         return exponent
     reader.take()
-    return reader.spanned(t.Div(exponent, _atom(reader)), exponent.span[0])
+    return reader.spanned(t.Div(exponent, _atom(reader)), exponent.span[0] if exponent.span else 0)
 
 
 def _exponent_number(token: InfixToken) -> t.Node:
-    value = t.Num(abs(token.value), span=(token.start, token.end))
-    return t.Neg(value, span=value.span) if token.value < 0 else value
+    found = _whole(token)
+    size = found if found >= 0 else -found
+    value = t.Num(size, span=(token.start, token.end))
+    return t.Neg(value, span=value.span) if found < 0 else value
 
 
 def _atom(reader: InfixReader) -> t.Node:
@@ -175,7 +179,8 @@ def _atom(reader: InfixReader) -> t.Node:
 
 
 def _whole(token: InfixToken) -> Fraction | int:
-    return int(token.value) if token.value.denominator == 1 else token.value
+    value = token.value or Fraction(0)
+    return int(value) if value.denominator == 1 else value
 
 
 def _missing(reader: InfixReader) -> RbpsymError:
@@ -224,7 +229,7 @@ def _radicand(reader: InfixReader, head: InfixToken | None = None) -> t.Node:
     what, hint = "this can be read in two ways: does it stand under the root?", "Write sqrt(x)*y, or sqrt(x*y)."
     decided = partial(reader.decide, what, hint, changes_value=True, usual=True)
     start, closed = reader.token.start, reader.sees("(")
-    under = _beside(reader, not closed and decided)
+    under = _beside(reader, None if closed else decided)
     if closed or not reader.sees("/") or not t.names(under) or not decided():
         return under
     reader.take()
@@ -233,9 +238,9 @@ def _radicand(reader: InfixReader, head: InfixToken | None = None) -> t.Node:
     return _beside(reader, decided, quotient)
 
 
-def _beside(reader: InfixReader, decided: Callable[[], bool] | bool, *before: t.Node) -> t.Node:
+def _beside(reader: InfixReader, decided: Callable[[], bool] | None, *before: t.Node) -> t.Node:
     """A factor, and those behind it without a sign as long as it is decided so."""
-    start = before[0].span[0] if before else reader.token.start
+    start = before[0].span[0] if before and before[0].span else reader.token.start
     factors = [*before] or [_factor(reader)]
     while decided and _begins_factor(reader) and decided():
         factors.append(_factor(reader))

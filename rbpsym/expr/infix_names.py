@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from difflib import get_close_matches
 from fractions import Fraction
 from types import MappingProxyType
+from typing import Any
 
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.expr import tree as t
@@ -67,9 +68,9 @@ def _tokens(source: Source) -> Iterator[InfixToken]:
     position, spaced = 0, False
     while position < len(source.text):
         found = _PATTERNS.match(source.text, position)
-        kind = found.lastgroup if found else "operator"
+        kind = found.lastgroup or "" if found else "operator"
         if kind == "blank" or source.text[position].isspace():
-            position, spaced = (found.end() if kind == "blank" else position + 1), True
+            position, spaced = (found.end() if found and kind == "blank" else position + 1), True
             continue
         token = _READERS[kind](source, found, spaced)
         yield token
@@ -114,7 +115,7 @@ def _with_tail(source: Source, names: tuple[str, ...], start: int, end: int, spa
         end += 1
     tail = _TAIL.match(source.text, end)
     written = tail[0] if tail else ""
-    small = re.match(r"[^_]*", written)[0]
+    small = written.partition("_")[0]
     label = "_" + small.translate(_SUBSCRIPTS) if small else ""
     suffix = label + written[len(small) :] + dots.replace("_dot_dot", "_ddot")
     end = tail.end() if tail else end
@@ -160,7 +161,7 @@ def _greek(source: Source, names: tuple[str, ...], start: int, spaced: bool) -> 
 
 def _dotted(source: Source, char: str, start: int, spaced: bool) -> InfixToken:
     """A letter that carries its dots, such as ẋ. Raises ReadError for any other character."""
-    base, *marks = unicodedata.normalize("NFD", char)
+    base, *marks = list(unicodedata.normalize("NFD", char))
     if marks and base.isascii() and all(mark in _DOTS for mark in marks):
         token = _with_tail(source, (base,), start, start + 1, spaced)
         names = tuple(name + "_" + _DOTS[marks[0]] for name in token.names)
@@ -168,7 +169,7 @@ def _dotted(source: Source, char: str, start: int, spaced: bool) -> InfixToken:
     raise refused(source, char, start)
 
 
-_READERS = MappingProxyType({
+_READERS: Mapping[str, Callable[[Source, Any, bool], InfixToken]] = MappingProxyType({
     "number": _number, "name": _name, "raised": _raised, "operator": _sign,
 })  # fmt: skip
 
@@ -287,7 +288,7 @@ def is_settled(node: t.Div, reader: InfixReader) -> bool:
 
 def _is_closed(node: t.Node, reader: InfixReader) -> bool:
     """Was the node written in parentheses?"""
-    return bool(node.span) and reader.source.text[node.span[1] :].lstrip().startswith((")", "]"))
+    return node.span is not None and reader.source.text[node.span[1] :].lstrip().startswith((")", "]"))
 
 
 def is_bare_call(node: t.Node, reader: InfixReader) -> bool:
@@ -299,7 +300,7 @@ def is_bare_call(node: t.Node, reader: InfixReader) -> bool:
     return isinstance(node, t.Fn) and not text.endswith((")", "]", "|"))
 
 
-def in_last_argument(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
+def in_last_argument(node: Any, change: Callable[[t.Node], t.Node]) -> t.Node:
     """The node with the argument of the function changed that it ends with."""
     if isinstance(node, t.Mul):
         return replace(node, factors=(*node.factors[:-1], in_last_argument(node.factors[-1], change)))
@@ -307,7 +308,8 @@ def in_last_argument(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node
         return replace(node, base=in_last_argument(node.base, change))
     if isinstance(node, t.Neg):
         return replace(node, arg=in_last_argument(node.arg, change))
-    return replace(node, arg=change(node.arg))
+    changed: t.Node = replace(node, arg=change(node.arg))
+    return changed
 
 
 def is_call(reader: InfixReader) -> bool:

@@ -12,6 +12,8 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.limits import check_degree, check_exponent, check_size
 from rbpsym.frozen import Frozen, Walker, replace
 
+N = TypeVar("N", bound=t.Node)
+
 
 class Source(Frozen):
     """The text being read and the place in a file where it begins."""
@@ -40,7 +42,7 @@ class Source(Frozen):
         """A LimitError at a place."""
         return LimitError(what, place=self.at(start, end))
 
-    def bounded(self, node: t.Node, end: int = 1) -> t.Node:
+    def bounded(self, node: N, end: int = 1) -> N:
         """A tree read from the text, if it keeps the bounds. Raises LimitError at the text up to `end`."""
         try:
             check_size(node)
@@ -79,18 +81,14 @@ MAX_DEPTH = 60
 
 
 class _Token(Protocol):
-    kind: str
-    text: str
-    start: int
-    end: int
-
-
-class _Source(Protocol):
-    text: str
-
-    def at(self, start: int, end: int) -> Place: ...
-    def error(self, what: str, start: int, end: int, instead: str = "") -> RbpsymError: ...
-    def limit(self, what: str, start: int = 0, end: int = 1) -> RbpsymError: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def start(self) -> int: ...
+    @property
+    def end(self) -> int: ...
 
 
 T = TypeVar("T", bound=_Token)
@@ -99,7 +97,7 @@ T = TypeVar("T", bound=_Token)
 class Cursor(Walker, Generic[T]):
     """Tokens read from left to right."""
 
-    source: _Source
+    source: Source
     tokens: tuple[T, ...]
     position: int = 0
     depth: int = 0
@@ -139,7 +137,7 @@ class Cursor(Walker, Generic[T]):
         token = token or self.token
         return self.source.error(what, token.start, token.end, instead)
 
-    def spanned(self, node: t.Node, start: int) -> t.Node:
+    def spanned(self, node: N, start: int) -> N:
         """The node with its span from `start` to here."""
         return replace(node, span=(start, self.previous_end))
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
+from typing import Any, TypeVar
 
-from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import DEFAULT, Glyph, Notation, glyph
 from rbpsym.expr.latex.tokens import Token, tokenize
 from rbpsym.expr.source import Cursor, Source
@@ -87,7 +87,8 @@ def symbol_table(
     Raises ReadError if a spelling can't be split into tokens.
     """
     if isinstance(names, Mapping):
-        names, spellings = tuple(names.values()), {**names, **spellings}
+        spellings = {**names, **spellings}
+        names = tuple(names.values())
     found: dict[Drawn, tuple[str, ...]] = {}
     for name in dict.fromkeys((*names, "pi")):
         for drawing in dict.fromkeys((notation.glyph(name), glyph(name))):
@@ -126,7 +127,7 @@ class LatexReader(Cursor[Token]):
     two ways (False at those behind its end), `met` their errors, `cost` how unusual what was chosen is.
     """
 
-    table: SymbolTable | None = None
+    table: SymbolTable = field(default_factory=lambda: SymbolTable({}))
     integrals: int = 0
     bars: bool = False
     script: tuple[bool, ...] = ()
@@ -177,14 +178,15 @@ class LatexReader(Cursor[Token]):
 
 _ACCENTED = (r"\vec", r"\boldsymbol", r"\dot", r"\ddot", r"\hat", r"\bar", r"\tilde", r"\mathcal")
 _DIFFERENTIATED = frozenset(("(", "^", "{", "}", *_ACCENTED))  # what a differential d may stand before
-Read = Callable[[LatexReader], t.Node]
-COMMANDS: dict[str, Read] = {}
+F = TypeVar("F", bound=Callable[..., Any])
+COMMANDS: dict[str, Callable[..., Node]] = {}  # what begins so, read from there; some say None where it does not stand there
+WORDS: dict[str, Callable[[LatexReader], str]] = {}  # labels and marks
 
 
-def begins(*texts: str) -> Callable[[Read], Read]:
+def begins(*texts: str) -> Callable[[F], F]:
     """Enter a function that reads an atom which begins with one of these tokens."""
 
-    def enter(function: Read) -> Read:
+    def enter(function: F) -> F:
         COMMANDS.update(dict.fromkeys(texts, function))
         return function
 

@@ -251,7 +251,8 @@ def parts(kind: type) -> tuple[str, ...]:
 
 def children(node: Node) -> Iterator[Node]:
     """The direct parts of a node, in reading order."""
-    for name in parts(type(node)):
+    kind: Any = type(node)
+    for name in parts(kind):
         value = getattr(node, name)
         if isinstance(value, Node):
             yield value
@@ -271,7 +272,8 @@ def walk(node: Node) -> Iterator[Node]:
 def mapped(node: Node, change: Callable[[Node], Node]) -> Node:
     """The node with each of its direct parts changed."""
     changed: dict[str, Any] = {}
-    for name in parts(type(node)):
+    kind: Any = type(node)
+    for name in parts(kind):
         value = getattr(node, name)
         if isinstance(value, Node):
             changed[name] = change(value)

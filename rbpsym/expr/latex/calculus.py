@@ -11,7 +11,7 @@ from rbpsym.expr.latex.names import begins_name, label_after, read_name, read_sy
 from rbpsym.expr.latex.tokens import Token
 from rbpsym.expr.symbol_table import Drawn, LatexReader, begins
 
-Limits = tuple[t.Node | str | None, t.Node | None]
+Limits = tuple[t.Node | str | None, t.Node | str | None]
 
 
 @begins(r"\frac")
@@ -28,11 +28,11 @@ def _fraction(reader: LatexReader) -> t.Node:
 
 def _with_differential(reader: LatexReader) -> t.Node | None:
     """The numerator {f dx} of an integrand, the differential kept aside; None (and nothing passed) if it is another one."""
-    begin, found = reader.position, t.ONE
+    begin = reader.position
     if not reader.integrals or reader.path is not None or not reader.pass_sign("{"):
         return None
     try:
-        found = t.ONE if reader.sees_differential() else multiplied(reader)
+        found: t.Node = t.ONE if reader.sees_differential() else multiplied(reader)
         path = _differential(reader) if reader.sees_differential() else None
     except RbpsymError:
         path = None
@@ -84,13 +84,12 @@ def _order(reader: LatexReader) -> int:
     if not reader.pass_sign("^"):
         return 1
     order = argument(reader)
-    small = isinstance(order, t.Num) and isinstance(order.value, int) and 1 <= order.value <= 9
-    return order.value if small else 0
+    return order.value if isinstance(order, t.Num) and isinstance(order.value, int) and 1 <= order.value <= 9 else 0
 
 
 def _below(reader: LatexReader, order: int) -> list[tuple[str, int]]:
     """What stands in the denominator dx^m dy^n. Raises ReadError if it doesn't fit the numerator."""
-    opening, found = reader.token, []
+    opening, found = reader.token, list[tuple[str, int]]()
     reader.expect("{")
     while not found or not reader.sees_sign("}"):
         if not reader.sees_differential():
@@ -132,12 +131,12 @@ def _integral(reader: LatexReader) -> t.Node:
         integrand = expression(reader)
     reader.integrals -= 1
     sign = reader.take().text if reader.sees_sign(r"\cdot", r"\times") else ""
-    path, reader.path = reader.path, around
-    if path is None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(integrand)):
+    found, reader.path = reader.path, around
+    if found is None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(integrand)):
         return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
-    if path is None and not reader.sees_differential():
+    if found is None and not reader.sees_differential():
         raise reader.error("the integral has no differential", "Write dθ at its end.", start)
-    path = _differential(reader) if path is None else path
+    path = _differential(reader) if found is None else found
     return reader.spanned(_integrated(reader, start, integrand, sign, path, limits), start.start)
 
 
@@ -149,7 +148,7 @@ def _has_integrand(reader: LatexReader) -> bool:
 
 def _limits(reader: LatexReader) -> Limits:
     """(lower limit or the name of a region, upper limit); None for what is absent."""
-    found: dict[str, object] = {}
+    found: dict[str, t.Node | str] = {}
     while reader.sees_sign("_", "^") and reader.token.text not in found:
         sign = reader.take().text
         found[sign] = (_region(reader) if sign == "_" else None) or _limit_of(reader)
@@ -163,7 +162,7 @@ def _limit_of(reader: LatexReader) -> t.Node:
     return value if var is None else reader.spanned(t.relation(t.Sym(var), "=", value), start)
 
 
-def _value_at(reader: LatexReader, limit: object, path: t.Node) -> object:
+def _value_at(reader: LatexReader, limit: t.Node | str | None, path: t.Node) -> t.Node | str | None:
     """The limit's value. Raises ReadError if it is that of another variable."""
     if not isinstance(limit, t.Chain):
         return limit
@@ -233,7 +232,7 @@ def _mass(reader: LatexReader) -> t.Node:
 def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
     """The integral that a sign, a differential and limits make."""
     reader.over = getattr(path, "name", "")
-    lower, upper = limits = tuple(_value_at(reader, limit, path) for limit in limits)
+    lower, upper = limits = _value_at(reader, limits[0], path), _value_at(reader, limits[1], path)
     joined = {r"\cdot": t.Dot, r"\times": t.Cross}.get(sign, lambda *factors: t.Mul(factors))
     whole = joined(integrand, t.Formal("differential", (path,)))
     parts = (whole, *(t.Word(end) if isinstance(end, str) else end for end in limits if end is not None))
@@ -244,7 +243,7 @@ def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str,
         if upper is not None:
             return t.Formal("integral", parts)
         return t.PathIntegral(integrand, path, product)
-    if upper is None or isinstance(lower, str) or not isinstance(path, (t.Sym, t.Vec)):
+    if upper is None or isinstance(lower, str) or isinstance(upper, str) or not isinstance(path, (t.Sym, t.Vec)):
         return t.Formal("integral", parts)
     if isinstance(path, t.Vec):
         if not _is_angle(reader, path):
@@ -340,7 +339,7 @@ def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> st
         return "value"
     if not isinstance(node, (t.Sym, t.Vec)):
         return ""
-    if behind and last.kind != "digit":
+    if behind and last and last.kind != "digit":
         return "value"
     beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (last or reader.tokens[-1], reader.token)]
     return "unit" if all(beside) else ""

@@ -7,7 +7,7 @@ sentence of its kind, which says what to write instead (`refuse`).
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction as Rational
 
 from rbpsym.errors import RbpsymError
@@ -150,7 +150,7 @@ def numeral(reader: LatexReader) -> t.Node:
     return argument(reader)
 
 
-def _word(reader: LatexReader, begin: int) -> t.Node:
+def _word(reader: LatexReader, begin: int) -> t.Word:
     """What stands in the braces at a place, as it is written."""
     reader.position, depth = begin, 0
     opening = reader.token
@@ -181,7 +181,7 @@ def _end(reader: LatexReader) -> t.Node:
     """i = 1, i < j, or several of them, in braces."""
     if not reader.sees_sign("{"):
         return argument(reader)
-    begin, opening, found = reader.position, reader.take(), []
+    begin, opening, found = reader.position, reader.take(), list[t.Node]()
     try:
         while not found or reader.pass_sign(","):
             found.append(relation(reader))
@@ -259,8 +259,8 @@ def _parenthesis(reader: LatexReader) -> t.Node:
     start = reader.token.start
     if before is None or before.kind == "row" or before.text in _BEFORE_VECTOR:
         found = between(reader, ")")
-        several = isinstance(found, t.Formal) and found.kind == "list"
-        return reader.spanned(_vector(found.parts), start) if several and len(found.parts) < 4 else found
+        several = isinstance(found, t.Formal) and found.kind == "list" and len(found.parts) < 4
+        return reader.spanned(_vector(found.parts), start) if several and isinstance(found, t.Formal) else found
     return between(reader, ")")
 
 
@@ -271,7 +271,7 @@ _BEFORE_VECTOR = frozenset(("=", r"\approx", "+", "-"))
 def _column(reader: LatexReader) -> t.Node:
     """A column or row of two or three components, a vector; a matrix, a determinant, or values by cases."""
     opening = reader.take()
-    waiting, rows = (reader.integrals, reader.bars), [[]]
+    waiting, rows = (reader.integrals, reader.bars), [list[t.Node]()]
     reader.integrals, reader.bars = 0, False
     while not reader.sees_sign(END_COLUMN):
         empty = reader.sees_sign("&", NEXT)
@@ -292,7 +292,7 @@ def _column(reader: LatexReader) -> t.Node:
     return reader.spanned(t.Formal(kind, tuple(t.Formal("row", tuple(row)) for row in rows)), opening.start)
 
 
-def _vector(cells: list[t.Node]) -> t.Node:
+def _vector(cells: Sequence[t.Node]) -> t.Node:
     along = (t.mul(part, t.Unit(axis)) for part, axis in zip(cells, "xyz", strict=False))
     return cells[0] if len(cells) == 1 else t.Add(tuple(along))
 

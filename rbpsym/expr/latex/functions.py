@@ -61,8 +61,8 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
     if not reader.sees_sign(*LOOSE):
         return found
-    sign = LOOSE[reader.take().text]
-    return reader.spanned(t.Formal(sign, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
+    loose = LOOSE[reader.take().text]
+    return reader.spanned(t.Formal(loose, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
 
 
 MOST_ASKED = 6  # of such questions in a formula; behind them, what varies is a function
@@ -247,7 +247,7 @@ def _function(reader: LatexReader) -> t.Node:
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
     arg = _argument(reader, token)
-    made = t.Group(HYPERBOLIC[name](arg)) if name in HYPERBOLIC else t.Fn(name, arg)
+    made: t.Node = t.Group(HYPERBOLIC[name](arg)) if name in HYPERBOLIC else t.Fn(name, arg)
     made = made if base is None else t.Div(made, t.Fn(name, base))
     call = reader.spanned(made, token.start)
     return reader.power(call, exponent, token.start) if exponent else call

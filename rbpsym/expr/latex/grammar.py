@@ -12,7 +12,7 @@ from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.rows import OPEN
 from rbpsym.expr.latex.tokens import END_COLUMN, Token
 from rbpsym.expr.limits import number_of
-from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
+from rbpsym.expr.symbol_table import COMMANDS, WORDS, LatexReader, begins
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
 DEGREE = t.Div(t.Sym("pi"), t.Num(180))
@@ -243,7 +243,7 @@ def factor(reader: LatexReader) -> t.Node:
         reader.take()
         base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
-        if not isinstance(base, (t.Sym, t.Vec)) and (mark := COMMANDS["mark"](reader)):
+        if not isinstance(base, (t.Sym, t.Vec)) and (mark := WORDS["mark"](reader)):
             base = reader.spanned(t.Formal("marked", (base, t.Word(mark))), start)
             continue
         reader.take()
@@ -253,7 +253,7 @@ def factor(reader: LatexReader) -> t.Node:
             base = COMMANDS["applied"](reader, base, first, raised=True)
         base = reader.spanned(t.Formal("transposed", (base,)), start) if transposed else reader.power(base, exponent, start)
     while reader.sees_sign("_", "'", "!", r"\prime"):
-        label = (t.Word(COMMANDS["label"](reader)),) if reader.sees_sign("_") else ()
+        label = (t.Word(WORDS["label"](reader)),) if reader.sees_sign("_") else ()
         kind = "marked" if label or reader.take().text != "!" else "factorial"
         base = reader.spanned(t.Formal(kind, (base, *label)), start)
     return base
@@ -292,7 +292,7 @@ def _differential(reader: LatexReader) -> t.Node:
     """dx, d²x or d(xy) that stands alone."""
     place, italic, start = reader.position, reader.token.kind == "letter", reader.take().start
     if reader.sees_sign("_"):
-        return reader.spanned(t.Formal("∂", (t.Word(COMMANDS["label"](reader)),)), start)
+        return reader.spanned(t.Formal("∂", (t.Word(WORDS["label"](reader)),)), start)
     order = (argument(reader),) if reader.pass_sign("^") else (t.Word("inexact"),) if reader.pass_sign("'") else ()
     inner = atom(reader) if begins_factor(reader) else None
     if inner is None and italic:  # a length d: nothing follows that could change

@@ -9,7 +9,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.tokens import FUNCTION_WORDS, Token, tokenize
 from rbpsym.expr.source import Source
-from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, SymbolTable, spelling
+from rbpsym.expr.symbol_table import COMMANDS, WORDS, Drawn, LatexReader, SymbolTable, spelling
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 _ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "mathbb", "mathfrak")
@@ -205,7 +205,7 @@ def label_after(reader: LatexReader, *, begun: bool = False) -> str:
     return label
 
 
-COMMANDS["label"] = label_after
+WORDS["label"] = label_after
 
 
 def _label_part(reader: LatexReader) -> str:
@@ -261,7 +261,7 @@ def mark_above(reader: LatexReader) -> str:
     return mark.text.lstrip("\\")
 
 
-COMMANDS["mark"] = mark_above
+WORDS["mark"] = mark_above
 
 
 def _primes_ahead(reader: LatexReader) -> int:
@@ -332,7 +332,7 @@ def _known(reader: LatexReader, drawn: Drawn, vector: bool, word: Token | None, 
     names = reader.table.names.get(drawn, ())
     known = names or reader.table.names.get(replace(drawn, dots=1), ())  # where a rate has a name, others have one too
     still = reader.table.names.get(replace(drawn, dots=0), ()) if drawn.dots and not known and reader.table.varies else ()
-    if len(still) == 1 and reader.table.varies(still[0]):
+    if len(still) == 1 and reader.table.varies and reader.table.varies(still[0]):
         return t.Deriv((t.Vec if vector else t.Sym)(still[0]), "t", drawn.dots)
     if len(names) == 1:
         return (t.Vec if vector else t.Sym)(names[0])

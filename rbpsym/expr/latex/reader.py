@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
+from typing import Any
 
 from rbpsym.errors import Place, RbpsymError
 from rbpsym.expr import tree as t
@@ -47,7 +48,7 @@ class Reading(Frozen):
     script: tuple[bool, ...]
     met: tuple[Question, ...]
     cost: int
-    node: t.Node | None
+    node: Any
     error: RbpsymError | None
 
 
@@ -59,15 +60,16 @@ def best_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, 
     readings = _all(source, tokens, table, read, first)
     sound = [reading for reading in readings if reading.node is not None]
     if not sound:
-        raise first.error
-    faults = {reading.script: table.faults(reading.node) for reading in sound}
+        return _tree(first)
+    count = table.faults or equally
+    faults = {reading.script: count(reading.node) for reading in sound}
     ranked = sorted(sound, key=lambda reading: (faults[reading.script], reading.cost))
     best = ranked[0]
     rank = (faults[best.script], best.cost)
     rivals = [r for r in ranked if (faults[r.script], r.cost) == rank and r.node != best.node]
     if rivals:
         raise _asked(source, _parting(best, rivals[0]))
-    return best.node
+    return _tree(best)
 
 
 def every_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> tuple[Reading, ...]:
@@ -76,25 +78,27 @@ def every_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable,
     first = _reading(source, tokens, free, read, ())
     readings = _all(source, tokens, free, read, first)
     sound = tuple(reading for reading in readings if reading.node is not None)
-    if not sound:
+    if not sound and first.error is not None:
         raise first.error
     return sound
 
 
 def _tree(reading: Reading) -> t.Node:
-    if reading.node is None:
+    if reading.error is not None:
         raise reading.error
-    return reading.node
+    node: t.Node = reading.node
+    return node
 
 
 def _reading(
     source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
 ) -> Reading:
     reader = LatexReader(source, tokens, table=table, script=script)
+    node, error = None, None
     try:
-        node, error = read(reader), None
+        node = read(reader)
     except RbpsymError as found:
-        node, error = None, found
+        error = found
     chosen = (*script, *(False,) * (len(reader.met) - len(script)))
     return Reading(chosen, tuple(reader.met), reader.cost, node, error)
 
@@ -242,7 +246,8 @@ def _asserted(rows: list[t.Node], conditions: list[t.Node], reader: LatexReader)
     alone = next((row for row in (*rows, *conditions) if not isinstance(row, (t.Chain, t.Formal))), None)
     if alone is not None:
         hint = "Begin it with the sign by which it goes on, or write a whole relation."
-        raise reader.source.error("this is no relation, and nothing says how it goes on", *alone.span, hint)
+        start, end = alone.span or (0, 1)
+        raise reader.source.error("this is no relation, and nothing says how it goes on", start, end, hint)
     return t.System(tuple(rows), tuple(conditions), span=(0, reader.previous_end))
 
 

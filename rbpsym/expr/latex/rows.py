@@ -103,7 +103,7 @@ class _Layout:
 
     def _row_behind(self, k: int) -> list[int]:
         """Where the tokens up to the next end of a row or parting stand, on this level."""
-        places, depth = [], 0
+        places, depth = list[int](), 0
         for place in range(k + 1, len(self.all) - 1):
             token = self.all[place]
             depth += self.steps[place]
@@ -160,6 +160,8 @@ class _Layout:
         if (k and self.all[k - 1].kind == "gap") or self._at_edge(k, -1) or self._at_edge(k, 1):
             return None
         before, behind, last = self._near(k, -1), self._near(k, 1), k
+        if before is None or behind is None:
+            return None
         while self.all[last + 1].kind == "gap":
             last += 1
         if self.all[last + 1].text == "&":
@@ -231,8 +233,8 @@ class _Layout:
         begins, name = token.text.startswith(r"\begin"), token.text.partition("{")[2].partition("}")[0]
         step = -1 if begins else 1
         near, beside = self._near(k, step), self.all[k + step]
-        alone = self._at_edge(k, step) or beside.kind == "gap" or near.text in PUNCTUATION
-        if self.depth or not (alone or (_is_relation(near) and name not in _CELLED)):
+        alone = self._at_edge(k, step) or beside.kind == "gap" or near is None or near.text in PUNCTUATION
+        if self.depth or not (alone or (near and _is_relation(near) and name not in _CELLED)):
             raise self._error(token, f"an environment “{name}” within a formula can't be read", "Write it alone.")
         return None
 

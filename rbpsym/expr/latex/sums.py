@@ -43,9 +43,10 @@ def _written_out(reader: LatexReader, sign: Token) -> t.Node | None:
     """The terms of a sum from a number to a number whose index stands in subscripts alone; else None, and nothing is passed."""
     begin, tokens, terms = reader.position, reader.tokens, []
     counted = _COUNTED.match(reader.source.text, reader.token.start)
+    last = counted.end() if counted else 0
     index, low, high = (counted[1], int(counted[2]), int(counted[3] or counted[4])) if counted else ("", 0, -1)
     for count in range(low, high + 1 if high - low < MOST_TERMS else low):
-        reader.position = behind = next(k for k in range(begin, len(tokens)) if tokens[k].start >= counted.end())
+        reader.position = behind = next(k for k in range(begin, len(tokens)) if tokens[k].start >= last)
         reader.tokens = _numbered(tokens, behind, index, str(count))
         terms.append(multiplied(reader))
         if index in {token.text for token in reader.tokens[behind : reader.position]}:

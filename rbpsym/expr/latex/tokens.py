@@ -197,7 +197,7 @@ def _single(source: Source, position: int) -> Token:
 
 
 def _token(source: Source, found: re.Match[str]) -> Token:
-    kind, text = found.lastgroup, found[0]
+    kind, text = found.lastgroup or "", found[0]
     if kind == "begin":
         return _environment(source, text, *found.span())
     return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, _ALIASES.get(text, text))), *found.span())
@@ -251,7 +251,7 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
 
 
 def _environment(source: Source, text: str, start: int, end: int) -> Token:
-    name = re.search(r"\{([^{}]*)\}", text)[1]
+    name = text.partition("{")[2].partition("}")[0]
     in_rows = name in ("array", "cases", "dcases") and not _is_column(source.text, name, text, start, end)
     if name.removesuffix("*") in _COLUMNS or (name in ("array", "cases", "dcases") and not in_rows):
         return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
