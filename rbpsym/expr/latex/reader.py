@@ -273,7 +273,8 @@ _SAYING = re.compile(rf"{CONDITIONS.pattern}|[^\W\d_]{{2,}}\s+[^\W\d_]{{2,}}", r
 
 def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
     """The row; words with what they are about are a condition that nothing can be computed of."""
-    said = not isinstance(row, (t.Chain, t.Formal)) and any(_SAYING.search(word.text) for word in _words(row))
+    has_words = "text" in {token.kind for token in reader.tokens}
+    said = has_words and not isinstance(row, (t.Chain, t.Formal)) and any(_SAYING.search(word.text) for word in _words(row))
     return t.Formal("condition", (row,), span=row.span) if said else row
 
 
