@@ -9,7 +9,7 @@ from rbpsym.expr.latex.functions import SIGNS, operand
 from rbpsym.expr.latex.grammar import argument, begins_factor, between, expression, factor, multiplied
 from rbpsym.expr.latex.names import begins_name, label_after, read_name, read_symbol
 from rbpsym.expr.latex.tokens import Token
-from rbpsym.expr.symbol_table import Drawn, LatexReader, begins
+from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 
 Limits = tuple[t.Node | str | None, t.Node | str | None]
 
@@ -17,13 +17,15 @@ Limits = tuple[t.Node | str | None, t.Node | str | None]
 @begins(r"\frac")
 def _fraction(reader: LatexReader) -> t.Node:
     """A fraction, or a derivative if d stands above and below."""
-    start = reader.take().start
+    first, start = reader.position, reader.take().start
     num = _with_differential(reader)
     derivative = _derivative(reader, start) if num is None else None
     if derivative:
         return derivative
     num = argument(reader) if num is None else num
-    return reader.spanned(t.Div(num, argument(reader)), start)
+    whole = reader.spanned(t.Div(num, argument(reader)), start)
+    named = isinstance(num, t.Sym | t.Vec) and isinstance(whole.den, t.Sym | t.Vec)
+    return COMMANDS["applied"](reader, whole, first) if named and reader.sees_sign("(") else whole
 
 
 def _with_differential(reader: LatexReader) -> t.Node | None:

@@ -236,9 +236,6 @@ def factor(reader: LatexReader) -> t.Node:
     start, first = reader.token.start, reader.position
     closed = reader.sees_sign("(", "[", r"\{", r"\frac", r"\dv", r"\pdv")
     base = atom(reader)
-    named = closed and isinstance(base, t.Div) and isinstance(base.num, t.Sym | t.Vec) and isinstance(base.den, t.Sym | t.Vec)
-    if named and reader.sees_sign("("):
-        base = COMMANDS["applied"](reader, base, first)  # \frac XY(ω)
     while closed and _sees_evaluation(reader):
         reader.take()
         base = COMMANDS["at"](reader, base, start)
