@@ -130,17 +130,19 @@ Phrase = tuple[str, Callable[..., Bound], str]
 
 
 class World(Protocol):
-    """A problem or a theory as claims see it; `symbols`: what its own names are printed as, with the names.
-
-    `dimensions` are those of the generators of its values.
-    """
+    """A problem or a theory as claims see it."""
 
     @property
-    def motion(self) -> Motion: ...
+    def motion(self) -> Motion:
+        """What is true of its motion."""
+
     @property
-    def symbols(self) -> Mapping[str, str]: ...
+    def symbols(self) -> Mapping[str, str]:
+        """What its own names are printed as, with the names."""
+
     @property
-    def dimensions(self) -> Mapping[str, Dimension]: ...
+    def dimensions(self) -> Mapping[str, Dimension]:
+        """Those of the generators of its values."""
 
     def bound(self, phrase: str) -> Bound:
         """What a phrase means. Raises StatementError with what is known for one that means nothing."""
