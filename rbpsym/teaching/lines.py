@@ -83,7 +83,8 @@ class Gap(Frozen):
 
     def left_out(self, statement: t.Node, number: int) -> t.Node:
         """The statement with the blank of this number in its place."""
-        return put(statement, self.path, blank(number) if self.along is None else t.Mul((blank(number), self.along)))
+        found: t.Node = put(statement, self.path, blank(number) if self.along is None else t.Mul((blank(number), self.along)))
+        return found
 
 
 def gaps(statement: t.Node) -> list[Gap]:
