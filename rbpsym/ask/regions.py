@@ -10,7 +10,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
 from rbpsym.field import Scalar, depends_on, is_zero
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 
 
@@ -62,7 +62,7 @@ def region(value: Scalar, name: str, given: Assumptions) -> Region | None:
 def _otherwise(value: Scalar, name: str, demand: Demand, given: Assumptions) -> int:
     """The sign in the whole range where the demand is not met; 0 if it is not known."""
     opposite = Demand(-demand.value, ">=" if demand.op == ">" else ">")
-    table = sign_table(value, name, assuming(given, [opposite], tighter=True, whole=True))
+    table = sign_table(value, name, where_met(given, [opposite]))
     return table.signs[0] if demand.op != "!=" and table.is_whole and len(table.signs) == 1 else 0
 
 
