@@ -10,10 +10,10 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, cast
 
 from rbpsym.claims import decide as d
+from rbpsym.claims.conditions import asserted, is_state, relations, under
 from rbpsym.claims.ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
 from rbpsym.claims.integrals import NoValueError, as_vector, valued, with_dimensions
 from rbpsym.claims.model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst
-from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.points import names_of
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Kind, Verdict, all_of, refuted
@@ -32,22 +32,7 @@ CONTRADICTS = {
     "nonnegative": frozenset(("negative",)),
     "nonzero": frozenset(("zero",)),
 }
-OPEN = ("<", ">")  # relations that may hold within an interval and not at its ends
-Decide = Callable[[t.Chain, Ground], Link]
-
-
-def relations(node: t.Node) -> Iterator[t.Chain]:
-    """The single relations that a chain or a system asserts."""
-    return (relation for relation, _ in asserted(node))
-
-
-def asserted(node: t.Node, conditions: tuple[t.Node, ...] = ()) -> Iterator[tuple[t.Chain, tuple[t.Node, ...]]]:
-    """The single relations, each with the conditions under which it is said to hold."""
-    if isinstance(node, t.System):
-        for row in node.rows:
-            yield from asserted(row, (*conditions, *node.conditions))
-    else:
-        yield from ((t.relation(*one), conditions) for one in t.relations(node))
+HOLDS = (Outcome.PROVED, Outcome.DEFINITION)
 
 
 def premises(given: Iterable[tuple[Printed, t.Node]], ground: Ground) -> dict[str, Scalar]:
@@ -97,64 +82,6 @@ def told(ground: Ground) -> str:
     """What each premise was solved for, in words."""
     pairs = ((t.Sym(name.strip()), present(value)) for name, value in ground.premises.items())
     return " and ".join(f"given {to_text(t.equation(*pair))}" for pair in pairs)
-
-
-def under(conditions: tuple[t.Node, ...], ground: Ground) -> Callable[[t.Chain, Decide], Link]:
-    """Decides a relation as it stands; if it does not hold so, then where the conditions of its display hold: at the place that
-    an equation names, within the range that inequalities leave."""
-    links = [link for node in conditions for link in relations(node)]
-    said = ", ".join(to_text(node) for node in conditions)
-    places = [link for link in links if _is_place(link, ground)]
-    narrowed = _narrowed([link for link in links if link not in places], ground)
-    closed = any(op in ("<=", ">=") for link in links for op in link.ops)
-
-    def decided(relation: t.Chain, decide: Decide) -> Link:
-        found = decide(relation, ground)
-        if not links or found.outcome not in (Outcome.REFUTED, Outcome.UNDECIDED):
-            return found
-        for place in places if narrowed else ():
-            relation = t.relation(t.At(relation.items[0], place), relation.ops[0], t.At(relation.items[1], place))
-        found = decide(relation, narrowed) if narrowed else found
-        ends = found.outcome is Outcome.PROVED and closed and relation.ops[0] in OPEN
-        if narrowed is None or ends:
-            return replace(found, outcome=Outcome.UNDECIDED, detail=f"it is not decided where {said}")
-        return replace(found, how=f"{found.how} where {said}") if found.how else found
-
-    return decided
-
-
-def _is_place(link: t.Chain, ground: Ground) -> bool:
-    """Whether it gives a value to a coordinate, a speed, the time or a parameter, which a formula is a function of."""
-    name = ground.generator(link.items[0].name) if link.ops == ("=",) and isinstance(link.items[0], t.Sym) else None
-    return name is not None and name not in ground.motion.unsettled
-
-
-def _narrowed(links: list[t.Chain], ground: Ground) -> Ground | None:
-    """The ground with the ranges that inequalities give to its names; None if one of them gives none."""
-    given: Assumptions | None = ground.motion.assumptions
-    for link in links:
-        (left, right), [op] = link.items, link.ops
-        low, high = (left, right) if op in ("<", "<=") else (right, left)
-        given = _bounded(low, high, ground, given) if given and op in ("<", "<=", ">", ">=") else None
-    return replace(ground, assumed=given) if given else None
-
-
-def _bounded(low: t.Node, high: t.Node, ground: Ground, given: Assumptions) -> Assumptions | None:
-    for node, bound, end in ((low, high, 1), (high, low, 0)):
-        name = ground.generator(node.name) if isinstance(node, t.Sym) and node.name != "pi" else None
-        value = valued(bound, ground)
-        if name is None or isinstance(value, Space) or names_of([value]):
-            continue
-        lower, upper = ends = given.range_of(name)
-        kind = "positive" if (old := ends[end]) is None else sign((old - value) * (1 if end else -1)).kind
-        if kind is None:
-            return None
-        if kind == "positive":
-            lower, upper = (lower, value) if end else (value, upper)
-        if lower is not None and upper is not None and sign(upper - lower, given).kind != "positive":
-            return None  # no state is there, and of none anything could be said
-        return given.with_range(name, lower, upper)
-    return None
 
 
 if TYPE_CHECKING:
@@ -234,9 +161,26 @@ class Checker(Frozen):
 
     def links(self, node: t.Node, claim: Claim, ground: Ground, latex: str = "") -> Iterator[Link]:
         """The outcome of each relation that the formula asserts."""
-        solved = told(ground)
-        for place, (relation, conditions) in enumerate(asserted(node)):
-            link = under(conditions, ground)(relation, lambda relation, ground: decide(relation, ground, claim.holds))
+        solved, rows = told(ground), [*asserted(node)]
+        known: dict[t.Chain, Link] = {}
+        shown: dict[t.Chain, set[t.Chain]] = {}
+
+        def decided(relation: t.Chain, where: Ground = ground) -> Link:
+            if where is not ground:
+                return decide(relation, where, claim.holds)
+            return known.get(relation) or known.setdefault(relation, decide(relation, where, claim.holds))
+
+        def is_open(link: t.Chain) -> bool:
+            return is_state(link, ground) and decided(link).outcome not in HOLDS
+
+        begun = {one for _, _, sources in rows for one in sources}
+        for place, (relation, conditions, sources) in enumerate(rows):
+            if not sources and relation in begun and is_open(relation):
+                continue  # it is said of what follows from it only
+            opened = [one for one in sources if is_open(one) and not (one in shown and shown[one] <= {*sources})]
+            link = under((*conditions, *opened), relation, ground, decided)
+            if link.outcome in HOLDS:
+                shown[relation] = {*opened}
             link = replace(link, how=", ".join(filter(None, (link.how, solved))))
             if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
                 found = self.diagnose(relation, claim, ground)

@@ -14,6 +14,7 @@ from rbpsym.claims.ground import HOW, Question, are_same
 from rbpsym.claims.integrals import as_vector
 from rbpsym.claims.refute import disorder, refutation, witness_of
 from rbpsym.decide.equal import compare, scalars_equal
+from rbpsym.decide.points import names_of
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import Undecided
@@ -163,7 +164,8 @@ def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdi
 
 
 def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
-    """a ≈ b for small values of one coordinate, with its speed, in which they differ, or of all of them; at any depth."""
+    """a ≈ b for small values of what is said to be small, or of one coordinate, with its speed, in which they differ, or of all
+    of them; at any depth."""
     found = undecided("nothing was tried")
     for depth in question.depths:
         sides = [question.seen(side, depth) for side in (a, b)]
@@ -171,20 +173,33 @@ def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
         each: dict[str, list[str]] = {name.removesuffix("_dot"): [] for name in moving}
         for name in moving:
             each[name.removesuffix("_dot")].append(name)
-        for small in (*each.values(), moving) if len(each) != 1 else (moving,):
-            found = _to_first_order(sides, small, question)
+        said = [name for name in (*question.ground.small, *moving) if name.removesuffix("_dot") in question.ground.small]
+        for small in (said,) if said else (*each.values(), moving) if len(each) != 1 else (moving,):
+            found = to_first_order(sides, small, question)
             if found.is_proved:
                 first = f"equal to first order in {' and '.join(small)}" if small else ""
                 return proved(", ".join(filter(None, (HOW[depth] if depth != "identity" or not small else "", first))))
+    for name in names_of([a - b]):
+        if to_first_order([a, b], [name], question).is_proved and has_slopes([a, b], [name]):
+            return undecided(f"it holds to first order in {name}, of which it is not said that it is small")
     return found
 
 
-def _to_first_order(sides: list[Scalar], small: list[str], question: Question) -> Verdict:
+def to_first_order(sides: list[Scalar], small: list[str], question: Question) -> Verdict:
     """Whether two values and their slopes are equal where all that is small vanishes."""
     at = dict.fromkeys(small, NOTHING)
     rows = [sides, *([derivative(side, name) for side in sides] for name in small)]
-    pairs = [[substitute(value, at) for value in row] for row in rows]
+    try:
+        pairs = [[substitute(value, at) for value in row] for row in rows]
+    except ZeroDivisionError:
+        return undecided(f"there is no value where {' and '.join(small)} vanish")
     return all_of(scalars_equal(one, other, question.motion.assumptions) for one, other in pairs)
+
+
+def has_slopes(sides: list[Scalar], small: list[str]) -> bool:
+    """Whether one of them has a first order in what is small."""
+    at = dict.fromkeys(small, NOTHING)
+    return any(substitute(derivative(side, name), at) for side in sides for name in small)
 
 
 RELATIONS: dict[str, Callable[..., Verdict]] = {

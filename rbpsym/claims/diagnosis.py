@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from rbpsym.claims.check import decide
-from rbpsym.claims.decide import equal_to_first_order, is_constant
+from rbpsym.claims.decide import equal_to_first_order, has_slopes, is_constant
 from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
 from rbpsym.claims.diagnosis_numbers import TOLERANCE, Sample, samples
 from rbpsym.claims.ground import HOW, Ground, Question, holds_unknowns
@@ -21,7 +21,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.places import Path, put, sites
-from rbpsym.field import NOTHING, Scalar, Space, depends_on, derivative, substitute, symbol
+from rbpsym.field import Scalar, Space, depends_on, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.present.forms import present
@@ -94,10 +94,9 @@ def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> tuple[st
                 asked = f"is {latex} the {claim.setting.symbols[latex].phrase}, up to a constant?"
                 return f"{FACT} the sides differ by a constant, {to_text(present(gap))}: {asked}", ""
         small = [name for name in question.motion.scope.start if depends_on(gap, name)]
-        slopes = (substitute(derivative(side, name), dict.fromkeys(small, NOTHING)) for side in (left, right) for name in small)
-        if any(slopes) and equal_to_first_order(left, right, question).is_proved:
+        if equal_to_first_order(left, right, question).is_proved and has_slopes([left, right], small):
             return "", f"{FACT} it holds to first order in {' and '.join(to_text(t.Sym(name)) for name in small)}: write \\approx"
-    except (RbpsymError, ZeroDivisionError):
+    except RbpsymError:  # a side has no value
         pass
     return "", ""
 
@@ -115,7 +114,7 @@ def _actual(relation: t.Chain, ground: Ground) -> str:
         return ""
     try:
         found = question.seen(scalar(alone, ground.scope), "start")
-    except (RbpsymError, ZeroDivisionError):
+    except RbpsymError:  # it is not known on the motion
         return ""
     if found == symbol(alone.name) or holds_unknowns(found, question) or tells_of_work(found, question):
         return ""
@@ -135,7 +134,7 @@ def _is_likely(repair: Repair, ground: Ground, looks: list[Sample]) -> bool | No
     own = repair.ground or ground
     try:
         ready = t.Chain(tuple(prepared(item, own) for item in repair.relation.items), ("=",))
-    except (RbpsymError, ZeroDivisionError):
+    except (RbpsymError, ZeroDivisionError):  # the repair leaves a formula without a value
         return False
     if repair.ground is not None:
         looks = [replace(look, question=replace(look.question, ground=own), known={}) for look in looks]

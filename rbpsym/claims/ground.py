@@ -127,6 +127,7 @@ class Ground(Frozen):
     defined: dict[str, Scalar | Space] = field(default_factory=dict)
     premises: Mapping[str, Scalar] = field(default_factory=dict)
     assumed: Assumptions | None = None
+    small: tuple[str, ...] = ()  # what ≈ takes for small, where that is said
 
     @kept
     def motion(self) -> Motion:

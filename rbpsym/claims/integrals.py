@@ -7,7 +7,7 @@ the sum over the points at which the external forces act.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -24,7 +24,7 @@ from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.symbol_table import SymbolTable
-from rbpsym.field import EX, EY, Scalar, Space, Vector, depends_on, is_zero, names_in, short, substitute, symbol
+from rbpsym.field import EX, EY, NOTHING, Scalar, Space, Vector, depends_on, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Scope, scalar, space_derivative, time_derivative, value, vector
 from rbpsym.field.integration import definite
 from rbpsym.mechanics.motion import along_motion
@@ -275,13 +275,13 @@ def _beside(found: Scalar, name: str, ground: Ground) -> frozenset[str] | set[st
     return names_in(found) & {*(motion.scope.rates if name == "t" or name in motion.scope.rates else motion.speeds)} - {name}
 
 
-def _function_of(name: str, found: Scalar, ground: Ground) -> Scalar:
-    """The value on the motion, as a function of one coordinate or parameter. Raises Undecided."""
+def _function_of(name: str, found: Scalar, ground: Ground, given: Collection[str] = ()) -> Scalar:
+    """The value on the motion, as a function of one coordinate or parameter, and of what else is given. Raises Undecided."""
     found = _on_motion(found, ground)
-    if not _beside(found, name, ground):
+    if not _beside(found, name, ground).difference(given):
         return found
     known = along_motion(ground.motion.moved(found), ground.motion.squares)
-    if known is None or _beside(known, name, ground):
+    if known is None or _beside(known, name, ground).difference(given):
         raise Undecided(f"it is not known as a function of {name} alone")
     return known
 
@@ -294,19 +294,20 @@ def _renamed(node: t.Bracket | t.Limit, ground: Ground) -> t.Node:
 
 
 def _at(node: t.At, ground: Ground) -> t.Node:
-    """f|_{θ = 0}: the value there."""
-    condition = node.condition
-    if not (isinstance(condition, t.Chain) and condition.ops == ("=",) and isinstance(condition.items[0], t.Sym)):
-        raise Undecided("a value can be taken where a symbol has a value")
-    name = ground.generator(condition.items[0].name)
-    if name is None:
-        raise Undecided("the place is not given by a coordinate or parameter")
-    place, found = scalar(condition.items[1], ground.scope), value(node.arg, ground.scope)
+    """f|_{θ = 0}: the value there; where several symbols have a value too."""
+    places, found = {}, value(node.arg, ground.scope)
+    for left, op, right in t.relations(node.condition):
+        if op != "=" or not isinstance(left, t.Sym):
+            raise Undecided("a value can be taken where a symbol has a value")
+        name = ground.generator(left.name)
+        if name is None:
+            raise Undecided("the place is not given by a coordinate or parameter")
+        places[name] = scalar(right, ground.scope)
 
     def there(part: Scalar) -> Scalar:
-        if name == "t" and not place:
+        if places == {"t": NOTHING}:
             return substitute(_on_motion(part, ground), ground.scope.start)
-        return substitute(_function_of(name, part, ground), {name: place})
+        return substitute(_function_of(next(iter(places)), part, ground, places), places)
 
     if not isinstance(found, Space):
         return _injected(there(found), ground)

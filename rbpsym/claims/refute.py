@@ -20,7 +20,7 @@ from rbpsym.decide.equal import find_witness
 from rbpsym.decide.verdict import Kind, Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, atoms, depends_on, show, substitute
+from rbpsym.field import Scalar, atoms, depends_on, names_in, show, substitute, symbol
 from rbpsym.quantity.bound import Motion
 from rbpsym.quantity.path import Path, on_path, path_of, reachable, with_energy, work_done
 
@@ -73,12 +73,23 @@ def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
     x, y = (question.seen(v, "motion") for v in (a, b))
     if holds_unknowns(x, question) or holds_unknowns(y, question) or path_of((x, y), motion).names:
         return undecided("")
+    if not _may_be_met((x, y), motion):
+        return undecided("")
     kept = motion.kept if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else ()
     for pair, domain in with_energy((x, y), motion):
         found = witness_of(pair[0], pair[1], motion.assumptions, [*domain, *kept])
         if found.is_refuted:
             return found
     return undecided("")
+
+
+def _may_be_met(values: Iterable[Scalar], motion: Motion) -> bool:
+    """Whether values that are no functions of one place may be had on the motion: the start gives what changes in them a value
+    of its own, which is free."""
+    names = {name for name in motion.scope.rates for value in values if depends_on(value, name)}
+    starts = {motion.scope.start.get(name) for name in names}
+    own = {name for start in starts if start is not None for name in names_in(start)}
+    return motion.is_free or (len(starts) == len(names) and starts == set(map(symbol, own)))
 
 
 def _on_other_motions(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -91,8 +102,6 @@ def _on_other_motions(a: Scalar, b: Scalar, question: Question) -> Verdict:
 
 def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
     """What stays equal along the motion has equal rates of change at the start, of each order."""
-    if not path_of((a, b), question.motion).names:
-        return undecided("")
     for order in ORDERS:
         x, y = (question.begin(value) for value in (a, b))
         if not holds_unknowns(x, question) and not holds_unknowns(y, question):
@@ -163,6 +172,10 @@ def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> 
     path = path_of(values, motion)
     if motion.is_tied or any(holds_unknowns(value, question) for value in values):
         return undecided("the sign of the difference is not known for the motion from the start")
+    if not path.names and not _may_be_met(values, motion):
+        found = witness_of(*map(question.begin, values), motion.assumptions, (), lambda x, y: sign_of(x - y) in signs)
+        unknown = undecided("the sign of the difference is not known for the motion from the start")
+        return replace(found, witness=replace(found.witness, of=ORDERS[0])) if found.is_refuted else unknown
     for pair, when in on_path(tuple(question.seen(value, "start") for value in values), motion):
         if any(map(_holds_speed, pair)) and not motion.is_free:
             return undecided("the sign of the difference is not known for the motion from the start")

@@ -214,10 +214,14 @@ class Chain(Node):
 
 
 class System(Node):
-    """Several relations shown under each other (an aligned block), all asserted, perhaps under conditions."""
+    """Several relations shown under each other (an aligned block), all asserted, perhaps under conditions.
+
+    sources: what stands before an arrow from which they are said to follow.
+    """
 
     rows: tuple[Node, ...]
     conditions: tuple[Node, ...] = ()
+    sources: tuple[Node, ...] = ()
 
 
 ZERO, ONE, TWO, HALF = Num(0), Num(1), Num(2), Num(Fraction(1, 2))

@@ -7,7 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from rbpsym.claims.check import CONSTANTS, relations
+from rbpsym.claims.check import CONSTANTS
+from rbpsym.claims.conditions import relations
 from rbpsym.claims.ground import Ground
 from rbpsym.claims.integrals import prepared
 from rbpsym.claims.model import CERTIFIED, Result

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rbpsym.errors import StatementError
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, cosine, sine, tidy
 from rbpsym.field.evaluate import scalar
@@ -30,7 +31,10 @@ def inertia(body: Body) -> Inertia:
     shape = body.shape
     if shape.given_moment is not None or _has_given_part(shape):
         return _assembled(shape, body.mass)
-    zeroth, x, y, second = (total_moment(shape.elements, power) for power in POWERS)
+    try:
+        zeroth, x, y, second = (total_moment(shape.elements, power) for power in POWERS)
+    except StatementError as error:
+        raise error.at(body.place) from None
     mass = scalar(body.mass) if body.mass is not None else zeroth
     return _about_center(mass, (x, y), second)
 

@@ -128,8 +128,7 @@ class Study(Frozen):
     @kept
     def assumptions(self) -> Assumptions:
         """Declared signs of the parameters and ranges of the coordinates."""
-        signs = {q.name: q.sign for q in self.problem.parameters}
-        signs |= {} if self.has_clock else {"t": "nonnegative"}  # it is counted from the start
+        signs = {"t": "nonnegative"} | {q.name: q.sign for q in self.problem.parameters}  # counted from the start
         ranges = {
             c.name: tuple(None if bound is None else scalar(bound) for bound in (c.lower, c.upper))
             for c in (*self.problem.parameters, *self.problem.coordinates)

@@ -58,9 +58,10 @@ def assemble(table: Table, name: str) -> Problem:
     starts = tuple(replace(named[name], quantity=quantity) for name, quantity in reader.implicit.items() if name in named)
     scope = replace(_scope_of(parameters, (*coordinates, *starts)), coordinates=reader.dimensions)
     scope = replace(scope, points=_points(table, scope))
-    bodies = read_bodies(table, scope)
+    beginning = replace(scope, starts={c.name: c.start for c in coordinates if c.start is not None})
+    bodies = read_bodies(table, beginning)
     around = Surroundings(scope, bodies)
-    interactions, constraints = read_both(table, around)
+    interactions, constraints = read_both(table, replace(around, scope=beginning))
     problem = Problem(
         name=table.string("name") or name,
         parameters=parameters,

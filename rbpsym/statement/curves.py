@@ -167,6 +167,9 @@ def string_path(element: Element, scope: Scope, bodies: Bodies) -> None:
             )
     if all(turn.body is None for turn in path):
         raise element.error("joins only fixed places", "let it end at a point of a body.")
+    if tied := next((turn.center.label for turn in path[1:-1] if turn.body is None and turn.grips), ""):
+        hint = f'for a smooth peg there write {{ around = "{tied}" }}; what is tied there is two strings.'
+        raise element.error(f"runs on from the fixed point “{tied}”, to which it is tied", hint)
     if element["length"] is not None and (len(path) != 2 or any(turn.sense for turn in path)):
         raise element.error("has a length, but is no straight piece between two points", "remove the length.")
     for turn in runs(path)[0][:1] + runs(path)[-1][-1:]:

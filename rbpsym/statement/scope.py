@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from rbpsym.decide.dimensions import require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.expr.tree import Add, Node, Num, Sym, walk
+from rbpsym.expr.tree import Add, Node, Num, Sym, renamed, walk
 from rbpsym.expr.tree import names as tree_names
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
@@ -26,7 +26,8 @@ class Scope(Frozen):
     """The quantities of a problem: dimensions of its parameters and coordinates, and what is `given` of their signs.
 
     `variables` are names that only one expression knows (s in a rod's density, x and y in a
-    line); they hide quantities of the same name. `points` are the fixed points, `forces` the unknown ones.
+    line); they hide quantities of the same name. `points` are the fixed points, `forces` the unknown ones,
+    `starts` the places where what is read must have a value.
     """
 
     parameters: Mapping[str, Dimension] = field(default_factory=dict)
@@ -35,6 +36,7 @@ class Scope(Frozen):
     points: Mapping[str, Pair] = field(default_factory=lambda: {"O": ORIGIN})
     variables: Mapping[str, Dimension] = field(default_factory=dict)
     forces: Mapping[str, Dimension] = field(default_factory=dict)
+    starts: Mapping[str, Node] = field(default_factory=dict)
 
     @property
     def speeds(self) -> dict[str, Dimension]:
@@ -163,8 +165,9 @@ def _check_values(node: Node, scope: Scope, what: str, sign: str, may_use: str) 
     rests_on_forces = may_use == "forces" and not tree_names(node) & {*scope.coordinates, CLOCK}
     given = scope.given.without(scope.variables)
     given = given.positive(*scope.variables, *scope.forces) if rests_on_forces else given
-    if nowhere := without_value(node, given):
-        raise _at(nowhere[0], f"{what} {nowhere[1]}", "write what has a value for the numbers that are declared.")
+    for where, starts in (("", {}), (" at the start", scope.starts)):
+        if nowhere := without_value(renamed(node, starts) if starts else node, given):
+            raise _at(nowhere[0], f"{what} {nowhere[1]}{where}", "write what has a value for the numbers that are declared.")
     found = contradicts(node, sign, given)
     varies = not rests_on_forces and (scope.variables or CLOCK in tree_names(node))  # where, or when, is not known
     if found and not (found == LEFT_OPEN and varies):

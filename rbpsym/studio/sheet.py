@@ -12,7 +12,7 @@ from contextlib import suppress
 from functools import cached_property
 from types import MappingProxyType
 
-from rbpsym.claims.check import relations
+from rbpsym.claims.conditions import relations
 from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.document.notes import notation_of
 from rbpsym.errors import RbpsymError, ReadError

@@ -238,5 +238,13 @@ ROWS = [
     Broken("sign for a dimension", '"mass: mass of the rod"', '"«real»: mass of the rod"', "unknown dimension", '"length, real:'),
     Broken("meaning for a dimension", '"mass: mass of the rod"', '"«mass of the rod»"', "unknown dimension", "a colon"),
     Broken("undeclared", '= "k"', '= "«c»"', "unknown symbol “c”", '[parameters]: c = "stiffness: '),
+    Broken("no value at the start", '"theta - pi/2"', '"«ln(theta - 3/2)»"', "outside its domain at the start"),
+    Broken(
+        "string tied to a fixed point on its way",
+        "[notation]",
+        '[constraints.«K»]\ntype = "string"\npath = ["bob.center", "Q", "rod.end"]\n[notation]',
+        "to which it is tied",
+        "around",
+    ),
     Broken("number for a length", 'length = "ell"', 'length = "«2»"', "must be a length", "multiply it by a parameter"),
 ]

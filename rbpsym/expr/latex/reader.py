@@ -33,7 +33,7 @@ from rbpsym.expr.latex import (
 from rbpsym.expr.latex.functions import relation
 from rbpsym.expr.latex.grammar import BELOW, UNKNOWN_COMMAND
 from rbpsym.expr.latex.rows import GAP, laid_out
-from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, MAX_LENGTH, Token, tokenize
+from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, EQUIVALENT, IMPLIED, MAX_LENGTH, Token, tokenize
 from rbpsym.expr.source import Source
 from rbpsym.expr.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
 from rbpsym.frozen import Frozen, replace
@@ -219,12 +219,22 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
 
 
 def _rows(reader: LatexReader) -> t.Node:
-    """One formula, or several relations, each perhaps with the conditions behind it under which it holds."""
+    """One formula, or several relations, each perhaps with the conditions behind it under which it holds, and with what stands
+    in its line before an arrow from which it follows."""
     groups: list[tuple[list[t.Node], list[t.Node]]] = [([_row(reader)], [])]
+    line = [*groups[0][0]]
     while reader.token.kind == "row":
-        parting, (rows, conditions) = reader.take().text, groups[-1]
+        parting, (rows, conditions) = reader.take(), groups[-1]
         row = _row(reader)
-        if _is_condition(row, parting, rows, conditions):
+        if parting.text in (IMPLIED, EQUIVALENT) and isinstance(row, (t.Chain, t.Formal)):
+            rows[:] = map(_as_small, rows)
+            if parting.text == EQUIVALENT:
+                rows[-1] = t.System((rows[-1],), sources=(row,))
+            row = t.System((row,), sources=tuple(map(_as_small, line)), span=row.span)
+        elif reader.source.text.startswith("\\\\", parting.start):
+            line = []
+        line += row.rows if isinstance(row, t.System) else () if _is_text(row) else (row,)
+        if _is_condition(row, parting.text, rows, conditions):
             conditions.append(row)
         elif conditions and not _is_text(row):  # a = b if x > 0, a = c if x < 0
             groups.append(([row], []))
@@ -242,8 +252,8 @@ def _asserted(rows: list[t.Node], conditions: list[t.Node], reader: LatexReader)
     rows = [_as_condition(row, reader) for row in rows if not _is_text(row)] or rows
     if len(rows) == 1 and not conditions:
         return rows[0]
-    conditions = [_as_condition(row, reader) for row in conditions]
-    alone = next((row for row in (*rows, *conditions) if not isinstance(row, (t.Chain, t.Formal))), None)
+    conditions = [_as_condition(_as_small(row), reader) for row in conditions]
+    alone = next((row for row in (*rows, *conditions) if not isinstance(row, (t.Chain, t.Formal, t.System))), None)
     if alone is not None:
         hint = "Begin it with the sign by which it goes on, or write a whole relation."
         start, end = alone.span or (0, 1)
@@ -278,10 +288,28 @@ def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
     return t.Formal("condition", (row,), span=row.span) if said else row
 
 
+_SMALL = re.compile(
+    r"(?:(?:for|if|when|with|para|für|per|pour) )?(?:very )?(?:small|pequeñ[oa]s?|kleine[ns]?|piccol[oiae]|petite?s?)", re.I
+)
+
+
+def _as_small(row: t.Node) -> t.Node:
+    """x → 0 for x ≪ a and for “small x”; any other row as it is."""
+    small = row.parts[row.kind == "≫"] if isinstance(row, t.Formal) and row.kind in _MUCH else None
+    if isinstance(row, t.Mul) and len(row.factors) == 2 and isinstance(row.factors[0], t.Word):
+        small = row.factors[1] if _SMALL.fullmatch(row.factors[0].text) else None
+    return t.Chain((small, t.ZERO), ("->",), span=row.span) if isinstance(small, t.Sym) else row
+
+
+_MUCH = ("≪", "≫")
+
+
 def _is_condition(row: t.Node, parting: str, rows: list[t.Node], conditions: list[t.Node]) -> bool:
-    """Does it say when the others hold: behind “if”, or an inequality of a symbol behind a gap or another condition?"""
+    """Does it say when the others hold: behind “if”, or, behind a gap or another condition, an inequality of a symbol, or that it
+    is small?"""
+    tends = isinstance(_as_small(row), t.Chain) and not isinstance(row, t.Chain)
     if parting == CONDITION or not isinstance(row, t.Chain):
-        return parting == CONDITION
+        return parting == CONDITION or (tends and (parting == GAP or bool(conditions)))
     stated = any(isinstance(found, t.Chain) and {"=", "~"}.intersection(found.ops) for found in rows)
     bare = any(isinstance(item, t.Sym) for item in row.items) and not {"=", "~", "->"}.intersection(row.ops)
     return bare and stated and (parting == GAP or bool(conditions))

@@ -11,11 +11,12 @@ from dataclasses import replace
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.latex.asides import without_asides
-from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, END_COLUMN, NEXT, PUNCTUATION, Token
+from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, END_COLUMN, EQUIVALENT, IMPLIED, NEXT, PUNCTUATION, Token
 from rbpsym.expr.source import Source
 
 OPEN = "?"  # the text of a row token where a sum or product may go on
 GAP = "gap"  # the text of a row token made by a wide gap, behind which a condition may stand
+_SAYING = (CONDITION, IMPLIED, EQUIVALENT)  # those that say how what stands behind them hangs on what stands before
 RELATIONS = frozenset(("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\to", r"\propto", r"\sim", r"\ll", r"\gg", r"\in"))
 _JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which nothing begins
 _SIGNS = frozenset((*RELATIONS, *_JOINING, "-", r"\pm", r"\mp"))
@@ -127,7 +128,7 @@ class _Layout:
             return replace(token, kind="sign", text=NEXT)
         if not token.text.startswith("\\"):
             self.parted -= self._at_edge(k, -1)  # a row may begin with a word
-            return self._part(token, token.text if token.text == CONDITION else "")
+            return self._part(token, token.text if token.text in _SAYING else "")
         several, self.parted = self.parted, 0
         if before is None or behind is None:
             return None
@@ -244,7 +245,7 @@ class _Layout:
         first, last = self._at_edge(k, -1), self._at_edge(k, 1)
         related = any(_is_relation(one) and one.text != ARROW for one in behind)
         follows = self.depth == 0 and (self.stated or first) and (related or last)
-        return self._part(token, "") if follows else token
+        return self._part(token, IMPLIED) if follows else token
 
     def _equal(self, k: int, token: Token) -> Token | None:
         """A sign at the end of a row that the next row begins with again."""
@@ -296,5 +297,5 @@ def _is_blank(token: Token) -> bool:
 def _both(one: Token, other: Token) -> Token:
     """Two partings in a row are one: the clearest of them."""
     texts = (one.text, other.text)
-    text = next((text for text in (CONDITION, GAP, "") if text in texts), OPEN)
+    text = next((text for text in (*_SAYING, GAP, "") if text in texts), OPEN)
     return replace(one, text=text)

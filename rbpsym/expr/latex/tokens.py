@@ -60,6 +60,11 @@ _GAP = (
 _UPRIGHT = r"\\rm(?![A-Za-z])(?:\s*\\bf(?![A-Za-z]))?"  # all that follows in its group: {\rm kg}, 3\rm\ m
 PUNCTUATION = (",", ".", ";")
 CONDITION = "if"  # the text of a row token behind which a condition stands
+IMPLIED, EQUIVALENT = "implies", "iff"  # and of those behind which stands what follows, from that side or from both
+_ARROWS = {
+    **dict.fromkeys((r"\implies", r"\Rightarrow", r"\Longrightarrow"), IMPLIED), r"\impliedby": CONDITION,
+    **dict.fromkeys((r"\iff", r"\Leftrightarrow", r"\Longleftrightarrow"), EQUIVALENT),
+}  # fmt: skip
 _PATTERNS = (
     rf"(?P<blank>\\left\s*\\\{{(?=\s*\\begin\s*\{{(?:{_SYSTEMS})\}})"
     rf"|(?:{'|'.join(rf'(?<={name}}})' for name in _SYSTEMS.split('|'))})\s*\\right\s*\.|\s+)"
@@ -231,7 +236,7 @@ _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in seve
     "plain": lambda text: ("command", rf"\{text}"),  # sin(x) is no product of three letters
     "differential": lambda text: ("differential", "∂" if "partial" in text else "d"),
     "bar": lambda text: ("sign", r"\rvert" if text.startswith((r"\right", r"\bigr")) else r"\lvert"),
-    "row": lambda text: ("row", text if text.startswith("\\\\") else "so"),  # or an arrow or words between relations
+    "row": lambda text: ("row", text if text.startswith("\\\\") else _ARROWS.get(text, "so")),  # or words between relations
     "zero": lambda _: ("digit", "0"),  # the vector zero is printed as a bold number
     "gradient": lambda _: ("command", r"\nabla"),
     "degree": lambda _: ("sign", "°"),

@@ -23,8 +23,9 @@ KIND = element(
     rules=(string_path,),
     holds="tension",
     told=_told,
-    path="path: what it joins, from end to end: points, and round bodies with the sense in which it runs round "
-    "them, going along the path: “cw pulley”, “ccw drum”; on an axle of another radius than the body's "
+    path="path: what it joins, from end to end: points (to one of a body on its way it is tied), and round bodies with the "
+    "sense in which it runs round them, going along the path: “cw pulley”, “ccw drum”; on an axle of another radius than the "
+    "body's "
     '`{ around = "yoyo", radius = "r", sense = "ccw" }`, round a smooth fixed pulley '
     '`{ around = "Q", radius = "R", sense = "cw" }`, over a smooth peg `{ around = "Q" }`',
     length="length, positive, of time, optional: length between two points, which may change with the time t (a winch): "
