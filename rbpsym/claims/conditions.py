@@ -49,16 +49,22 @@ def under(conditions: Nodes, relation: t.Chain, ground: Ground, decide: Callable
     if places:
         there = places[0] if len(places) == 1 else t.System(tuple(places))
         relation = t.relation(t.At(relation.items[0], there), relation.ops[0], t.At(relation.items[1], there))
-    found = decide(relation, replace(narrowed, small=tuple(ground.generator(link.items[0].name) for link in small)))
-    given = {ground.generator(place.items[0].name) for place in places}
+    found = decide(relation, replace(narrowed, small=tuple(filter(None, (_named(link, ground) for link in small)))))
+    given = {name for place in places if (name := _named(place, ground))}
     if found.outcome is Outcome.REFUTED and {name.removesuffix("_dot") for name in given} - given:
         return unknown  # where the motion has that speed is not known
     return replace(found, how=f"{found.how} where {said}") if found.how else found
 
 
+def _named(link: t.Chain, ground: Ground) -> str | None:
+    """The generator for which the symbol on its left stands."""
+    left = link.items[0]
+    return ground.generator(left.name) if isinstance(left, t.Sym) else None
+
+
 def _is_place(link: t.Chain, ground: Ground) -> bool:
     """Whether it gives a value to a coordinate, a speed, the time or a parameter, which a formula is a function of."""
-    name = ground.generator(link.items[0].name) if link.ops == ("=",) and isinstance(link.items[0], t.Sym) else None
+    name = _named(link, ground) if link.ops == ("=",) else None
     return name is not None and name not in ground.motion.unsettled
 
 

@@ -173,9 +173,11 @@ def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> 
     if motion.is_tied or any(holds_unknowns(value, question) for value in values):
         return undecided("the sign of the difference is not known for the motion from the start")
     if not path.names and not _may_be_met(values, motion):
-        found = witness_of(*map(question.begin, values), motion.assumptions, (), lambda x, y: sign_of(x - y) in signs)
-        unknown = undecided("the sign of the difference is not known for the motion from the start")
-        return replace(found, witness=replace(found.witness, of=ORDERS[0])) if found.is_refuted else unknown
+        begun = [question.begin(value) for value in values]
+        found = witness_of(begun[0], begun[1], motion.assumptions, (), lambda x, y: sign_of(x - y) in signs)
+        if found.witness is None:
+            return undecided("the sign of the difference is not known for the motion from the start")
+        return replace(found, witness=replace(found.witness, of=ORDERS[0]))
     for pair, when in on_path(tuple(question.seen(value, "start") for value in values), motion):
         if any(map(_holds_speed, pair)) and not motion.is_free:
             return undecided("the sign of the difference is not known for the motion from the start")
