@@ -13,6 +13,7 @@ from typing import Any
 
 from rbpsym.chapters.theory_ground import (
     ALPHA,
+    AT_START,
     MASS,
     MOMENT,
     OMEGA,
@@ -22,6 +23,7 @@ from rbpsym.chapters.theory_ground import (
     VECTORS,
     R,
     TheoryContext,
+    forces,
     particle_context,
     turning,
 )
@@ -63,10 +65,11 @@ class Writer:
         fixed: bool = False,
         is_result: bool = False,
         context: TheoryContext | None = None,
+        where: t.Node | None = None,
     ) -> None:
         """Adds a checked step; `fixed`: the body turns about a fixed point, V = ω × R.
 
-        `context`: what the names mean, if it is not what they mean for any body.
+        `context`: what the names mean, if it is not what they mean for any body; `where`: what the text takes for granted here.
         """
         context = context or (replace(self.context, **_about_fixed_axis()) if fixed else self.context)
         step = Step(
@@ -78,6 +81,7 @@ class Writer:
             {"sources": [StepRef(p) for p in premises]},
             tuple(premises),
             is_result=is_result,
+            data={} if where is None else {"where": where},
         )
         verdict = c.guarded(lambda: RULES[rule](context, step))
         self.steps.append(told(replace(step, certificate=Certificate((rule, "by_particles"), verdict))))
@@ -126,7 +130,8 @@ def _rigidity(w: Writer) -> None:
     p, q, op, oq = t.Vec("r_p"), t.Vec("r_q"), t.Vec("omega_p"), t.Vec("omega_q")
     together = replace(w.context, rates={**RATES, **turning("p_x", "p_y"), **turning("q_x", "q_y")})
     distance = t.Abs(t.Add((p, t.Neg(q))))
-    w.add("distance", t.equation(distance, t.Sym("C_p_q")), "theory_rates", context=together)
+    begun = t.equation(t.Sym("C_p_q"), t.At(distance, AT_START))
+    w.add("distance", t.equation(distance, t.Sym("C_p_q")), "theory_rates", context=together, where=begun)
     w.add(
         "rigid",
         t.equation(t.Deriv(t.Group(_square(arm))), t.mul(t.TWO, t.Dot(arm, t.Deriv(arm))), t.ZERO),
@@ -144,25 +149,20 @@ def _rigidity(w: Writer) -> None:
         "velocity",
         t.equation(t.Vec("v_prime"), t.Deriv(t.Group(t.Add((arm, t.Vec("R_cm"))))), t.Add((t.Vec("V_cm"), turn))),
         premises=["turning"],
+        where=t.System(tuple(t.equation(t.Vec(name), t.Add((t.Vec("R_cm"), arm))) for name in ("r_prime", "r_i"))),
     )
 
 
 def _momentum(w: Writer) -> None:
     arm, omega = t.Vec("r"), t.Vec("omega")
-    w.add(
-        "moments",
-        t.System(
-            (
-                t.equation(t.BodyIntegral(t.ONE), t.Sym("M")),
-                t.equation(t.BodyIntegral(arm), t.ZERO),
-                t.equation(t.BodyIntegral(_square(arm)), t.Sym("I_cm")),
-            )
-        ),
-    )
+    of = ((t.ONE, t.Sym("M")), (arm, t.ZERO), (_square(arm), t.Sym("I_cm")))
+    moments = t.System(tuple(t.equation(t.BodyIntegral(integrand), moment) for integrand, moment in of))
+    w.add("moments", moments, where=moments)
     w.add(
         "linear",
         t.equation(t.BodyIntegral(t.Vec("v_prime")), t.mul(t.Sym("M"), t.Vec("V_cm")), t.Vec("P_cm")),
         premises=["velocity", "moments"],
+        where=t.equation(t.Vec("P_cm"), t.mul(t.Sym("M"), t.Vec("V_cm"))),
     )
     place = t.Group(t.Add((arm, t.Vec("R_cm"))))
     split = t.Add((t.Cross(t.Vec("R_cm"), t.Vec("P_cm")), t.mul(t.Sym("I_cm"), omega)))
@@ -189,7 +189,7 @@ def _torque(w: Writer) -> None:
             t.Deriv(t.Vec("L")),
             t.Add((t.Cross(arm, t.Vec("F_net")), t.mul(t.Sym("I_cm"), t.Vec("alpha")))),
         ),
-        premises=["angular_momentum", "newton"],
+        premises=["linear", "angular_momentum", "newton"],
         is_result=True,
     )
     place = t.Group(t.Add((arm, t.Vec("s"))))
@@ -204,7 +204,8 @@ def _torque(w: Writer) -> None:
             t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Deriv(t.Vec("F_ext"), "m"))),
             t.Add((t.Vec("tau_cm"), t.Cross(arm, t.Vec("F_net")))),
         ),
-        premises=["torque_split"],
+        premises=["velocity", "torque_split"],
+        where=forces(),
     )
     w.add(
         "euler",
@@ -236,12 +237,13 @@ def _energy(w: Writer) -> None:
 
 def _fixed_axis(w: Writer) -> None:
     arm, omega = t.Vec("R_cm"), t.Vec("omega")
-    w.add("fixed_velocity", t.equation(t.Vec("V_cm"), t.Cross(omega, arm)), fixed=True, premises=["turning"])
+    fixed = t.equation(t.Deriv(arm), t.Cross(omega, arm))
+    w.add("fixed_velocity", t.equation(t.Vec("V_cm"), t.Cross(omega, arm)), fixed=True, premises=["turning"], where=fixed)
     about = t.Add((t.Sym("I_cm"), t.mul(t.Sym("M"), _square(arm))))
     w.add(
         "steiner",
         t.equation(t.Sym("I_O"), t.BodyIntegral(_square(t.Vec("r_prime"))), about),
-        premises=["moments"],
+        premises=["velocity", "moments"],
         is_result=True,
     )
     w.add(
@@ -252,13 +254,13 @@ def _fixed_axis(w: Writer) -> None:
             t.mul(t.Sym("I_O"), omega),
         ),
         fixed=True,
-        premises=["angular_momentum", "fixed_velocity", "steiner"],
+        premises=["linear", "angular_momentum", "fixed_velocity", "steiner"],
     )
     w.add(
         "fixed_torque",
         t.equation(t.Vec("tau_net"), t.mul(t.Sym("I_O"), t.Vec("alpha"))),
         fixed=True,
-        premises=["fixed_momentum"],
+        premises=["torque", "fixed_momentum", "fixed_velocity", "steiner", "linear"],
         is_result=True,
     )
 

@@ -199,3 +199,13 @@ def particle_context(context: TheoryContext) -> TheoryContext:
     mass = sum((m for m, _, _ in PARTICLES), NOTHING)
     moment = sum((m * (x * x + y * y) for m, x, y in PARTICLES), NOTHING)
     return replace(context, body=by_particles, images={"M": mass, "I_cm": moment})
+
+
+AT_START = t.equation(t.Sym("t"), t.ZERO)
+
+
+def forces() -> t.System:
+    """The net force and the torques, added up over the particles."""
+    push = t.Deriv(t.Vec("F_ext"), "m")
+    of = (("F_net", push), ("tau_cm", t.Cross(t.Vec("r"), push)), ("tau_net", t.Cross(t.Vec("r_prime"), push)))
+    return t.System(tuple(t.equation(t.Vec(name), t.BodyIntegral(integrand)) for name, integrand in of))

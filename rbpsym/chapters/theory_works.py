@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -29,10 +30,18 @@ def potential_energy(w: Writer) -> None:
     others = t.Add((t.Sym("cal_W_nc"), change))
     every = t.Add(tuple(t.Sym(f"cal_W_{kind}_{part}") for kind in KINDS for part in ("c", "nc")))
     both = t.Add(tuple(t.Sym(f"cal_W_{kind}") for kind in KINDS))
-    w.add("potential", t.equation(t.Sym("cal_W_c"), conservative, change), "theory_rates", ["work_energy"])
-    w.add("split_works", t.equation(every, others), "theory_rates", ["potential"])
-    w.add("works_and_potential", t.equation(both, others), "theory_rates", ["split_works"], is_result=True)
+    rule, falls = "theory_rates", t.equation(conservative, change)
+    w.add("potential", t.equation(t.Sym("cal_W_c"), conservative, change), rule, ["work_energy"], where=falls)
+    w.add("split_works", t.equation(every, others), rule, ["potential"], where=_parts())
+    w.add("works_and_potential", t.equation(both, others), rule, ["split_works"], is_result=True)
     _conserved(w)
+
+
+def _parts() -> t.System:
+    """Each work is that of the conservative forces and that of all others."""
+    parts = [tuple(t.Sym(f"cal_W_{kind}{end}") for end in ("", "_c", "_nc")) for kind in KINDS]
+    whole = t.equation(t.Sym("cal_W_nc"), t.Add(tuple(rest for *_, rest in parts)))
+    return t.System((*(t.equation(both, t.Add((own, rest))) for both, own, rest in parts), whole))
 
 
 def _conserved(w: Writer) -> None:
@@ -43,10 +52,10 @@ def _conserved(w: Writer) -> None:
     rates = {**w.context.rates, "U": -(before["cal_W_T_c"] + left)}
     others = t.Add(tuple(t.Sym(f"cal_W_{kind}_nc") for kind in KINDS))
     energy = t.Delta(t.Group(t.Add((t.Sym("E_K"), t.Sym("E_p")))))
-    w.add("energy_change", t.equation(energy, others), "theory_rates", ["work_energy", "works_and_potential"])
+    w.add("energy_change", t.equation(energy, others), "theory_rates", ["work_energy", "works_and_potential", "split_works"])
     context = replace(w.context, works=works, rates=rates)
     statement = t.equation(others, energy, t.ZERO)
-    w.add("conserved", statement, "theory_rates", ["energy_change"], context=context)
+    w.add("conserved", statement, "theory_rates", ["energy_change"], context=context, where=t.equation(energy, t.ZERO))
 
 
 HALVES = t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta")))
@@ -72,7 +81,7 @@ def works(w: Writer) -> None:
         "work_energy",
         t.equation(t.Sym("cal_W"), each, HALVES, t.Delta(t.Sym("E_K"))),
         rule,
-        ["translational_work", "rotational_work", "work_of_force", "energy"],
+        ["velocity", "newton", "torque_sum", "euler", "translational_work", "rotational_work", "work_of_force", "energy"],
         is_result=True,
     )
     _about_fixed_axis(w)
@@ -92,8 +101,9 @@ def _about_fixed_axis(w: Writer) -> None:
     about = t.Integral(torque, "varphi", t.Sym("varphi_A"), t.Sym("varphi_B"))
     letter, change = t.Sym("cal_W_theta_O"), t.Delta(t.Group(kinetic("I_O", t.Vec("omega"))))
     rule = "theory_rates"
-    w.add("fixed_axis_work", t.equation(letter, about, change), rule, ["fixed_torque"], fixed=True, is_result=True)
-    w.add("fixed_work", t.equation(letter, HALVES), rule, ["fixed_axis_work", "work_energy"], fixed=True)
+    about_axis, whole = ["fixed_velocity", "steiner", "fixed_torque"], ["energy", "work_energy", "fixed_axis_work"]
+    w.add("fixed_axis_work", t.equation(letter, about, change), rule, about_axis, fixed=True, is_result=True)
+    w.add("fixed_work", t.equation(letter, HALVES), rule, [*about_axis[:2], *whole], fixed=True)
 
 
 def ideal_forces(w: Writer) -> None:
@@ -103,10 +113,22 @@ def ideal_forces(w: Writer) -> None:
     _pair(w)
 
 
-def _none(w: Writer, id: str, context: TheoryContext, works: tuple[str, ...], *, is_result: bool = False) -> None:
+def _none(w: Writer, id: str, context: TheoryContext, works: tuple[str, ...], *where: t.Node, is_result: bool = False) -> None:
     """The works add up to nothing, with what the names mean in the context."""
-    statement = t.equation(t.Add(tuple(t.Sym(name) for name in works)), t.ZERO)
-    w.add(id, statement, "theory_rates", ["work_of_force"], context=context, is_result=is_result)
+    statement, taken = t.equation(t.Add(tuple(t.Sym(name) for name in works)), t.ZERO), t.System(where)
+    w.add(id, statement, "theory_rates", ["work_of_force"], context=context, is_result=is_result, where=taken)
+
+
+def _speed(centre: str = "R_cm", arm: str = "s") -> t.Node:
+    """The velocity of the point where a force acts."""
+    return t.Deriv(t.Group(t.Add((t.Vec(centre), t.Vec(arm)))))
+
+
+def _two_works(end: str = "", *, of: str = "") -> Iterator[t.Node]:
+    """What the two works of a force are, or on the second body (`of`) those of its opposite."""
+    centre, arm, force = (t.Vec("R_2"), t.Vec("s_2"), t.Neg(t.Vec("F"))) if of else (t.Vec("R_cm"), t.Vec("s"), t.Vec("F"))
+    yield t.equation(t.Sym(f"cal_w_T{end}"), t.PathIntegral(force, centre))
+    yield t.equation(t.Sym(f"cal_w_theta{end}"), t.PathIntegral(t.Group(t.Cross(arm, force)), t.Vec(f"varphi{of}")))
 
 
 def _pivot(w: Writer) -> None:
@@ -114,7 +136,7 @@ def _pivot(w: Writer) -> None:
     velocity = -Space(z=OMEGA).cross(s)
     powers = {**POWERS, "cal_w_T": F.dot(velocity), "cal_w_theta": s.cross(F).z * OMEGA}
     context = replace(w.context, vectors={**VECTORS, "V_cm": velocity}, works=powers)
-    _none(w, "ideal_pivot", context, ("cal_w_T", "cal_w_theta"), is_result=True)
+    _none(w, "ideal_pivot", context, ("cal_w_T", "cal_w_theta"), *_two_works(), t.equation(_speed(), t.ZERO), is_result=True)
 
 
 def _contact(w: Writer) -> None:
@@ -124,7 +146,8 @@ def _contact(w: Writer) -> None:
     velocity = slide - Space(z=OMEGA).cross(s)
     powers = {**POWERS, "cal_w_T": force.dot(velocity), "cal_w_theta": s.cross(force).z * OMEGA}
     context = replace(w.context, vectors={**VECTORS, "V_cm": velocity, "F": force}, works=powers)
-    _none(w, "ideal_contact", context, ("cal_w_T", "cal_w_theta"))
+    across = t.equation(t.Dot(t.Vec("F"), _speed()), t.ZERO)
+    _none(w, "ideal_contact", context, ("cal_w_T", "cal_w_theta"), *_two_works(), across)
 
 
 def _pair(w: Writer) -> None:
@@ -139,4 +162,7 @@ def _pair(w: Writer) -> None:
         "cal_w_T_2": -F.dot(other),
         "cal_w_theta_2": -(lever.cross(F).z * second),
     }
-    _none(w, "ideal_pair", replace(w.context, works={**POWERS, **powers}), tuple(powers))
+    opposite = _two_works("_2", of="_2")
+    together = t.equation(_speed(), _speed("R_2", "s_2"))
+    context = replace(w.context, works={**POWERS, **powers})
+    _none(w, "ideal_pair", context, tuple(powers), *_two_works("_1"), *opposite, together)

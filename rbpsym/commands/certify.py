@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rbpsym.kernel.coqc import Report
 
 USUAL = Path("build", "rocq")
+THEORY = "theory"
 
 
 @click.command("certify")
@@ -29,10 +30,12 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, check: boo
     Examples:
       rbpsym certify sliding-ladder
       rbpsym certify my-problem.toml -o rocq
+      rbpsym certify theory
       rbpsym certify --all
 
     Prelude.v is written, and a file for each phase, named after the problem (coqc needs Coquelicot as well). A step that
-    can't be stated or proved is told by name, never assumed. What coqc said of the same text before is kept.
+    can't be stated or proved is told by name, never assumed. What coqc said of the same text before is kept. “theory” is
+    the general theory of plane motion, for any body; Particles.v shows that what is assumed of a body holds for some.
 
     \b
     Exit codes: 0 every step is certified (of several problems: coqc accepts all that is
@@ -44,13 +47,33 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, check: boo
 
     if every == bool(names):
         raise click.UsageError("name a problem, or write --all for every problem that ships.")
-    paths = list(problem_files().values()) if every else [found(name, ("problem",))[1] for name in names]
+    paths = list(problem_files().values()) if every else [found(name, ("problem",))[1] for name in names if name != THEORY]
     folder, each, many = None if no_cache else default_folder(), [], every or len(names) > 1
     for path in paths:
         each.append(certified(path, output if many else output or USUAL, folder, check=check))
         click.echo("\n".join(lines(each[-1], f"{path.stem}: " if many else "")))
+    if THEORY in names:
+        each.append(_theory(output if many else output or USUAL, folder, check=check))
+        click.echo("\n".join(lines(each[-1], f"{THEORY}: " if many else "")))
     is_whole = all(report.is_sound for report in each) and (many or not each[0].refused)
     return 0 if is_whole else 1
+
+
+def _theory(output: Path | None, folder: Path | None, *, check: bool) -> Report:
+    """The report on the general theory."""
+    from rbpsym.chapters.theory import plane_motion
+    from rbpsym.commands.progress import Progress
+    from rbpsym.document.files import write_all
+    from rbpsym.kernel.coqc import BODY, MODEL, PRELUDE, compiled
+    from rbpsym.kernel.theory import Theory
+
+    with Progress("deriving the theory"):
+        done = Theory(plane_motion())
+    texts = {path.name: path.read_text(encoding="utf-8") for path in (PRELUDE, BODY, MODEL)}
+    for file in write_all(output, {**texts, "theory.v": done.text()}) if output is not None else ():
+        click.echo(str(file))
+    with Progress("coqc"):
+        return compiled(done, folder, check=check)
 
 
 def report_on(path: Path) -> Report:

@@ -33,6 +33,10 @@ class Written(Frozen):
         speeds = {name: f"{name}_dot" for name in self.source.study.system.coordinates}
         return Writer(self.source, Terms(self.source.moving, speeds, self.source.integrals))
 
+    def text(self, without: Collection[str] = (), *, trial: bool = False) -> str:
+        """The Rocq source."""
+        return text(self, without=without, trial=trial)
+
 
 def named(id: str, said: Said) -> dict[str, Claim]:
     """The claims of a step or fact by their names in Rocq."""

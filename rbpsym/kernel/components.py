@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from rbpsym.expr import tree as t
 
 AT_START = t.Chain((t.Sym("t"), t.ZERO), ("=",))
+OTHERS = {"x": "yz", "y": "zx", "z": "xy"}
 START = "@0"  # ends the name of a quantity's value at the start
 
 
@@ -33,9 +34,11 @@ class Components:
         """Along which axes a vector may point; none for a scalar."""
         if isinstance(node, t.Vec):
             return {"z"} if self.turns(node.name) else {"x", "y"}
-        if isinstance(node, t.Unit | t.Cross):
-            return {getattr(node, "axis", "z")}
-        if isinstance(node, t.Add | t.Neg | t.Mul | t.Div | t.Group | t.Deriv):
+        if isinstance(node, t.Unit):
+            return {node.axis}
+        if isinstance(node, t.Cross):
+            return {"x", "y"} if "z" in self.axes(node.left) | self.axes(node.right) else {"z"}
+        if isinstance(node, t.Add | t.Neg | t.Mul | t.Div | t.Group | t.Deriv | t.BodyIntegral):
             return set().union(*map(self.axes, t.children(node)))
         return set()
 
@@ -49,15 +52,15 @@ class Components:
         if isinstance(node, t.Unit):
             return t.ONE
         if isinstance(node, t.Cross):
-            return self._determinant(node)
+            return self._determinant(node, *OTHERS[axis])
         if isinstance(node, t.Mul):
             return t.mul(*(self.part(f, axis) if self.axes(f) else self.plain(f) for f in node.factors))
         if isinstance(node, t.Add):
             return t.add(*(self.part(term, axis) for term in node.terms))
         return t.mapped(node, lambda part: self.part(part, axis) if self.axes(part) else self.plain(part))
 
-    def _determinant(self, node: t.Cross) -> t.Node:
-        (a, b), (c, d) = ((self.part(side, "x"), self.part(side, "y")) for side in (node.left, node.right))
+    def _determinant(self, node: t.Cross, first: str, second: str) -> t.Node:
+        (a, b), (c, d) = ((self.part(side, first), self.part(side, second)) for side in (node.left, node.right))
         return t.Add((t.Mul((a, d)), t.Neg(t.Mul((b, c)))))
 
     def product(self, left: t.Node, right: t.Node) -> t.Node:

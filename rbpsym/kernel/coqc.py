@@ -18,10 +18,11 @@ from typing import Any
 from rbpsym.claims.run import digest
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, replace
-from rbpsym.kernel.certify import Written, text
+from rbpsym.kernel.certify import Written
 from rbpsym.kernel.rocq import REFUSED
+from rbpsym.kernel.theory import Theory
 
-PRELUDE = Path(__file__).with_name("Prelude.v")
+PRELUDE, BODY, MODEL = (Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Body", "Particles"))
 NOT_ACCEPTED = "coqc does not accept its proof"
 LONGEST = 900  # seconds that coqc may take for one file
 CHECKED = ("-silent", "-norec", "Prelude", "-norec", "Steps")  # what is written, and not the libraries below it once more
@@ -76,28 +77,28 @@ def has_coqc() -> bool:
     return shutil.which("coqc") is not None
 
 
-def compiled(found: Written, folder: Path | None = None, *, check: bool = False) -> Report:
+def compiled(found: Written | Theory, folder: Path | None = None, *, check: bool = False) -> Report:
     """The report of coqc, and of coqchk if there is to be a `check`; lemmas that are not accepted are found in one more pass,
     and left out in a third. What was said before of the same text is taken from the folder, if one is given."""
     refused, lemmas = dict(found.refused), sum(map(len, found.lemmas.values()))
     report = Report(len(found.lemmas) + len(found.refused), lemmas, refused)
     if not has_coqc():
         return report
-    whole = text(found)
-    key = digest(version(), PRELUDE.read_bytes(), whole, *(["coqchk"] if check else []))
+    whole = found.text()
+    key = digest(version(), *(path.read_bytes() for path in (PRELUDE, BODY, MODEL)), whole, *(["coqchk"] if check else []))
     said = kept(folder, key, lambda: _said(found, whole, check))
     bad = {*said["bad"]}
     refused |= {id: NOT_ACCEPTED for id, own in found.lemmas.items() if {lemma.name for lemma in own} & bad}
     return replace(report, axioms=tuple(said["axioms"]), seconds=said["seconds"], checked=said.get("checked"))
 
 
-def _said(found: Written, whole: str, check: bool) -> dict[str, Any]:
+def _said(found: Written | Theory, whole: str, check: bool) -> dict[str, Any]:
     """The lemmas that coqc does not accept, the axioms of the others, how long it took, and whether coqchk agrees."""
     begin, bad = time.perf_counter(), []
     [done] = with_prelude([whole])
     if done.returncode:
-        bad = re.findall(rf"^{REFUSED}(\S+)", with_prelude([text(found, trial=True)])[0].stdout, re.MULTILINE)
-        [done] = with_prelude([text(found, without=bad)])
+        bad = re.findall(rf"^{REFUSED}(\S+)", with_prelude([found.text(trial=True)])[0].stdout, re.MULTILINE)
+        [done] = with_prelude([found.text(without=bad)])
         if done.returncode:
             raise RbpsymError(f"coqc does not read the written file: {done.stderr[-400:]}")
     axioms = re.findall(r"^([\w.']+)\s*:", done.stdout.partition("Axioms:")[2], re.MULTILINE)
@@ -133,17 +134,28 @@ def reported(folder: Path | None, key: str, make: Callable[[], Report]) -> Repor
 
 @cache
 def _desk() -> tempfile.TemporaryDirectory[str]:
-    """A folder with the compiled prelude, for all files of a run."""
+    """A folder for all files of a run."""
     made = tempfile.TemporaryDirectory()
-    shutil.copy(PRELUDE, made.name)
-    _run(Path(made.name), "-q", PRELUDE.name)
+    for path in (PRELUDE, BODY, MODEL):
+        shutil.copy(path, made.name)
     return made
+
+
+@cache
+def _below(name: str) -> None:
+    """Compiles what a file stands on, once."""
+    folder = Path(_desk().name)
+    for other in re.findall(r"^Require (?:Im|Ex)port (Prelude|Body)\b", (folder / f"{name}.v").read_text(encoding="utf-8"), re.M):
+        _below(other)
+    _run(folder, "-q", f"{name}.v")
 
 
 def with_prelude(contents: Iterable[str]) -> list[subprocess.CompletedProcess[str]]:
     """coqc on texts that begin with the prelude."""
     folder, found = Path(_desk().name), []
     for content in contents:
+        for name in re.findall(r"\w+", content.partition("Require Import ")[2].partition(".")[0]):
+            _below(name)
         (folder / "Steps.v").write_text(content, encoding="utf-8")
         found.append(_run(folder, "-q", "Steps.v"))
     return found

@@ -26,6 +26,7 @@ class Reader(Walker):
     words: list[str]
     place: int = 0
     bound: dict[str, str] = field(default_factory=dict)
+    depth: int = 0
 
     def next(self) -> str:
         """The next word, or an empty one."""
@@ -81,11 +82,12 @@ class Reader(Walker):
         """fun x : R => body, in which x is called by its depth."""
         self.take("fun")
         name, kept = self.take(), dict(self.bound)
-        for word in (":", "R", "=>"):
-            self.take(word)
-        self.bound[name] = f"#{len(kept)}"
-        body = self.sum()
-        self.bound = kept
+        self.take(":")
+        self.take("particle" if self.next() == "particle" else "R")
+        self.take("=>")
+        self.bound[name], self.depth = f"#{self.depth}", self.depth + 1
+        body = self.function() if self.next() == "fun" else self.sum()
+        self.bound, self.depth = kept, self.depth - 1
         return ("fun", body)
 
 

@@ -75,7 +75,7 @@ def test_there_are_no_cycles() -> None:
         visit(name, ())
 
 
-ROCQ = {f"rbpsym.kernel.{name}" for name in ("rocq", "reading", "coqc", "certify", "claimed")}
+ROCQ = {f"rbpsym.kernel.{name}" for name in ("rocq", "reading", "coqc", "certify", "claimed", "theory")}
 
 
 @of_every_module
