@@ -16,7 +16,7 @@ from rbpsym.field import Scalar, is_zero
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import Derivation, Step
-from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
+from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import unit_of
 from rbpsym.teaching.codes import Draws
@@ -30,17 +30,21 @@ from rbpsym.teaching.targets import Target
 from rbpsym.teaching.units import measure_text
 
 ASKED_DIGITS = 3
+PHASE = "phase"  # phase2.acceleration.x is a quantity of the second one
 GRAVITY = 9.81  # m/s²: sets the pace of what moves under its weight
 T = TypeVar("T")
 
 
 class ProblemBench(Frozen):
-    """One problem of a worksheet. `targets` by id; `scenery` is where a student's numbers come from."""
+    """One problem of a worksheet, or a later phase of it (from 2). `targets` by id; `wishes` are ranges of numbers by name;
+    `later` are those of the later phases."""
 
     derivation: Derivation
     targets: Mapping[str, Target]
     pool: Pool
     wishes: Mapping[str, NumberRange] = field(default_factory=dict)
+    phase: int = 1
+    later: tuple[ProblemBench, ...] = ()
     memo: dict[Hashable, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def once(self, key: Hashable, make: Callable[[], T]) -> T:
@@ -57,8 +61,13 @@ class ProblemBench(Frozen):
 
     @property
     def name(self) -> str:
-        """The name of the problem."""
-        return self.study.problem.name
+        """The name of the problem, of a later phase as the labels of its steps begin."""
+        return f"{self.study.problem.name}{'' if self.phase == 1 else f'.{PHASE}{self.phase}'}"
+
+    @property
+    def ids(self) -> list[str]:
+        """The quantities that can be asked for, as wishes name them."""
+        return [*self.targets, *(f"{PHASE}{bench.phase}.{id}" for bench in self.later for id in bench.targets)]
 
     @property
     def given(self) -> Content:
@@ -114,11 +123,17 @@ class Prepared(Frozen):
     make: Make
     content: Content = field(default_factory=Content)
     step: str = ""  # what is asked about, if that is no target
+    phase: str = ""  # before what is asked about, if it is of a later phase
+
+    @property
+    def kind_asked(self) -> str:
+        """The kind of its quantity; "" for what is about none."""
+        return self.target.kind if self.target else ""
 
     @property
     def about(self) -> tuple[str, ...]:
         """How a wish names it; () for what there is only one of."""
-        return ((self.target.id if self.target else self.step),) if self.target or self.step else ()
+        return (f"{self.phase}{self.target.id if self.target else self.step}",) if self.target or self.step else ()
 
 
 def evaluator(prepared: Iterable[Prepared]) -> Callable[[Mapping[str, float]], list[list[float]]]:
@@ -201,8 +216,8 @@ def asked_unit(target: Target) -> str:
     name = target.unit_name if not target.reading else target.reading.unit_name
     if not name and dimension == NUMBER and target.kind == "loss":
         name = "angle"
-    if target.kind in ("acceleration", "speed") and not dimension.length:
-        return "rad/s" if target.kind == "speed" else "rad/s^2"
+    if target.kind in ("acceleration", "speed", "start") and not (dimension.length or dimension.mass) and dimension != TIME:
+        return "rad/s^2" if target.kind == "acceleration" else "rad/s"
     return unit_of(dimension, name)
 
 

@@ -19,11 +19,13 @@ from rbpsym.errors import LimitError, RbpsymError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, at_most, atoms, same, spend
 from rbpsym.frozen import Frozen, field, replace
+from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.draft import length
 from rbpsym.proof.step import Derivation
 from rbpsym.quantities import Dimension
+from rbpsym.statement.model import Problem
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.misconceptions.told import is_true
@@ -33,7 +35,7 @@ from rbpsym.teaching.targets import Target
 
 MOST = 8  # wrong values that are kept for one quantity
 MOST_IDEAS = 2  # that are named for one wrong value
-ANY = "question"  # a target that may be about all that misconceptions change
+ANY = ("question", "start")  # targets that may be about all that misconceptions change
 MOST_PRODUCTS = 400_000  # products of terms for one wrong value; the library's greatest takes a twentieth of it
 LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
 
@@ -82,7 +84,7 @@ class Pool(Frozen):
         """The slip of a wrong study, with the first step that it spoils."""
         wrong = self.wrongs[place]
         if place not in self.spoiled:
-            later = wrong.misconception.about <= {ANY}  # a blow spoils no step of the first phase
+            later = wrong.misconception.about <= {*ANY}  # a blow spoils no step of the first phase
             self.spoiled[place] = "" if later else first_wrong(self.derivation, wrong.study, wrong.misconception.about)
         first = self.spoiled[place]
         return Slip(
@@ -100,6 +102,20 @@ def pool(derivation: Derivation, names: Iterable[str] = ()) -> Pool:
     for name, misconception in MISCONCEPTIONS.items():
         found += _applied(misconception, derivation.study) if name in wanted else []
     return Pool(derivation, tuple(found))
+
+
+def in_phase(first: Pool, derivation: Derivation, number: int) -> Pool:
+    """That of a later phase: what is wrong in it, and what a wrong statement of the whole motion makes of it."""
+    whole, own = first.derivation.study.problem, pool(derivation)
+    restated = [wrong for wrong in first.wrongs if wrong.study.problem != whole]
+    begun = [replace(wrong, study=study) for wrong in restated for study in _reached(wrong.study.problem, number)]
+    return replace(own, wrongs=(*own.wrongs, *begun))
+
+
+def _reached(problem: Problem, number: int) -> Iterator[Study]:
+    """The mechanics of the phase of that number (from 1), if the motion comes to it."""
+    with suppress(RbpsymError, ZeroDivisionError), at_most(MOST_PRODUCTS):
+        yield stages(problem)[number - 1].study
 
 
 def _applied(misconception: Misconception, study: Study) -> Iterator[Wrong]:
@@ -179,7 +195,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
     own, moving = length(shown(right, study)), speeds_in(right)
     seen: dict[str, int] = {}
     for place, wrong in enumerate(pool.wrongs):
-        if target.kind not in (*wrong.misconception.about, ANY):
+        if target.kind not in (*wrong.misconception.about, *ANY):
             continue
         value = bounded(pool, place, partial(target.value, wrong.study))
         if value is None or speeds_in(value) - moving:

@@ -39,10 +39,13 @@ LARGEST_BLANK = 40  # parts of a formula that one has to write
 
 
 def lines_to(bench: ProblemBench, step: str, most: int) -> tuple[Step, ...]:
-    """The steps that lead to a step, those that a lecture would show, at most so many."""
+    """The steps that lead to a step, those that a lecture would show, each line once, at most so many."""
     found = bench.way_to(step, 3 * most)
-    kept = [s for s in found if s.level <= STANDARD and s.rule not in ("constraint", "statement")]
-    return tuple(kept[-most:])
+    first: dict[t.Node, Step] = {}
+    for s in found:
+        if s.level <= STANDARD and s.rule not in ("constraint", "statement"):
+            first.setdefault(s.statement, s)
+    return tuple(first.values())[-most:]
 
 
 def piece(step: Step) -> Piece:

@@ -28,7 +28,7 @@ from rbpsym.statement.model import Problem
 from rbpsym.teaching import codes
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, evaluator, generic_state
 from rbpsym.teaching.codes import Draws
-from rbpsym.teaching.distractors import pool
+from rbpsym.teaching.distractors import in_phase, pool
 from rbpsym.teaching.model import Item, Part, Student, Worksheet
 from rbpsym.teaching.papers.solution import given_table, statement_blocks
 from rbpsym.teaching.ranges import NumberRange
@@ -36,7 +36,7 @@ from rbpsym.teaching.sheet import Sheet, SheetPart, is_sheet, sheet_of
 from rbpsym.teaching.situations import Scenery, Situation, scenery
 from rbpsym.teaching.standard_sheet import bare_sheet, standard_sheet
 from rbpsym.teaching.targets import targets
-from rbpsym.teaching.tasks.registry import TASKS
+from rbpsym.teaching.tasks.registry import tasks
 from rbpsym.teaching.tasks.wish import Wish
 from rbpsym.teaching.wording import languages
 
@@ -64,9 +64,7 @@ class PlannedPart(Frozen):
     def statement(self, said: Words) -> tuple[Block, ...]:
         """The statement in a language, the same for all students."""
         if said.language not in self.statements:
-            targets = [task.target.id for _, prepared in self.wishes for task in prepared if task.target]
-            asks_later = any(target.startswith("question.") for target in targets)  # a question may be about any phase
-            self.statements[said.language] = statement_blocks(self.bench.derivation, said, asks_later=asks_later)
+            self.statements[said.language] = statement_blocks(self.bench.derivation, said)
         return self.statements[said.language]
 
 
@@ -127,7 +125,7 @@ class WorksheetPlan(Frozen):
             code.language,
             codes.written(code, secret, self.fingerprint),
             tuple(parts),
-            {part.bench.name: part.bench.study.problem for part in self.parts},
+            {bench.name: bench.study.problem for part in self.parts for bench in (part.bench, *part.bench.later)},
             self.notation(code.language),
             student,
             (Paragraph(words(introduction)),) if introduction else (),
@@ -163,7 +161,8 @@ def _items(
     before: tuple[Item, ...],
 ) -> tuple[Item, ...] | Wish:
     """The items; the wish of the first that can't be made at these numbers."""
-    values = part.evaluate({**generic_state(part.bench), **situation.numbers})
+    states = (generic_state(bench) for bench in (*part.bench.later, part.bench))
+    values = part.evaluate({name: value for state in (*states, situation.numbers) for name, value in state.items()})
     found: list[Item] = []
     for wish, task in chosen:
         prepared = part.wishes[wish][1][task]
@@ -271,8 +270,12 @@ def bench_of(problem: Problem, numbers: Mapping[str, NumberRange] | None = None)
     """A problem derived, with its targets and its wrong studies."""
     from rbpsym.derive import derive
 
-    derivation = derive(problem, simulation=False)
-    return ProblemBench(derivation, {x.id: x for x in targets(derivation)}, pool(derivation), dict(numbers or {}))
+    derivation, wishes = derive(problem, simulation=False), dict(numbers or {})
+    first, later = pool(derivation), []
+    for number, phase in enumerate(derivation.phases, 2):
+        own = replace(phase.derivation, steps=(*phase.begins, *phase.derivation.steps))
+        later.append(ProblemBench(own, {x.id: x for x in targets(own)}, in_phase(first, own, number), wishes, number))
+    return ProblemBench(derivation, {x.id: x for x in targets(derivation)}, first, wishes, later=tuple(later))
 
 
 def _scenery(bench: ProblemBench, wishes: tuple[Wish, ...]) -> Scenery:
@@ -291,7 +294,7 @@ def _planned(bench: ProblemBench, sight: Scenery, part: SheetPart) -> PlannedPar
                 f"“{bench.name}” has only {len(found)} such tasks, {wish.number} are wanted",
                 f"write number = {len(found)}, or widen “about”." if found else "ask for another kind of task.",
             )
-        used |= {f"{task.kind} {task.target.id}" for task in found[: wish.number] if task.target}
+        used |= {f"{task.kind} {task.about}" for task in found[: wish.number] if task.target}
         prepared.append((wish, tuple(found)))
     return PlannedPart(bench, sight, tuple(prepared), evaluator(task for _, tasks in prepared for task in tasks))
 
@@ -300,8 +303,8 @@ def _prepared(bench: ProblemBench, sight: Scenery, wish: Wish, used: set[str]) -
     """As many as wished and some to spare; what was asked so already comes last."""
     fresh: list[Prepared] = []
     again: list[Prepared] = []
-    for task in TASKS[wish.kind](bench, sight, wish):
-        (again if task.target and f"{task.kind} {task.target.id}" in used else fresh).append(task)
+    for task in tasks(bench, sight, wish):
+        (again if f"{task.kind} {task.about}" in used else fresh).append(task)
         if len(fresh) >= wish.number + SPARE:
             break
     found = fresh if len(fresh) >= wish.number else [*fresh, *again]

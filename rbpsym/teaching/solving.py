@@ -94,11 +94,6 @@ def hint(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, level: i
     return spoken(setting.said, "hint.relations", relations=relations) if relations else ()
 
 
-def label_of(bench: b.ProblemBench, step: str) -> str:
-    """The label under which the solution shows a step of a problem."""
-    return f"{bench.name}.{step}"
-
-
 def worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float | None) -> tuple[Block, ...]:
     """Where the answer comes from, the formula and, if it is a number, the numbers put in."""
     return tuple(_worked(bench, setting, target, value))
@@ -106,7 +101,7 @@ def worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value:
 
 def _worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float | None) -> Iterator[Block]:
     if target.step:
-        yield Paragraph(spoken(setting.said, "solution.from", step=Ref(label_of(bench, target.step))))
+        yield Paragraph(spoken(setting.said, "solution.from", step=Ref(f"{bench.name}.{target.step}")))
     formula = b.formula_of(bench, target)
     if value is None:
         yield Display(t.equation(target.left, formula), numbered=False)

@@ -12,12 +12,11 @@ from rbpsym.errors import RbpsymError
 from rbpsym.present.forms import present
 from rbpsym.proof.draft import length
 from rbpsym.statement.model import Problem
-from rbpsym.teaching.bench import Prepared, ProblemBench, formula_of
-from rbpsym.teaching.distractors import ANY
+from rbpsym.teaching.bench import PHASE, Prepared, ProblemBench, formula_of
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, wanted
-from rbpsym.teaching.tasks.registry import TASKS
+from rbpsym.teaching.tasks.registry import tasks
 from rbpsym.teaching.tasks.wish import Wish
 
 TRIES = 4  # quantities of one pattern that are tried
@@ -35,7 +34,11 @@ LESSON: tuple[Row, ...] = (
     (("find-the-slip",), ("acceleration.*", "speed.*", "momentum.*", "work.*", "reaction.*"), 1),
     (("number",), ("speed.*", "acceleration.*"), 2),
     (("number",), ("reaction.*", "frequency.*", "work.*"), 2),
-    (("explain",), ("workless", "work_energy", "combination", ""), 3),
+    (("explain",), (f"{PHASE}2.jump", f"{PHASE}2.kept", "workless", "work_energy", "combination", ""), 3),
+)
+LATER: tuple[Row, ...] = (  # of each later phase: how it begins, and what then goes on
+    (("fill-in", "choose", "formula"), ("start.*_dot", "start.*"), 1),
+    (("choose", "number", "formula"), ("acceleration.*", "reaction.*"), 2),
 )
 # how the questions of the problem itself are asked, by turns
 QUESTIONS = (("formula", "choose", "number"), ("choose", "formula", "number"))
@@ -62,11 +65,12 @@ def bare_sheet(problem: Problem) -> Sheet:
 
 
 def lesson(bench: ProblemBench) -> tuple[Row, ...]:
-    """The rows of the lesson: before the explanation each question that the problem itself asks."""
-    asked = [id for id, target in bench.targets.items() if target.kind == ANY]
+    """The rows of the lesson: before the explanation what begins later phases, and each question that the problem itself asks."""
+    asked = [id for id, target in bench.targets.items() if target.kind == "question"]
     own: list[Row] = [(QUESTIONS[place % 2], (id,), 2) for place, id in enumerate(asked)]
     rows = [row for row in map(_before_blow, LESSON) if row] if is_struck(bench.derivation) else LESSON
-    return (*rows[:-1], *(own or [NO_QUESTIONS]), rows[-1])
+    later = [(kinds, tuple(f"{PHASE}{b.phase}.{a}" for a in about), level) for b in bench.later for kinds, about, level in LATER]
+    return (*rows[:-1], *later, *(own or [NO_QUESTIONS]), rows[-1])
 
 
 AT_BLOW = ("momentum", "axis-moment", "moment", "")  # what there is to ask of a motion that a blow ends at its start
@@ -128,4 +132,4 @@ def _is_long(bench: ProblemBench, task: Prepared) -> bool:
 def _made(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """At most so many; none where the problem offers none."""
     with suppress(RbpsymError):
-        yield from islice(TASKS[wish.kind](bench, scenery, wish), TRIES)
+        yield from islice(tasks(bench, scenery, wish), TRIES)

@@ -19,6 +19,7 @@ from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, short, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.motion import along_motion
@@ -337,7 +338,8 @@ def _lost(study: Study, force: str, coordinate: str) -> Scalar | None:
 def _questions(derivation: Derivation) -> Iterator[Target]:
     """What the problem itself asks, where the answer is one value."""
     study = derivation.study
-    for number, text in enumerate(study.problem.questions, 1):
+    is_later = any(step.chapter == "phase" for step in derivation.steps)  # the whole motion is asked about
+    for number, text in enumerate(() if is_later else study.problem.questions, 1):
         target = Target(f"question.{number}", t.Sym(letters(study)[text]), partial(_answer, text=text), NUMBER,
                         slots={"question": QuestionRef(text)})  # fmt: skip
         value = target.value(study)
@@ -367,7 +369,37 @@ def _own_name(study: Study, text: str) -> str:
     return next((name for name in names if named == (symbol(name),)), "")
 
 
+# steps by which a later phase begins: how what they tell is asked for
+STARTS: Mapping[str, str] = {"after.speeds": "speed", "state.speed": "speed", "moment": "time", "energy.lost": "blow",
+                             "energy.taken": "friction"}  # fmt: skip
+
+
+def _starts(derivation: Derivation) -> Iterator[Target]:
+    """How a later phase begins: each speed, by the name that the derivation gives it, the time, the energy that was lost."""
+    study, known = derivation.study, {step.id: step for step in derivation.steps}
+    speeds = [f"{name}_dot" for name in study.system.independent]
+    for id, variant in ((id, variant) for id, variant in STARTS.items() if id in known):
+        for row in t.rows(known[id].statement):
+            value = scalar(row.items[-1], study.system.scope) if t.names(row.items[-1]) <= set(study.problem.dimensions) else None
+            name = next((s for s in speeds if value == study.system.scope.start.get(s)), "") if variant == "speed" else variant
+            if value is None or not name:
+                continue
+            speeds = [speed for speed in speeds if speed != name]
+            of = partial(_begun_with, speed=name) if variant == "speed" else partial(_same, value=value)
+            dimension = dimension_of(row.items[-1], study.problem.dimensions)
+            yield Target(f"start.{name}", row.items[0], of, dimension, id, {"variant": variant})
+
+
+def _begun_with(study: Study, speed: str) -> Scalar | None:
+    return study.system.scope.start.get(speed)
+
+
+def _same(study: Study, value: Scalar) -> Scalar:
+    return value
+
+
 KINDS: Mapping[str, Callable[[Derivation], Iterator[Target]]] = {
+    "start": _starts,
     "moment": _moments,
     "momentum": _momenta,
     "acceleration": _accelerations,

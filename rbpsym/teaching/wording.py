@@ -41,7 +41,6 @@ ASSERTIONS: Mapping[str, str] = {
     "compare.why": "tasks.compare._answer",
     "misconception": "misconceptions.told.is_true",
     "paper.also": "distractors.Pool",
-    "paper.first_phase": "papers.solution.statement_blocks",
     "principle": "tasks.derivations",
     "solution.case": "solving._special_case",
     "solution.unit": "solving._check",

@@ -19,6 +19,7 @@ from rbpsym.statement.library import library_folder, worksheet_files
 from rbpsym.teaching import codes
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.formats import Options, exporter
+from rbpsym.teaching.grading.desk import Desk, grade_worksheet
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.papers.html_fields import spellings
 from rbpsym.teaching.papers.latex_paper import write_paper as latex_paper
@@ -28,6 +29,7 @@ from rbpsym.teaching.papers.typst_paper import write_paper as typst_paper
 from rbpsym.teaching.plan import WorksheetPlan, plan_of
 from rbpsym.teaching.sheet import sheet_of_text
 from rbpsym.teaching.spreadsheets import roster_of
+from rbpsym.typeset.machine import to_machine
 
 ANA = Student("ana", "Ana López")
 ROOT = Path(__file__).resolve().parents[2]
@@ -442,9 +444,21 @@ def test_every_student_has_a_file_of_their_own() -> None:
     assert len({own(id).casefold() for id in ids}) == len(ids)
 
 
-@pytest.mark.parametrize(("about", "told"), [("question.*", False), ("acceleration.*", True)])
-def test_that_all_is_about_the_first_phase_is_said_where_it_is_so(about: str, told: bool) -> None:
-    text = f'title = "Bounce"\n[[problem]]\nname = "superball"\n[[problem.task]]\nkind = "number"\nabout = ["{about}"]\n'
-    [part] = plan_of(sheet_of_text(text)).worksheet().parts
-    said = [inline.text for block in part.statement for inline in getattr(block, "inlines", ()) if hasattr(inline, "text")]
-    assert part.items and any("first part of the motion" in text for text in said) is told
+PHASES = {"question.1": "This is asked", "acceleration.y": "Before “bounced” begins",
+          "phase2.start.y_dot": "When “bounced” begins",
+          "phase2.speed.y": "In the phase “bounced”", "phase2.start.blow": "", "phase3.speed.y": ""}  # fmt: skip
+
+
+@pytest.mark.parametrize(("about", "told"), PHASES.items())
+def test_a_task_says_in_which_phase_it_asks_and_is_marked_there(about: str, told: str) -> None:
+    text = f'title = "Bounce"\n[[problem]]\nname = "superball"\n[[problem.task]]\nkind = "formula"\nabout = "{about}"\n'
+    if not told:  # the ball loses no energy, and has no third phase
+        with pytest.raises(RbpsymError, match="no quantity"):
+            plan_of(sheet_of_text(text))
+        return
+    sheet = plan_of(sheet_of_text(text)).worksheet()
+    [item] = sheet.items
+    assert "".join(getattr(inline, "text", "") for inline in item.prompt[0].inlines).startswith(told)
+    assert item.asked.problem == ("superball.phase2" if about.startswith("phase") else "superball")
+    [found] = grade_worksheet(sheet, {item.id: to_machine(item.key.value)}, Desk())
+    assert found.points == item.points

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from rbpsym.document.chapters import chapter_sections
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, words
-from rbpsym.document.notes import shown_steps, words_of
+from rbpsym.document.notes import phase_words, shown_steps, words_of
 from rbpsym.document.notes_events import phase_sentences
+from rbpsym.document.notes_phases import phase_sections
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words, sentences
 from rbpsym.expr import tree as t
@@ -25,20 +26,17 @@ from rbpsym.teaching.wording import say, spoken
 # --- the statement of a problem on a worksheet: words, figure, and the table of the student's numbers
 
 
-def statement_blocks(derivation: Derivation, said: Words, *, asks_later: bool) -> tuple[Block, ...]:
-    """What the system is and how it starts, its figure and the conventions; without the table of symbols. That all is
-    asked about the first phase is said unless some task may be about a later one."""
+def statement_blocks(derivation: Derivation, said: Words) -> tuple[Block, ...]:
+    """What the system is, how it starts and goes on, its figure and the conventions; without the table of symbols."""
     first = _without_phases(derivation)
     section = statement_section(first, Words(said.language, first.study.problem, said.prefix), 2)
     blocks = tuple(block for block in section.blocks if not isinstance(block, Table))
-    later = [*phase_sentences(DrawnPose(derivation.study), said)] if asks_later else []
-    names = [said.say("statement.phase", name=said.named(p.name)) for p in derivation.study.problem.phases[: not asks_later]]
-    told = (Paragraph(sentences(later)),) if later else ()
-    return (*blocks, *told, *(Paragraph(spoken(said, "paper.first_phase", phase=name)) for name in names))
+    later = [*phase_sentences(DrawnPose(derivation.study), said)]
+    return (*blocks, Paragraph(sentences(later))) if later else blocks
 
 
 def _without_phases(derivation: Derivation) -> Derivation:
-    """The first phase as a motion of its own: tasks are about this one."""
+    """The first phase as a motion of its own."""
     study = derivation.study
     if not study.problem.phases:
         return derivation
@@ -101,7 +99,8 @@ def derivation_sections(problem: str, derivation: Derivation, language: str, lev
     """The chapters of the notes, labelled as the answers refer to them."""
     prefix = f"{problem}."
     said: Words = words_of(derivation, all_steps(derivation), language, prefix)
-    return list(chapter_sections(derivation, said, level))
+    later = phase_sections(derivation, said, level, phase_words(derivation, DETAIL, language))
+    return [*chapter_sections(derivation, said, level), *later]
 
 
 def all_steps(derivation: Derivation) -> frozenset[str]:

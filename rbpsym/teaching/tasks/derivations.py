@@ -228,7 +228,9 @@ def _lines(
 
 # rule -> how interesting a “why” it is; others are not asked
 STATICS = 2  # of a balance of what is at rest
-QUESTIONS = {"workless": 3, "work_energy": 2, "combination": 3, "conservation": 2, "torque": 1, "parallel_axis": 1}
+QUESTIONS = {"workless": 3, "work_energy": 2, "combination": 3, "conservation": 2, "torque": 1, "parallel_axis": 1,
+             "jump": 3, "kept_until": 3}  # fmt: skip
+KEPT = ("jump", "kept_until")  # they rest on what no force does, not on other steps
 STATES = ("kinematics", "inertia", "momentum")
 MOST_PREMISES = 3
 CONCLUSION = 3  # the least weight of putting the premises together, on the scale of `lines.WEIGHTS`
@@ -237,7 +239,8 @@ CONCLUSION = 3  # the least weight of putting the premises together, on the scal
 def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a step that has a reason and premises; `about` names ids of steps."""
     struck = is_struck(bench.derivation)  # of a motion that ends at its start only what is true of each state
-    steps = [s for s in bench.derivation.steps if _interest(s) and _premises(bench, s) and (not struck or s.chapter in STATES)]
+    reasoned = (s for s in bench.derivation.steps if _interest(s) and (s.rule in KEPT or _premises(bench, s)))
+    steps = [s for s in reasoned if not struck or s.chapter in STATES]
     named = [s for s in steps if not wish.about or any(s.id == a or s.id.startswith(f"{a}.") for a in wish.about)]
     if not named and wish.at is not None:
         ids = ", ".join(s.id for s in steps)

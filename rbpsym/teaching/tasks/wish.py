@@ -69,9 +69,8 @@ def wanted(bench: ProblemBench, wish: Wish, fits: Callable[[Target], bool], why:
     """The targets that a wish names and that fit. Raises an error if it names none, or none that fit (`why`)."""
     named = [x for x in bench.targets.values() if not wish.about or _is_named(x.id, wish)]
     if not named:
-        hint = did_you_mean(wish.about[0], bench.targets, "quantities of this problem")
-        has = "has in its first phase, of which alone is asked," if bench.study.problem.phases else "has"
-        raise wish.error(f"“{bench.name}” {has} no quantity “{', '.join(wish.about)}” (or it is zero)", hint)
+        hint = did_you_mean(wish.about[0], bench.ids, "quantities of this problem")
+        raise wish.error(f"“{bench.name}” has no quantity “{', '.join(wish.about)}” (or it is zero)", hint)
     found = [target for target in named if fits(target)]
     if not found:
         ids = ", ".join(x.id for x in bench.targets.values() if fits(x))
