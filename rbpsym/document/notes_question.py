@@ -17,7 +17,8 @@ from rbpsym.document.translated import translated
 from rbpsym.document.words import Words, capital, sentences
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import RELATION_SIGNS
-from rbpsym.field import names_in, symbol
+from rbpsym.field import is_zero, names_in, symbol
+from rbpsym.field.evaluate import scalar
 from rbpsym.proof.forms import Forms
 from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import Step, StepRef
@@ -28,14 +29,28 @@ MOST_ASKED = 3  # in one sentence
 
 
 def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[Found]:
-    """The answers, what these steps have printed already in that form."""
+    """The answers, what these steps have printed already in that form, and under the letter that it has there."""
     forms = Forms(steps)
     for found in answers:
         if isinstance(found, Answer):
-            kept = tuple(replace(step, statement=forms.kept(step.statement)) for step in found.steps)
+            kept = tuple(replace(step, statement=forms.kept(step.statement)) for step in _lettered(found))
             nodes = tuple(forms.kept(t.equation(t.Sym(found.symbol), node)).items[-1] for node in found.nodes)
             found = replace(found, steps=kept, nodes=nodes)
         yield found
+
+
+def _lettered(found: Answer) -> tuple[Step, ...]:
+    """The steps: of a letter whose square the line before tells, the last one tells it by that letter."""
+    *before, last = found.steps or (None,)
+    if not _states(found) or len(found.nodes) != 1 or last.rule != "value_told":
+        return found.steps
+    for row in (row for step in before if step.id in last.reasons for row in t.rows(step.statement) if isinstance(row, t.Chain)):
+        left, square = row.items[0], row.items[-1]
+        is_square = isinstance(left, t.Pow) and isinstance(left.base, t.Sym) and left.exponent == t.TWO
+        if is_square and t.names(square) == t.names(found.nodes[0]) and is_zero(scalar(found.nodes[0]) ** 2 - scalar(square)):
+            slots = {key: left.base if slot == last.statement.items[0] else slot for key, slot in last.slots.items()}
+            return (*before, replace(last, statement=t.equation(left.base, last.statement.items[-1]), slots=slots))
+    return found.steps
 
 
 def asked(answers: tuple[Found, ...], stated: Mapping[int, Ref], said: Words) -> Iterator[Block]:
@@ -54,7 +69,15 @@ def _stated(found: Found, shown: Mapping[t.Node, Inline]) -> Ref | None:
     """Where a step on the page states an answer as it is."""
     own = found.steps[-1] if _states(found) and len(found.nodes) == 1 and not _has_more(found) else None
     rows = [*(ends(step.statement) for step in _equal(found)), *(_by_name(own) if own else ())]
+    rows += [row for row in shown if own and _is_marked(row, ends(own.statement))]
     return next((mark for row in rows if isinstance(mark := shown.get(row), Ref)), None)
+
+
+def _is_marked(row: t.Node, own: t.Node) -> bool:
+    """Is a row what an answer says, of its letter with a mark: the least μ as μ_min, the critical c as c_crit?"""
+    if not all(isinstance(each, t.Chain) and each.ops == ("=",) and isinstance(each.items[0], t.Sym) for each in (row, own)):
+        return False
+    return row.items[1:] == own.items[1:] and row.items[0].name.startswith(f"{own.items[0].name}_")
 
 
 def _by_name(step: Step) -> Iterator[t.Node]:

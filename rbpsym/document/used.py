@@ -65,8 +65,8 @@ def _asked(whole: Derivation) -> frozenset[t.Node] | None:
 
 def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Node] | None) -> list[Step]:
     """The conclusions: where a blow at the start ends the motion there are none, where the whole motion is given its energy,
-    from which no speed follows, is none; of the unknown forces those that are asked for, that vanish
-    altogether, or by which a contact pushes."""
+    from which no speed follows, is none, nor are small oscillations if all else is asked; of the unknown forces those that are
+    asked for, that vanish altogether, or by which a contact pushes."""
     if is_struck(derivation):
         return [*derivation.chapter("inertia")]
     system = derivation.study.system
@@ -74,6 +74,8 @@ def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Nod
     without = {"energy"} if system.has_clock and is_given else set()
     if asked is not None and (is_given or all(solved_zero(step) for step in derivation.chapter("motion") if step.is_result)):
         without |= {"work", "energy"}  # of a motion that is given, or goes on as it is, nothing but what is asked
+    if asked is not None and not any(step.statement in asked for step in derivation.chapter("oscillations")):
+        without.add("oscillations")
     again = retold(derivation)
     found = (step for step in derivation.steps if step.chapter not in without and step.id not in again)
     told = ("forces", "work" if both else "") if len(system.bodies) == 1 else ()  # of one body every force, and what it does

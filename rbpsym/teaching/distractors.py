@@ -107,8 +107,9 @@ def pool(derivation: Derivation, names: Iterable[str] = ()) -> Pool:
 def in_phase(first: Pool, derivation: Derivation, number: int) -> Pool:
     """That of a later phase: what is wrong in it, and what a wrong statement of the whole motion makes of it."""
     whole, own = first.derivation.study.problem, pool(derivation)
-    restated = [wrong for wrong in first.wrongs if wrong.study.problem != whole]
-    begun = [replace(wrong, study=study) for wrong in restated for study in _reached(wrong.study.problem, number)]
+    stated = ((wrong, wrong.study.problem) for wrong in first.wrongs)
+    restated = [each for each in stated if each[1] != whole and len(each[1].coordinates) == len(whole.coordinates)]
+    begun = [replace(wrong, study=study) for wrong, problem in restated for study in _reached(problem, number)]
     return replace(own, wrongs=(*own.wrongs, *begun))
 
 

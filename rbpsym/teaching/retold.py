@@ -67,7 +67,7 @@ def first_wrong(derivation: Derivation, wrong: Study, about: frozenset[str]) -> 
 
     Steps about kinds of quantities that the misconception is not `about` are passed over.
     """
-    for step in derivation.steps:
+    for step in (step for step in derivation.steps if step.chapter != "phase"):  # not how a later phase begins
         head, _, rest = step.id.partition(".")
         is_meant = head not in ONLY_IF_ABOUT or bool(ONLY_IF_ABOUT[head] & about)
         if head in PROBES and is_meant and _differs(derivation.study, wrong, PROBES[head], rest):

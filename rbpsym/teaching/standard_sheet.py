@@ -9,8 +9,10 @@ from itertools import islice
 
 from rbpsym.document.needless import is_struck
 from rbpsym.errors import RbpsymError
+from rbpsym.field import names_in
 from rbpsym.present.forms import present
 from rbpsym.proof.draft import length
+from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.bench import PHASE, Prepared, ProblemBench, formula_of
 from rbpsym.teaching.sheet import Sheet, SheetPart
@@ -78,7 +80,7 @@ AT_BLOW = ("momentum", "axis-moment", "moment", "")  # what there is to ask of a
 
 def _before_blow(row: Row) -> Row | None:
     kinds, patterns, level = row
-    kept = tuple(pattern for pattern in patterns if pattern.partition(".")[0] in AT_BLOW)
+    kept = tuple(pattern for pattern in patterns if pattern.partition(".")[0] in AT_BLOW or pattern.startswith(PHASE))
     return (kinds, kept, level) if kept and kinds != ("signs",) else None
 
 
@@ -113,7 +115,7 @@ def _possible(
         for options in (4, 3) if kind == "choose" else (4,):
             wish = Wish(kind, (pattern,) if pattern else (), level=level, options=options)
             for task in _made(bench, scenery, wish):
-                if _is_long(bench, task) or _only_holds(task):
+                if _is_long(bench, task) or _only_holds(task) or _is_asked(bench, task):
                     continue
                 yield replace(wish, about=task.about or wish.about), task.content
 
@@ -121,6 +123,16 @@ def _possible(
 def _only_holds(task: Prepared) -> bool:
     """Is it about the couple by which a joint keeps a body from turning, which stands in a statement alone?"""
     return task.target is not None and task.target.kind == "reaction" and task.target.unit_name == "torque"
+
+
+def _is_asked(bench: ProblemBench, task: Prepared) -> bool:
+    """Does a question of the problem ask for it already, or for the speed that is so many lengths times this angular one?"""
+    if task.target is None or task.kind_asked != "start":
+        return False
+    lengths = {q.name for q in bench.study.problem.parameters if q.dimension == LENGTH}
+    [value] = (task.target.value(later.study) for later in bench.later if task.phase == f"{PHASE}{later.phase}.")
+    own = (target.value(bench.study) for target in bench.targets.values() if target.kind == "question")
+    return any(names_in(value / other) <= lengths for other in own if other)
 
 
 def _is_long(bench: ProblemBench, task: Prepared) -> bool:

@@ -28,8 +28,9 @@ from rbpsym.document.pictures import pictures
 from rbpsym.document.writers import WRITERS, files, writer
 from rbpsym.document.writers.markdown import in_cell, in_markdown
 from rbpsym.document.writers.page import page_for
-from rbpsym.document.writers.pdf import compiled, write_pdf
+from rbpsym.document.writers.pdf import compiled, end_of, without_last_lines, write_pdf
 from rbpsym.document.writers.slides import COLUMN, SLIDES, digest, write_slides
+from rbpsym.document.writers.typst import write_typst
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
@@ -419,3 +420,10 @@ def test_slides_of_the_course_are_its_results_and_figures() -> None:
     labels = {part.label for part in parts(shown) if getattr(part, "label", "")} | {s.label for s in shown.sections}
     labels |= {label for part in told for label in part.also}
     assert {part.label for part in parts(shown) if isinstance(part, Ref)} <= labels
+
+
+@pytest.mark.parametrize(("lines", "pages"), [(52, 1), (75, 2)])
+def test_a_last_page_of_a_few_lines_is_saved(lines: int, pages: int) -> None:
+    text = tuple(Paragraph(words("A line.")) for _ in range(lines))
+    source = write_typst(Document(words("Long"), (Section(words("One"), text),)))
+    assert end_of(source)[0] == 2 and end_of(without_last_lines(source))[0] == pages

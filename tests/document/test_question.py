@@ -46,6 +46,18 @@ def test_several_answers_have_letters_of_their_own():
     assert boxed == [t.Sym("F_y_1"), t.Sym("T")]  # a force keeps its letter, a period has the usual one
 
 
+@pytest.mark.parametrize(("name", "other"), [("rod-with-damper", "Omega"), ("ladder-with-friction", "mu")])
+def test_one_quantity_has_one_letter(name, other):
+    """The damped frequency ϑ_d is no Ω beside it, the least μ is told once, as μ_min."""
+    boxed = [part.node for part in parts(notes(unsimulated(name))) if isinstance(part, Display) and part.boxed]
+    assert len(boxed) == 2 and t.Sym(other) not in [node.items[0] for node in boxed]
+
+
+def test_small_oscillations_are_told_where_they_are_asked_for():
+    told = [text(notes(asking(question))) for question in ("F_y in equilibrium", "period of theta", "acceleration of theta")]
+    assert ["small oscillations" in page for page in told] == [False, True, False]
+
+
 def test_a_question_without_an_answer_is_told_with_its_reason():
     said = text(notes(asking("speed of theta where theta = 4")))
     assert "To this no answer is found" in said and "proved, as each of its steps is" not in said

@@ -6,7 +6,8 @@ from functools import cache
 
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.library import problem_files
-from rbpsym.teaching.model import Student, Worksheet
+from rbpsym.teaching.bench import ProblemBench
+from rbpsym.teaching.model import Item, Student, Worksheet
 from rbpsym.teaching.plan import WorksheetPlan, plan_of
 
 NAMES = tuple(sorted(problem_files()))
@@ -24,3 +25,9 @@ def paper(name: str) -> tuple[WorksheetPlan, Worksheet] | None:
         return plan, plan.worksheet(Student("ana", "Ana"), "secret")
     except RbpsymError:
         return None
+
+
+def bench_of(plan: WorksheetPlan, item: Item) -> ProblemBench:
+    """What a task is made of: the first phase of its problem, or the later one about which it asks."""
+    first = plan.parts[0].bench
+    return next(bench for bench in (first, *first.later) if bench.name == item.asked.problem)

@@ -16,7 +16,7 @@ from rbpsym.teaching.targets import targets
 from rbpsym.teaching.wording import ASSERTIONS, MARKED, teaching_phrases
 from tests.library.derived import unsimulated
 
-NARRATION = """ask.choose ask.number ask.formula ask.compare ask.place ask.fill-in ask.order ask.find-the-slip ask.signs
+NARRATION = """lead ask.choose ask.number ask.formula ask.compare ask.place ask.fill-in ask.order ask.find-the-slip ask.signs
 ask.explain hint compare.doubled compare.shape compare.welded compare.free compare.first compare.second compare.same
 compare.one compare.other shape signs rubric solution.from solution.derivation solution.answers solution.numbers paper
 remark.at remark.blank remark.decided remark.open remark.equation remark.read_as remark.other_side feedback exports sentence"""

@@ -18,7 +18,7 @@ from rbpsym.teaching import model as m
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.spoilers import is_telling, meaning
 from rbpsym.teaching.units import si
-from tests.teaching.library_papers import NAMES, NONE, paper
+from tests.teaching.library_papers import NAMES, NONE, bench_of, paper
 
 pytestmark = pytest.mark.heavy(of=5)
 
@@ -50,9 +50,10 @@ def test_no_answer_is_given_away(name: str) -> None:
 def test_no_blank_follows_from_a_solution_below_it(name: str) -> None:
     """An equation with a blank is no question where a line of the same derivation is its solution: m ÿ = □ above ÿ = −g."""
     plan, sheet = paper(name)
-    study, steps = plan.parts[0].bench.study, {step.id: step for step in plan.parts[0].bench.derivation.steps}
     for item in sheet.items:
         if isinstance(item.key, m.BlanksKey):
+            bench = bench_of(plan, item)
+            study, steps = bench.study, {step.id: step for step in bench.derivation.steps}
             lines = {row for node in printed(item) for row in t.rows(node) if isinstance(row, t.Chain)}
             ends = {row.items[0].name: scalar(row.items[-1]) for row in lines if is_solution(study, row)}
             for row in (row for blank in item.key.blanks for row in t.rows(steps[blank.step].statement)):
@@ -132,8 +133,8 @@ def test_a_sign_is_asked_with_the_blank(name: str) -> None:
 def test_each_sentence_names_an_idea_that_gives_just_this_value(name: str) -> None:
     """The operator of each sentence is applied anew, and what it makes of the quantity is the wrong value itself."""
     plan, sheet = paper(name)
-    bench = plan.parts[0].bench
     for item in sheet.items:
+        bench = bench_of(plan, item)
         for formula, slip in known_slips(item.key):
             target = target_of(bench, item, slip)
             value = meaning(bench.study, formula)

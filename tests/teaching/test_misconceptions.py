@@ -84,6 +84,8 @@ BY_HAND = [
     (SLIPPING, "kinetic-friction-left-out", "acceleration.x", "0"),
     (HINGED, "momentum-kept-at-hinge", "question.1", "m*v_0*(1 + e)/(m*b + M*ell/2)"),
     (HINGED, "struck-at-center-of-mass", "question.1", "m*v_0*(1 + e)/(m*b + 2*M*ell/3)"),
+    ("stepped-pulley", "rim-and-hub-alike", "acceleration.phi", "g*R*(m_1 - m_2)/(M*k**2 + (m_1 + m_2)*R**2)"),
+    (PENDULUM, "momentum-is-angular-velocity", "momentum.disk", "m*ell**2/3*theta_dot"),
     (ROUNDABOUT, "angular-velocity-kept", "question.1", "Omega"),
 ]  # fmt: skip
 

@@ -444,7 +444,7 @@ def test_every_student_has_a_file_of_their_own() -> None:
     assert len({own(id).casefold() for id in ids}) == len(ids)
 
 
-PHASES = {"question.1": "This is asked", "acceleration.y": "Before “bounced” begins",
+PHASES = {"question.1": "This is asked", "acceleration.y": "In the phase before “bounced”",
           "phase2.start.y_dot": "When “bounced” begins",
           "phase2.speed.y": "In the phase “bounced”", "phase2.start.blow": "", "phase3.speed.y": ""}  # fmt: skip
 

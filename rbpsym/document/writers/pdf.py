@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import subprocess
 import tempfile
@@ -33,6 +34,7 @@ def readable_aloud(source: str) -> bytes:
 
     from rbpsym.document.writers.rare_letters import without_lacking
 
+    source = without_last_lines(source)
     while True:
         try:
             return typst.compile(source.encode(), pdf_standards=["ua-1"])
@@ -41,6 +43,24 @@ def readable_aloud(source: str) -> bytes:
             if changed is None:
                 raise
             source = changed
+
+
+FEW = 0.25  # of the height of a page, its margin too: what stands on a last page that is not worth turning to
+
+
+def without_last_lines(source: str) -> str:
+    """The source set a little closer, where that saves a last page of a few lines."""
+    closer = source.replace("#let closer = false", "#let closer = true", 1)
+    pages, filled = end_of(source)
+    return closer if pages > 1 and filled < FEW and end_of(closer)[0] < pages else source
+
+
+def end_of(source: str) -> tuple[int, float]:
+    """On which page the text ends, and where on it."""
+    import typst
+
+    page, place = json.loads(typst.query(source.encode(), "<the-end>", field="value", one=True))
+    return page, place
 
 
 def by_pdflatex(document: Document) -> bytes:

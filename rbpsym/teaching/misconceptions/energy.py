@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from typing import Any
 
 from rbpsym.expr import tree as t
@@ -150,6 +151,14 @@ def _one_body_forgotten(study: Study) -> Changes:
     return ((name, {"velocity": ORIGIN, "omega": NOTHING}) for name in moving if len(moving) > 1)
 
 
+def _alike_turning(study: Study) -> Changes:
+    """L taken for ω: of two bodies that turn alike the one is given the momentum of the other."""
+    for name, state in study.system.bodies.items():
+        same = (s for n, s in study.system.bodies.items() if n != name and s.omega and is_zero(s.omega - state.omega))
+        for other in islice(same, 1):
+            yield name, {part: getattr(other, part) for part in ("inertia", "center", "velocity")}
+
+
 def _sine_for_cosine(study: Study) -> Changes:
     """The component of the momentum along the lever arm for the one across it."""
     origin, bodies = study.origins["O"], study.system.bodies.items()
@@ -284,6 +293,7 @@ MISCONCEPTIONS = (
     Misconception("half-forgotten-in-spring-energy", _no_half_in_spring, ENERGY),
     Misconception("uniform-acceleration-formula", _uniform_acceleration, frozenset({"speed"})),
     Misconception("one-body-not-in-the-sum", of_bodies(_one_body_forgotten), SUMS, WELL),
+    Misconception("momentum-is-angular-velocity", of_bodies(_alike_turning), frozenset({"momentum"})),
     Misconception("sine-for-cosine-in-momentum", of_bodies(_sine_for_cosine), frozenset({"momentum"})),
     Misconception("work-sign", _works(_opposite), WORKS),
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import Any
 
 from rbpsym.expr import tree as t
@@ -14,7 +15,8 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
 from rbpsym.proof.step import BodyRef
-from rbpsym.statement.model import Body, Element
+from rbpsym.statement.model import Body, Element, Turn
+from rbpsym.statement.solids import put_into
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.energy import with_energy
 from rbpsym.teaching.misconceptions.model import (
@@ -86,6 +88,26 @@ def _spin_of_carrier(study: Study) -> Iterator[Site]:
         carrier = study.system.bodies[first]
         system = change.with_body(study, second, omega=carrier.omega, alpha=carrier.alpha)
         yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(change.with_kinematics, study, system))
+
+
+def _one_radius(study: Study) -> Iterator[Site]:
+    """Rim and hub of a wheel with two radii taken to have one speed: the one radius stands for the other."""
+    for name in study.system.bodies:
+        radii = list(dict.fromkeys(r for e in study.problem.elements for r in _radii(e, name) if isinstance(r, t.Sym)))
+        for one, other in pairwise(radii):
+            yield Site({"body": BodyRef(name)}, partial(_with_value, study, {other.name: one}))
+
+
+def _radii(element: Element, body: str) -> Iterator[t.Node | None]:
+    """At which radii of a body strings or contacts act."""
+    yield from (part.radius for part in element.values.get("path", ()) if isinstance(part, Turn) and part.body == body)
+    if element.values.get("body") == body:
+        yield element.values.get("rim")
+
+
+def _with_value(study: Study, values: Mapping[str, t.Node]) -> Study:
+    parts = ("bodies", "interactions", "constraints")
+    return Study(replace(study.problem, **{part: put_into(getattr(study.problem, part), values) for part in parts}))
 
 
 # --- contacts that roll or slip
@@ -218,6 +240,7 @@ MISCONCEPTIONS = (
     Misconception("free-taken-as-welded", _free_as_welded, SPIN, WELL),
     Misconception("welded-taken-as-free", _welded_as_free, SPIN, NO_INERTIA),
     Misconception("spin-of-carrier", _spin_of_carrier, frozenset({"momentum", "kinetic"}), WELL),
+    Misconception("rim-and-hub-alike", _one_radius, MOTION),
     Misconception("rolling-taken-as-sliding", of_elements(_rolling, _touching, _slots), MOTION),
     Misconception("friction-is-mu-n", _friction_is_mu_n, MOTION),
     Misconception("friction-wrong-way", _friction_wrong_way, MOTION),

@@ -145,6 +145,9 @@ def _slip(key: m.SlipKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> F
     comments = ["" if k != key.wrong else _comment(key.slip, item, worksheet, page) for k in range(len(key.lines))]
     label = escape(plain_text("paper.line", page.language))
     yield f"<div>{label}: {radios}</div>", {"check": "choose", "right": key.wrong, "comments": comments}
+    for asked in ("corrected", "reason"):
+        label = plain_text(f"paper.{asked}", page.language)
+        yield _field(f"{escape(label)}:", label), None
 
 
 def _signs(key: m.SignsKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
@@ -163,8 +166,12 @@ def _signs(key: m.SignsKey, item: m.Item, worksheet: m.Worksheet, page: Page) ->
     yield table, {"check": "signs", "rows": [(r.translational, r.rotational, r.cancels) for r in key.rows]}
 
 
-def _none(key: m.ExplanationKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    yield from ()
+def _words(key: m.ExplanationKey | m.ComparisonKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    yield f'<textarea rows="6" aria-label="{escape(plain_text("paper.reason", page.language))}"></textarea>', None
+
+
+def _compared(key: m.ComparisonKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    yield from (*_choice(key, item, worksheet, page), *_words(key, item, worksheet, page))
 
 
 def fields_of(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
@@ -174,12 +181,12 @@ def fields_of(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
 
 FIELDS: Mapping[type, Callable[[Any, m.Item, m.Worksheet, Page], Fields]] = {
     m.ChoiceKey: _choice,
-    m.ComparisonKey: _choice,
+    m.ComparisonKey: _compared,
     m.NumberKey: _number,
     m.FormulaKey: _formula,
     m.BlanksKey: _blanks,
     m.OrderKey: _order,
     m.SlipKey: _slip,
     m.SignsKey: _signs,
-    m.ExplanationKey: _none,
+    m.ExplanationKey: _words,
 }

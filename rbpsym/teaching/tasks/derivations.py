@@ -230,7 +230,8 @@ def _lines(
 STATICS = 2  # of a balance of what is at rest
 QUESTIONS = {"workless": 3, "work_energy": 2, "combination": 3, "conservation": 2, "torque": 1, "parallel_axis": 1,
              "jump": 3, "kept_until": 3}  # fmt: skip
-KEPT = ("jump", "kept_until")  # they rest on what no force does, not on other steps
+KEPT = ("jump", "kept_until")  # they rest on what no force does, not on other steps,
+SOLVED = ("solution", "end_state")  # and give these away
 STATES = ("kinematics", "inertia", "momentum")
 MOST_PREMISES = 3
 CONCLUSION = 3  # the least weight of putting the premises together, on the scale of `lines.WEIGHTS`
@@ -250,7 +251,8 @@ def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[
         )
     for step in sorted(named, key=lambda s: -_interest(s)):
         make = partial(_explanation, bench, wish, step)
-        yield Prepared("explain", None, (), make, _printing(bench, (step.statement,)), step.id)
+        solved = [s.statement for s in bench.derivation.steps if s.rule in SOLVED and step.rule in KEPT and step.id in s.reasons]
+        yield Prepared("explain", None, (), make, _printing(bench, (step.statement, *solved)), step.id)
 
 
 def _interest(step: Step) -> int:
