@@ -385,17 +385,9 @@ def _starts(derivation: Derivation) -> Iterator[Target]:
             if value is None or not name:
                 continue
             speeds = [speed for speed in speeds if speed != name]
-            of = partial(_begun_with, speed=name) if variant == "speed" else partial(_same, value=value)
+            of = (lambda study, s=name: study.system.scope.start.get(s)) if variant == "speed" else lambda _, v=value: v
             dimension = dimension_of(row.items[-1], study.problem.dimensions)
             yield Target(f"start.{name}", row.items[0], of, dimension, id, {"variant": variant})
-
-
-def _begun_with(study: Study, speed: str) -> Scalar | None:
-    return study.system.scope.start.get(speed)
-
-
-def _same(study: Study, value: Scalar) -> Scalar:
-    return value
 
 
 KINDS: Mapping[str, Callable[[Derivation], Iterator[Target]]] = {

@@ -11,7 +11,7 @@ import pytest
 from rbpsym.teaching.distractors import pool
 from rbpsym.teaching.misconceptions.model import Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
-from rbpsym.teaching.misconceptions.told import SAYS_WHAT_WAS_DONE, TRUE_OF
+from rbpsym.teaching.misconceptions.told import TRUE_OF
 from rbpsym.teaching.targets import targets
 from rbpsym.teaching.wording import ASSERTIONS, MARKED, teaching_phrases
 from tests.library.derived import unsimulated
@@ -26,6 +26,24 @@ def _kind(key: str) -> str:
     parts = key.replace("read as", "read_as").replace("other side", "other_side").split(".")
     stems = (".".join(parts[:k]) for k in range(len(parts), 0, -1))
     return next((stem for stem in stems if stem in ASSERTIONS or stem in NARRATION.split()), "")
+
+
+WHAT_WAS_DONE = """
+action-along-reaction all-mass-at-centers all-work-is-rotational angular-velocity-kept damping-left-out diameter-for-radius
+end-of-rod-taken-for-axis energy-kept f-is-ma-at-contact-point force-acts-at-center force-sign forces-as-at-rest
+free-taken-as-welded friction-along-slip friction-is-mu-n friction-wrong-way half-forgotten-in-kinetic-energy
+half-forgotten-in-rotational-energy half-forgotten-in-spring-energy half-length-for-length inertia-of-one-body-left-out
+kinetic-friction-left-out length-for-elongation mass-dropped moment-about-wrong-point moment-of-another-shape
+momentum-is-angular-velocity momentum-kept-at-hinge normal-force-is-weight one-body-not-in-the-sum one-of-two-parts-of-string
+orbital-part-dropped parallel-axis-forgotten parallel-axis-twice rim-and-hub-alike rolling-taken-as-sliding
+rolls-while-slipping rotational-energies-subtract rotational-energy-left-out same-tension-on-both-sides shift-by-whole-length
+sine-for-cosine sine-for-cosine-in-lever-arm sine-for-cosine-in-momentum small-angle-for-large speed-of-end-for-center
+spin-dropped spin-of-carrier start-speed-forgotten struck-at-center-of-mass tension-is-weight third-law-forgotten
+torque-about-accelerating-contact torque-about-axis-in-work torque-sign translational-energy-left-out
+turning-force-moves-nothing weight-at-middle-of-shape weight-left-out weight-sign welded-taken-as-free
+whole-length-for-lever-arm whole-weight-along-slope work-at-application-point work-sign wrong-sense-of-rotation
+"""  # beside that, it tells what the place itself is chosen for (a weld, a slope, a force off the centre), or a law
+SAYS_WHAT_WAS_DONE = frozenset(WHAT_WAS_DONE.split())
 
 
 def test_there_is_no_third_kind() -> None:

@@ -1,6 +1,6 @@
 """Which feedback asserts something of the system beside what the student did, and what decides that it is true there.
 
-A misconception stands in one of both tables (a test says so). What is not true at a place is no place for it.
+All others say what was done (a test names them). What is not true at a place is no place for it.
 """
 
 from __future__ import annotations
@@ -66,23 +66,6 @@ TRUE_OF: Mapping[str, Condition] = {
     "instantaneous-center-for-accelerations": _path_is_curved,
     "uniform-acceleration-formula": _acceleration_changes,
 }
-
-WHAT_WAS_DONE = """
-action-along-reaction all-mass-at-centers all-work-is-rotational angular-velocity-kept damping-left-out diameter-for-radius
-end-of-rod-taken-for-axis energy-kept f-is-ma-at-contact-point force-acts-at-center force-sign forces-as-at-rest
-free-taken-as-welded friction-along-slip friction-is-mu-n friction-wrong-way half-forgotten-in-kinetic-energy
-half-forgotten-in-rotational-energy half-forgotten-in-spring-energy half-length-for-length inertia-of-one-body-left-out
-kinetic-friction-left-out length-for-elongation mass-dropped moment-about-wrong-point moment-of-another-shape
-momentum-is-angular-velocity momentum-kept-at-hinge normal-force-is-weight one-body-not-in-the-sum one-of-two-parts-of-string
-orbital-part-dropped parallel-axis-forgotten parallel-axis-twice rim-and-hub-alike rolling-taken-as-sliding
-rolls-while-slipping rotational-energies-subtract rotational-energy-left-out same-tension-on-both-sides shift-by-whole-length
-sine-for-cosine sine-for-cosine-in-lever-arm sine-for-cosine-in-momentum small-angle-for-large speed-of-end-for-center
-spin-dropped spin-of-carrier start-speed-forgotten struck-at-center-of-mass tension-is-weight third-law-forgotten
-torque-about-accelerating-contact torque-about-axis-in-work torque-sign translational-energy-left-out
-turning-force-moves-nothing weight-at-middle-of-shape weight-left-out weight-sign welded-taken-as-free
-whole-length-for-lever-arm whole-weight-along-slope work-at-application-point work-sign wrong-sense-of-rotation
-"""  # beside that, it tells what the place itself is chosen for (a weld, a slope, a force off the centre), or a law
-SAYS_WHAT_WAS_DONE = frozenset(WHAT_WAS_DONE.split())
 
 
 def is_true(name: str, study: Study, site: Site) -> bool:
