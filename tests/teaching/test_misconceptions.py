@@ -143,6 +143,7 @@ def test_each_has_sources_kinds_and_words(name: str) -> None:
 
 # problems of the library in which, together, each misconception makes an accepted wrong answer
 COVER = (
+    "stepped-pulley",
     "atwood-with-massive-pulley", "cart-and-rod", "rod-and-disk-fixed", "rod-and-disk-free", "ball-in-a-loop", "braking-wheel",
     "half-disk-rocking", "bicycle-wheelie", "disk-with-spring", "ball-slipping-to-rolling", "breaking-chimney",
     "disk-on-incline", "child-onto-roundabout", "ball-and-hinged-rod", "double-atwood", "two-gears", "ball-with-backspin",
