@@ -132,7 +132,7 @@ def _is_asked(bench: ProblemBench, task: Prepared) -> bool:
     lengths = {q.name for q in bench.study.problem.parameters if q.dimension == LENGTH}
     [value] = (task.target.value(later.study) for later in bench.later if task.phase == f"{PHASE}{later.phase}.")
     own = (target.value(bench.study) for target in bench.targets.values() if target.kind == "question")
-    return any(names_in(value / other) <= lengths for other in own if other)
+    return value is not None and any(names_in(value / other) <= lengths for other in own if other)
 
 
 def _is_long(bench: ProblemBench, task: Prepared) -> bool:

@@ -146,8 +146,8 @@ def _slip(key: m.SlipKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> F
     label = escape(plain_text("paper.line", page.language))
     yield f"<div>{label}: {radios}</div>", {"check": "choose", "right": key.wrong, "comments": comments}
     for asked in ("corrected", "reason"):
-        label = plain_text(f"paper.{asked}", page.language)
-        yield _field(f"{escape(label)}:", label), None
+        about = plain_text(f"paper.{asked}", page.language)
+        yield _field(f"{escape(about)}:", about), None
 
 
 def _signs(key: m.SignsKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:

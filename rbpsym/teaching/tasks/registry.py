@@ -58,6 +58,7 @@ def _told(task: Prepared, lead: str, phase: str) -> Prepared:
         if item is None:
             return None
         (first, *rest), name = item.prompt, said.say("statement.phase", name=said.named(phase))
+        assert isinstance(first, Paragraph)  # each task begins with what is to be done
         return replace(item, prompt=(Paragraph((*spoken(said, lead, phase=name), *first.inlines)), *rest))
 
     return replace(task, make=make)
