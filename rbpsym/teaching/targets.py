@@ -305,13 +305,8 @@ def _frequency(study: Study, at: int) -> Scalar | None:
 def _frictions(derivation: Derivation) -> Iterator[Target]:
     for need in derivation.study.friction_needs:
         if need.needed is not None:
-            yield Target(
-                f"friction.{need.constraint}",
-                t.Sym("mu_min"),
-                partial(_needed, constraint=need.constraint),
-                NUMBER,
-                slots={"contact": t.Sym(need.constraint)},
-            )
+            of, slots = partial(_needed, constraint=need.constraint), {"contact": t.Sym(need.constraint)}
+            yield Target(f"friction.{need.constraint}", t.Sym("mu_min"), of, NUMBER, slots=slots)
 
 
 def _needed(study: Study, constraint: str) -> Scalar | None:
@@ -321,14 +316,10 @@ def _needed(study: Study, constraint: str) -> Scalar | None:
 def _losses(derivation: Derivation) -> Iterator[Target]:
     for loss in derivation.study.losses:
         if loss.at:
-            yield Target(
-                f"loss.{loss.force}",
-                t.Sym(loss.coordinate),
-                partial(_lost, force=loss.force, coordinate=loss.coordinate),
-                derivation.study.problem.dimensions[loss.coordinate],
-                slots={"force": t.Sym(loss.force), "coordinate": t.Sym(loss.coordinate)},
-                unit_name="angle",
-            )
+            of = partial(_lost, force=loss.force, coordinate=loss.coordinate)
+            slots = {"force": t.Sym(loss.force), "coordinate": t.Sym(loss.coordinate)}
+            dimension = derivation.study.problem.dimensions[loss.coordinate]
+            yield Target(f"loss.{loss.force}", t.Sym(loss.coordinate), of, dimension, slots=slots, unit_name="angle")
 
 
 def _lost(study: Study, force: str, coordinate: str) -> Scalar | None:
