@@ -41,15 +41,19 @@ def in_known_forms(answers: Iterable[Found], steps: Iterable[Step]) -> Iterator[
 
 def _lettered(found: Answer) -> tuple[Step, ...]:
     """The steps: of a letter whose square the line before tells, the last one tells it by that letter."""
-    *before, last = found.steps or (None,)
-    if not _states(found) or len(found.nodes) != 1 or last.rule != "value_told":
+    if not _states(found) or len(found.nodes) != 1:
+        return found.steps
+    *before, last = found.steps
+    told = last.statement
+    if last.rule != "value_told" or not isinstance(told, t.Chain):
         return found.steps
     for row in (row for step in before if step.id in last.reasons for row in t.rows(step.statement) if isinstance(row, t.Chain)):
         left, square = row.items[0], row.items[-1]
-        is_square = isinstance(left, t.Pow) and isinstance(left.base, t.Sym) and left.exponent == t.TWO
-        if is_square and t.names(square) == t.names(found.nodes[0]) and is_zero(scalar(found.nodes[0]) ** 2 - scalar(square)):
-            slots = {key: left.base if slot == last.statement.items[0] else slot for key, slot in last.slots.items()}
-            return (*before, replace(last, statement=t.equation(left.base, last.statement.items[-1]), slots=slots))
+        if not isinstance(left, t.Pow) or not isinstance(left.base, t.Sym) or left.exponent != t.TWO:
+            continue
+        if t.names(square) == t.names(found.nodes[0]) and is_zero(scalar(found.nodes[0]) ** 2 - scalar(square)):
+            slots = {key: left.base if slot == told.items[0] else slot for key, slot in last.slots.items()}
+            return (*before, replace(last, statement=t.equation(left.base, told.items[-1]), slots=slots))
     return found.steps
 
 
@@ -75,9 +79,11 @@ def _stated(found: Found, shown: Mapping[t.Node, Inline]) -> Ref | None:
 
 def _is_marked(row: t.Node, own: t.Node) -> bool:
     """Is a row what an answer says, of its letter with a mark: the least μ as μ_min, the critical c as c_crit?"""
-    if not all(isinstance(each, t.Chain) and each.ops == ("=",) and isinstance(each.items[0], t.Sym) for each in (row, own)):
+    if not isinstance(row, t.Chain) or not isinstance(own, t.Chain) or row.ops != ("=",) or own.ops != ("=",):
         return False
-    return row.items[1:] == own.items[1:] and row.items[0].name.startswith(f"{own.items[0].name}_")
+    marked, letter = row.items[0], own.items[0]
+    is_named = isinstance(marked, t.Sym) and isinstance(letter, t.Sym) and marked.name.startswith(f"{letter.name}_")
+    return is_named and row.items[1:] == own.items[1:]
 
 
 def _by_name(step: Step) -> Iterator[t.Node]:
