@@ -159,13 +159,11 @@ def solve_explicitly(
             if is_zero(value):
                 continue
             name = next((n for n in reversed(names) if n not in solved and _is_linear(value, n, names)), None)
-            if name is None:
-                name, image = _held(value, names, problem)
-            else:
-                image = _linear_zero(value, name)
+            image = _held(value, names, problem) if name is None else _linear_zero(value, name)
             if image is None:
                 left.append(Condition(condition.constraint, value, condition.what))
                 continue
+            name = name or _names_in(value, names)[0]
             solved = {n: substitute(old, {name: image}) for n, old in solved.items()} | {name: image}
         waiting = left
     return solved, tuple(waiting)
@@ -184,25 +182,21 @@ def _names_in(value: Scalar, names: tuple[str, ...]) -> list[str]:
     return [name for name in names if depends_on(value, name)]
 
 
-def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> tuple[str, Scalar | None]:
-    """Where a condition holds a coordinate: the only one in it that has no start (which the others, or the time, lead), where its
-    range tells; the only one in it: at the zero that is nearest to 0 of those that its range allows, or at its start if it has
-    one. None if it does not hold there."""
-    used = [c for c in problem.coordinates if c.name in names and depends_on(value, c.name)]
-    open_ones = [c for c in used if c.start is None]
-    if len(open_ones) == 1 and (len(used) > 1 or depends_on(value, CLOCK)):
-        return open_ones[0].name, _driven(value, open_ones[0], declared(problem.parameters).assumptions)
-    if len(used) != 1:
-        return "", None
-    [coordinate] = used
-    if coordinate.start is not None:
-        return coordinate.name, _held_at_start(value, coordinate)
-    if len(names) < 2:
-        return "", None
+def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | None:
+    """Where a condition on one coordinate of several holds it: the zero that is nearest to 0 of those
+    that its range allows, or its start if it has one. None if it does not hold there."""
+    used = _names_in(value, names)
+    coordinate = next((c for c in problem.coordinates if [c.name] == used), None)
+    if coordinate is not None and coordinate.start is None and depends_on(value, CLOCK):
+        return _driven(value, coordinate, declared(problem.parameters).assumptions)
+    if coordinate is not None and coordinate.start is not None:
+        return _held_at_start(value, coordinate)
+    if coordinate is None or len(names) < 2:
+        return None
     numbers = sample(problem)
     places = [(_place(zero, numbers), zero) for zero in zeros(value, coordinate.name)]
     places = [item for item in places if item[0] is not None and _is_allowed(item[0], coordinate, numbers)]
-    return coordinate.name, min(places, key=lambda item: abs(item[0]))[1] if places else None
+    return min(places, key=lambda item: abs(item[0]))[1] if places else None
 
 
 def _driven(value: Scalar, coordinate: Coordinate, given: Assumptions) -> Scalar | None:

@@ -264,7 +264,6 @@ ANSWERS = (
      "M*(ell*omega_0**2*(11*ell*omega_0**2 - 14*g) + 4*g**2)/(4*g)"),
     ("winding-string", "time until phi = L/(2*R)", "3*L**2/(8*R*v_0)"),
     ("springs-in-series", "period of y", "2*pi*sqrt(m*(k_1 + k_2)/(k_1*k_2))"),
-    ("crank-and-piston", "acceleration of x at the start", "5*r**2*Omega**2/(14*sqrt(ell**2 - r**2))"),
 )  # fmt: skip
 
 
