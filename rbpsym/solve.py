@@ -165,7 +165,7 @@ def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
 
 def _course(one: Course, study: Study) -> dict[str, Any]:
     exists = (item for item in existence(one.whole) if not sign(item.value, study.assumptions).is_nonnegative)
-    valid = (*one.valid, *lasting(study.sides, study.assumptions), *exists)
+    valid = (*one.valid, *lasting(study.sides, study.friction_needs, study.assumptions), *exists)
     told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
     return {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(valid, study)}
 

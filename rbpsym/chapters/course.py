@@ -29,7 +29,7 @@ def write(draft: Draft) -> None:
         known = solutions.given(draft.study, name)
         if known is None or not (known.form.stiffness or known.form.damping or known.form.drag or known.form.law):
             continue
-        asked = lasting(draft.study.sides, draft.study.assumptions)
+        asked = lasting(draft.study.sides, draft.study.friction_needs, draft.study.assumptions)
         for one in solutions.courses(known) if not known.form.drive else (solutions.driven(known),):
             told(draft, name, replace(one, valid=(*one.valid, *asked)))
         for key in TOLD if known.speed or known.form.drive or known.form.drag else ():
@@ -44,12 +44,12 @@ def told(draft: Draft, name: str, one: Course, law: str = "", beside: Mapping[st
     place = substitute(one.place, {old: symbol(new) for old, new in letters.items()})
     relation = t.relation(t.Sym(name), "~" if law else "=", draft.show(place, met=one.valid or None))
     where = None if one.where is None else t.equation(t.Sym(one.where[0]), draft.show(one.where[1]))
+    kind = "left" if one.is_left else one.case or ("small" if law else "plain")
     return draft.add(
-        f"course.{name}" + (f".{one.case}" if one.case else ""), "course", relation,
-        f"course.{one.case or ('small' if law else 'plain')}", premises=draft.those(f"motion.{name}", law, *said),
-        is_result=True, obligations=draft.asked(one.valid), name=t.Sym(name), where=where,
-        data={"name": name, "law": law, "steady": one.case == STEADY,
-              "beside": {n: each.whole for n, each in (beside or {}).items()}},
+        f"course.{name}" + (f".{one.case}" if one.case else ""), "course", relation, f"course.{kind}",
+        premises=draft.those(f"motion.{name}", law, *said), is_result=True, obligations=draft.asked(one.valid), name=t.Sym(name),
+        where=where, data={"name": name, "law": law, "steady": one.case == STEADY,
+                          "beside": {n: each.whole for n, each in (beside or {}).items()}},
     ).id  # fmt: skip
 
 
@@ -94,9 +94,9 @@ def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> N
     kind = ".support" if more else DRIVEN.get(key, ("", ""))[bool(known.form.drive)]
     is_one = len(draft.study.system.independent) == 1
     made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
+    valid = settle((*known.valid, *solved.swings(known, key)), known.study.assumptions) or ()
     shown = _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)
     phrase = "mode" if key in OF_MODE else f"{key.replace(' ', '_')}{kind}"
-    valid = settle((*known.valid, *solved.swings(known, key)), known.study.assumptions) or ()
     data = {"name": name, "law": law, "key": key, "form": known.form, "steady": solutions.steady(known)}
     draft.add(f"{key.replace(' ', '_')}.{name}", "feature", t.equation(made, shown), f"course.{phrase}",
               premises=draft.those(law or f"motion.{name}"), name=t.Sym(name), letter=made, is_result=True, data=data,

@@ -28,20 +28,19 @@ class Side(Frozen):
 
 
 def sides(constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions) -> tuple[Side, ...]:
-    """All one-sided forces, from their values along the motion as far as these are known."""
+    """All one-sided forces, from their values along the motion as far as these are known; each loss of one is a case of its own."""
     names = [name for element in constraints for name in pushes(element) if name in known]
     slips = any(element.values.get("limit") is not None for element in constraints)
-    return tuple(_side(name, known[name], ended, given, slips) for name in names)
+    lost = {name: [loss for loss in ended.found if loss.force == name] for name in names}
+    each = {name: [Side(name, known[name], "lost", "", loss.valid) for loss in losses] for name, losses in lost.items()}
+    return tuple(side for name in names for side in each[name] or [_lasting(name, known[name], ended, given, slips)])
 
 
-def _side(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bool) -> Side:
+def _lasting(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bool) -> Side:
     """`slips`: a force that is nowhere lost may be so because something slips before."""
     asked = (Demand(value, ">="),)
     if len(value.num) * len(value.den) <= LARGEST:
         asked = asked if (left := settle(asked, given)) is None else left
-    lost = next((loss for loss in ended.found if loss.force == name), None)
-    if lost is not None:
-        return Side(name, value, "lost", "", lost.valid)
     if not asked:
         return Side(name, value, "kept")
     if ended.complete is True and (ended.found or not slips):
@@ -49,10 +48,11 @@ def _side(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bo
     return Side(name, value, "open" if any(loss.force == name for loss in ended.open_) else "asked", "", asked)
 
 
-def lasting(found: tuple[Side, ...], given: Assumptions) -> tuple[Demand, ...]:
-    """What a motion told for all time asks for: that no contact is lost before and no string is slack."""
+def lasting(found: tuple[Side, ...], needs: tuple[FrictionNeed, ...], given: Assumptions) -> tuple[Demand, ...]:
+    """What a motion told for all time asks for: that no contact is lost before, no string is slack and nothing slips."""
     asked = [demand for one in found for demand in (one.valid if one.state in ("asked", "open") else (Demand(one.value, ">="),))]
-    return settle(asked, given) or ()
+    asked += grips(needs)
+    return tuple(asked) if (left := settle(asked, given)) is None else left
 
 
 def grips(needs: tuple[FrictionNeed, ...]) -> Iterator[Demand]:

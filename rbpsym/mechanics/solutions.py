@@ -37,13 +37,15 @@ STEADY, SMALL = "steady", "small"
 
 class Course(Frozen):
     """A coordinate as a function of the time since the start, in `letters` that stand for these values; where that is so:
-    the demands `valid`, and `where` a parameter has a value. `steady`: what is left of a driven motion at last."""
+    the demands `valid`, and `where` a parameter has a value. `steady`: a driven motion, which `is_left` at last or goes on beside
+    the free one."""
 
     place: Scalar
     letters: Mapping[str, Scalar] = field(default_factory=dict)
     case: str = ""
     valid: tuple[Demand, ...] = ()
     where: tuple[str, Scalar] | None = None
+    is_left: bool = False
 
     @property
     def whole(self) -> Scalar:
@@ -146,8 +148,9 @@ def lasting(known: Given, one: Course) -> Course:
 
 
 def driven(known: Given) -> Course:
-    """What is left at last of a driven motion."""
-    return lasting(known, Course(steady(known), case=STEADY))
+    """The motion with the frequency of the drive alone; it is left at last where a damped spring lets the free one die out."""
+    dies = all(sign(value, known.assumptions).kind == "positive" for value in (known.form.stiffness, known.form.damping))
+    return lasting(known, Course(steady(known), case=STEADY, is_left=dies))
 
 
 def _cases(known: Given) -> Iterator[Course]:

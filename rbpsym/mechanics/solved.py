@@ -10,7 +10,7 @@ from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
 from rbpsym.field.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
 from rbpsym.field.exponentials import with_exponentials_joined
-from rbpsym.mechanics.demands import WAYS, Demand
+from rbpsym.mechanics.demands import WAYS, Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.forms import power_law, raised
 from rbpsym.mechanics.friction import slips, stops
@@ -50,7 +50,10 @@ def swings(known: Given, key: str) -> tuple[Demand, ...]:
     """What has to be positive for the motion to swing, or to go on, of which this is told."""
     if key == "terminal speed":
         return tuple(Demand(slip) for slip in last_slips(known, _terminal(known)))
-    return (Demand(known.form.stiffness),) if key in ("amplitude", "greatest speed", "phase lag") else ()
+    if key not in ("amplitude", "greatest speed", "phase lag"):
+        return ()
+    at_last = known.form.drive and key != "amplitude"  # when the free motion has died out
+    return (Demand(known.form.stiffness), *([Demand(known.form.damping)] if at_last else []))
 
 
 def _swing(known: Given) -> Scalar | None:
@@ -152,8 +155,10 @@ FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
 
 
 def feature(known: Given, key: str) -> Scalar | None:
-    """What is told of the whole motion; None where kinetic friction acts, with which it ends when the slip stops, as it never
-    does where the last speed is in its sense."""
+    """What is told of the whole motion; None where it never swings so, and where kinetic friction acts, with which it ends when
+    the slip stops, as it never does where the last speed is in its sense."""
+    if settle((*known.valid, *swings(known, key)), known.study.assumptions) is None:
+        return None
     value = None if key != "terminal speed" and stops(known.study.system) else FEATURES[key][1](known)
     lasts = value is None or all(known.sense(slip, open_=1) > 0 for slip in last_slips(known, value))
     return value if lasts else None
