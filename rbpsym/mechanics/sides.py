@@ -28,7 +28,7 @@ class Side(Frozen):
 
 
 def sides(constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions) -> tuple[Side, ...]:
-    """All one-sided forces, from their values along the motion as far as these are known; each loss of one is a case of its own."""
+    """All one-sided forces, from their values along the motion as far as these are known; each loss is a case of its own."""
     names = [name for element in constraints for name in pushes(element) if name in known]
     slips = any(element.values.get("limit") is not None for element in constraints)
     lost = {name: [loss for loss in ended.found if loss.force == name] for name in names}
