@@ -33,7 +33,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.checks.values import TURNED, told_as
 from rbpsym.proof.draft import Draft
-from rbpsym.proof.step import UNCHECKED, Step
+from rbpsym.proof.step import Step
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 from rbpsym.typeset.text import to_text
@@ -83,7 +83,7 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
     comes += map(undecided, open_)
-    verdict = all_of([*comes, *(step.certificate.verdict for step in (*earlier, *steps) if step.certificate is not UNCHECKED)])
+    verdict = all_of([*comes, *(step.certificate.verdict for step in (*earlier, *steps))])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
     valid = _valid(draft, found, lasts, earlier, steps)
     is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))

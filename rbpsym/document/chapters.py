@@ -178,10 +178,13 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     others, *groups = telling.by_kind([step for step in steps if step not in found], [f"kinematics.{kind}" for kind in kinds])
     yield from teller.steps((*others, *found))
     for kind, group in zip(kinds, groups, strict=True):
-        tied = [step.slots["coordinate"] for step in group if "coordinate" in step.slots]
-        ways = {step.slots.get("variant") for step in group}
-        manner = {"variant": "rate" if "rate" in ways else "place"} if kind == "dependent" else {}
-        yield from teller.together(group, f"kinematics.{kind}_many", coordinates=tied, **manner)
+        for balances in (False, True):
+            alike = [step for step in group if (step.slots.get("variant") == "balance") is balances]
+            tied = [step.slots["coordinate"] for step in alike if "coordinate" in step.slots]
+            ways = {step.slots.get("variant") for step in alike}
+            way = next((way for way in ("balance", "rate") if way in ways), "place")
+            manner = {"variant": way} if kind == "dependent" else {}
+            yield from teller.together(alike, f"kinematics.{kind}_many", coordinates=tied, **manner)
 
 
 def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

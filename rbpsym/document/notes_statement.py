@@ -100,7 +100,7 @@ def _letters(symbols: Table, told: tuple[Inlines, ...], said: Words) -> Iterator
     """What the letters of a table mean that the sentences told so far do not speak of."""
     known = {name for inlines in told for part in inlines if isinstance(part, Math) for name in t.names(part.node)}
     new = [
-        (*letters, Text(" ("), *meaning, Text(")"))
+        (*letters, Text(" ("), *meaning, Text(")")) if any(part != Text("") for part in meaning) else letters
         for letters, meaning, _ in symbols.rows
         if known.isdisjoint(name for part in letters if isinstance(part, Math) for name in t.names(part.node))
     ]

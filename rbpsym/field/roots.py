@@ -213,6 +213,12 @@ def without_even_roots(value: Scalar) -> Scalar:
     return _evened(value.num) / _evened(value.den) if value.den is not ONE else _evened(value.num)
 
 
+def has_squared_roots(value: Scalar) -> bool:
+    """Whether a root stands squared in it, as no one writes it (1/√x may be written)."""
+    powers = ((index, power) for poly in (value.num, value.den) for term in poly.terms for index, power in term)
+    return any(abs(power) > 1 and is_root(index) for index, power in powers)
+
+
 def _squared_root(poly: Poly) -> int | None:
     """A square root of which an even power occurs."""
     return next((i for i in poly.atoms() if atoms.atom(i).kind == "root" and _is_squared(poly, i)), None)

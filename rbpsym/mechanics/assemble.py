@@ -37,11 +37,11 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     names = (*_by_preference(problem), *open_names(given))
     tied = tie(problem, inertias, given, names)
     system = _assembled(problem, inertias, given, tied, free=free)
-    balanced = {} if tied.implicit or tied.speeds else _balanced(system)
-    if not balanced:
-        return system
-    solved = {name: substitute(value, balanced) for name, value in tied.solved.items()} | balanced
-    return _assembled(problem, inertias, given, replace(tied, solved=solved), free=free)
+    while not (tied.implicit or tied.speeds) and (balanced := _balanced(system)):
+        solved = {name: substitute(value, balanced) for name, value in tied.solved.items()} | balanced
+        tied = replace(tied, solved=solved)
+        system = _assembled(problem, inertias, given, tied, free=free)
+    return system
 
 
 def _assembled(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, Pose], tied: Tied, *, free: bool) -> System:

@@ -37,6 +37,7 @@ STEPS: Mapping[str, Entry] = {
     **{f"kinematics.condition.{kind}.identity": (g.is_identity, "") for kind in IDENTITY.split()},
     "kinematics.condition.sticking_speed.moving": (g.touching_body_moves, "kinematics.condition.sticking_speed.fixed"),
     "kinematics.dependent": (g.ties_to_others, "kinematics.determined"),
+    "kinematics.dependent.balance": (g.places_no_mass, "kinematics.determined"),
     "kinematics.orbit": (g.is_steady, ""),
     "kinematics.turning.opposite": (g.is_turned_back, "kinematics.turning.plain"),
     "kinematics.turning.none": (g.does_not_turn, "kinematics.turning.plain"),

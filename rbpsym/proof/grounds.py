@@ -146,6 +146,15 @@ def ties_to_others(said: Said) -> bool:
     return is_proved(said) and any(not is_zero(derivative(value, name)) for name in said.system.independent)
 
 
+def places_no_mass(said: Said) -> bool:
+    """What a coordinate places has no mass, and it depends on one that is free."""
+    name, placed = said.slot("coordinate"), []
+    for body in said.system.problem.bodies:
+        pose = (*(body.placed[1] if body.placed else ()), *([body.angle] if body.angle else ()))
+        placed += [said.system.bodies[body.name]] if any(name in t.names(node) for node in pose) else []
+    return ties_to_others(said) and bool(placed) and all(is_zero(one.mass) and is_zero(one.moment) for one in placed)
+
+
 def touching_body_moves(said: Said) -> bool:
     """What touches is a point of a body that can move."""
     name = toucher(said.step.data["element"])

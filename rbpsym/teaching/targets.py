@@ -20,6 +20,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, short, symbol
 from rbpsym.field.evaluate import scalar
+from rbpsym.field.roots import has_squared_roots, without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.motion import along_motion
@@ -68,7 +69,7 @@ class Target(Frozen):
             found = self.of(study)
         except REFUSALS:
             return None
-        return None if found is None else short(found)
+        return None if found is None else short(without_even_roots(found) if has_squared_roots(found) else found)
 
     def known(self, study: Study, *, along: bool = False) -> Scalar:
         """The value in the right study (`along` its motion), which has one: else it is not asked for."""

@@ -264,6 +264,7 @@ ANSWERS = (
      "M*(ell*omega_0**2*(11*ell*omega_0**2 - 14*g) + 4*g**2)/(4*g)"),
     ("winding-string", "time until phi = L/(2*R)", "3*L**2/(8*R*v_0)"),
     ("springs-in-series", "period of y", "2*pi*sqrt(m*(k_1 + k_2)/(k_1*k_2))"),
+    ("three-springs-in-series", "period of z", "2*pi*sqrt(m*(1/k_1 + 1/k_2 + 1/k_3))"),
 )  # fmt: skip
 
 
