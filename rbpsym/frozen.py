@@ -11,10 +11,12 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import MISSING, FrozenInstanceError
 from dataclasses import field as field
 from dataclasses import replace as replace
+from itertools import count
 from operator import attrgetter
 from typing import Any, NoReturn, dataclass_transform
 
 put = object.__setattr__
+OFTEN = 50  # times that a class is made before its constructor is written out
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -76,18 +78,18 @@ def _with_fields(cls: Any) -> tuple[dataclasses.Field[Any], ...]:
 
 
 def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
-    """What sets the fields that are given, and all others as they are declared."""
+    """What sets the fields that are given, and all others as they are declared; often used, it is written out."""
     own = (f for f in fields if f.init or f.default is not MISSING or f.default_factory is not MISSING)
     fields = tuple(sorted(own, key=lambda f: not f.init or f.kw_only is True))
     names = [f.name for f in fields]
     most = sum(f.init and not f.kw_only for f in fields)
     is_followed = hasattr(cls, "__post_init__")
-    tails = {k: tuple(f.default for f in fields[k:]) for k in range(most + 1)}  # what is declared for those that are not given
-    tails = {k: tail for k, tail in tails.items() if MISSING not in tail}
+    uses = count(1)
 
     def __init__(self: Any, *values: Any, **named: Any) -> None:
-        tail = None if named else tails.get(len(values))
-        for name, value in zip(names, completed(values, named) if tail is None else values + tail, strict=True):
+        if next(uses) == OFTEN and cls.__init__ is __init__:
+            cls.__init__ = _written_out(cls, fields)
+        for name, value in zip(names, completed(values, named), strict=True):
             put(self, name, value)
         if is_followed:
             self.__post_init__()
@@ -108,9 +110,16 @@ def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callab
     return __init__
 
 
+def _written_out(cls: Any, fields: Iterable[dataclasses.Field[Any]]) -> Any:
+    """The constructor that `dataclasses` writes for these fields: some three times as fast."""
+    own = [
+        (f.name, Any, field(default=f.default, default_factory=f.default_factory, init=f.init, kw_only=f.kw_only)) for f in fields
+    ]
+    after = {"__post_init__": cls.__post_init__} if hasattr(cls, "__post_init__") else {}
+    return vars(dataclasses.make_dataclass(cls.__name__, own, namespace=after, frozen=True, eq=False, repr=False))["__init__"]
+
+
 def _key(names: Iterable[str]) -> Callable[[Any], Any]:
     """The values of these fields; of one field its value."""
     names = tuple(names)
     return attrgetter(*names) if names else lambda *nothing: ()
-
-

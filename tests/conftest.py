@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 from collections.abc import Generator
+from itertools import count
 from zlib import crc32
 
 import pytest
@@ -22,6 +23,7 @@ for name, is_steady in (("random", False), ("steady", True)):
 settings.load_profile("steady")
 
 PUBLIC = rbpsym.derive  # asked for before it is replaced: the package keeps what it finds first
+MODULES = count()  # that this worker went through
 AFTER_DERIVING = {"cli", "document", "teaching"}  # rooms whose tests are of what comes after a derivation
 
 
@@ -79,10 +81,12 @@ def _once(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> No
 def _quiet_collector() -> None:
     """What earlier modules keep (derivations of the whole library) is no more looked through by the garbage collector.
 
-    Otherwise a collection of seconds may fall into any test, also into one with a bound of time.
+    Otherwise a collection of seconds may fall into any test, also into one with a bound of time. To look for what to freeze
+    takes long as well, so that it is done after each tenth module.
     """
-    gc.collect()
-    gc.freeze()
+    if next(MODULES) % 10 == 0:
+        gc.collect()
+        gc.freeze()
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -44,10 +44,12 @@ def named(id: str, said: Said) -> dict[str, Claim]:
     return found | {identifier(f"{id}.{place}"): claim for place, claim in enumerate(said.assertions, 1)}
 
 
-def written(derivation: Derivation) -> Written:
-    """All steps of a derivation."""
-    found = Written(Source(derivation))
-    for step in derivation.steps:
+def written(derivation: Derivation, ids: Iterable[str] | None = None) -> Written:
+    """All steps of a derivation, or those of these ids and what they follow from."""
+    found, needed = Written(Source(derivation)), {step.id for step in derivation.steps} if ids is None else set(ids)
+    for step in reversed(derivation.steps):
+        needed |= set(step.premises if step.id in needed else ())
+    for step in (step for step in derivation.steps if step.id in needed):
         try:
             lemmas = found.lemmas[step.id] = list(_lemmas(found, step))
             said = found.source.said[step.id]  # from now on with the conditions on which it was shown

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from rbpsym.frozen import Frozen, Walker, replace
+from rbpsym.frozen import OFTEN, Frozen, Walker, field, replace
 
 
 class Place(Frozen):
@@ -103,3 +103,29 @@ def test_walkers_remember() -> None:
 
 def test_it_can_be_sent_to_another_process() -> None:
     assert pickle.loads(pickle.dumps(Place(1, ("a",)))) == Place(1, ("a",))
+
+
+def test_written_out_it_does_the_same():
+    """A class that is made often gets another constructor: the same fields, defaults and refusals."""
+
+    class Often(Frozen):
+        a: int
+        b: list = field(default_factory=list)
+        c: int = field(default=3, init=False)
+        d: int = field(default=4, kw_only=True)
+
+        def __post_init__(self):
+            assert self.d
+
+    class After(Often):
+        e: str = "e"
+
+    for kind in (Often, After):
+        before = kind.__init__
+        made = [(kind(1), kind(1, [2], d=5), kind(b=[2], a=1, d=5)) for _ in range(OFTEN)]
+        assert kind.__init__ is not before
+        assert made[0] == made[-1] and made[0][1] == made[0][2] != made[0][0] and made[-1][0].c == 3
+        assert made[0][0].b is not made[-1][0].b
+        for values, named in (((), {}), ((1,), {"c": 2}), ((1, [], "e", 4, 5), {})):
+            with pytest.raises(TypeError):
+                kind(*values, **named)

@@ -62,7 +62,7 @@ def test_a_special_value_is_that_of_the_special_problem(name: str, quantity: str
 UNFOLLOWED = {"winding-string"}  # nothing is wound up at its start: the simulation lets the string pass the post
 
 
-@pytest.mark.heavy
+@pytest.mark.heavy(of=6)
 @pytest.mark.parametrize("name", dict.fromkeys(name for name, _, _ in ANSWERS if name not in UNFOLLOWED))
 def test_what_is_told_is_what_the_simulation_shows(name: str) -> None:
     from tests.ask.simulated import compared

@@ -44,11 +44,11 @@ def test_what_is_told_of_an_end_is_used():
 
 def test_no_sign_is_told_that_a_point_inside_denies():
     drawn, decided = random.Random(7), 0
-    for _ in range(150):
+    for _ in range(50):
         parts = [f"({drawn.randint(-3, 3)})*{part}" for part in ("1", "x", "x**2", "sin(x)", "cos(x)", "exp(x)", "sin(x)*cos(x)")]
         found, (low, high) = value("+".join(parts)), sorted(drawn.sample(range(-3, 4), 2))
         side = sign_along(found, "x", NONE.with_range("x", value(str(low)), value(str(high))))
         decided += side != 0
         inside = [low + (high - low) * k / 40 for k in range(1, 40)]
         assert not side or all(number(found, {"x": x}) * side > -1e-9 for x in inside), (parts, low, high)
-    assert decided > 20
+    assert decided > 6

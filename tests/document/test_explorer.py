@@ -40,7 +40,7 @@ def can_move(path: Path) -> bool:
 MOVING = [name for name, path in FILES.items() if can_move(path) and name not in AT_START]
 
 
-@pytest.mark.heavy
+@pytest.mark.heavy(of=8)
 @node
 @pytest.mark.parametrize("name", MOVING)
 def test_the_script_agrees_with_the_derivation(name: str) -> None:
@@ -452,7 +452,7 @@ def test_it_is_worked_by_keyboard_alone(tmp_path: Path) -> None:
         assert "θ = " in found["status"]
 
 
-@pytest.mark.heavy
+@pytest.mark.heavy(of=8)
 @pytest.mark.parametrize("name", [name for name in MOVING if name in NAMES])
 def test_one_small_file_without_a_network(name: str) -> None:
     page = explorer((load_problem(FILES[name]),))

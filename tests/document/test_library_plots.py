@@ -17,7 +17,7 @@ from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, 
 from tests.document.collisions import collisions
 from tests.library.derived import FILES, FOLLOWED, derived
 
-pytestmark = pytest.mark.heavy
+pytestmark = pytest.mark.heavy(of=6)
 
 MOVING = [name for name in FOLLOWED if "[coordinates" in FILES[name].read_text(encoding="utf-8")]
 MAKERS = (works, energies, speeds, forces, lambda moving: positions(moving, "linear"))

@@ -15,7 +15,7 @@ from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from tests.library.derived import NAMES, derived, problem
 
-pytestmark = pytest.mark.heavy
+pytestmark = pytest.mark.heavy(of=6)
 
 ENGLISH = re.compile(
     r"\b(the|which|with|whose|equals|and|of|is|are|for|from|about|by|at|on|to|not|its?|their|this|that|"

@@ -20,7 +20,7 @@ QUIET = settings(suppress_health_check=list(HealthCheck), phases=(Phase.explicit
 
 
 @seed(11)
-@settings(QUIET, max_examples=6)
+@settings(QUIET, max_examples=3)
 @given(st.data())
 def test_nothing_false_is_told_of_a_random_system(data):
     text = statement(lambda entries: data.draw(st.sampled_from(entries)))

@@ -18,7 +18,7 @@ from rbpsym.field.normal import same
 from rbpsym.proof.rules import certify
 from tests.library.derived import answers_to
 
-pytestmark = pytest.mark.heavy
+pytestmark = pytest.mark.heavy(of=6)
 
 ALWAYS = {"O", "C", "t", "r"}
 

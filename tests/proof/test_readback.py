@@ -13,7 +13,7 @@ from rbpsym.expr.source import Source
 from rbpsym.proof.rules import certify
 from rbpsym.typeset.latex import to_latex
 
-pytestmark = pytest.mark.heavy
+pytestmark = pytest.mark.heavy(of=6)
 
 ALWAYS = {"O", "C", "t", "r"}
 

@@ -20,7 +20,7 @@ from rbpsym.teaching.spoilers import is_telling, meaning
 from rbpsym.teaching.units import si
 from tests.teaching.library_papers import NAMES, NONE, bench_of, paper
 
-pytestmark = pytest.mark.heavy(of=5)
+pytestmark = pytest.mark.heavy(of=12)
 
 by_name = pytest.mark.parametrize("name", [name for name in NAMES if name not in NONE])
 
