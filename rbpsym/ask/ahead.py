@@ -12,12 +12,12 @@ from rbpsym.ask import critical, optima, yesno
 from rbpsym.ask.conditions import COEFFICIENT, wanted
 from rbpsym.ask.critical import KEPT, SUPERLATIVES, region_of
 from rbpsym.ask.finding import Finding, together
-from rbpsym.ask.seen import Scene, parameter, parts_seen
+from rbpsym.ask.seen import Scene, never_told, parameter, parts_seen
 from rbpsym.ask.sliding import of_contact
 from rbpsym.ask.wanted import Wanted
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.field import Scalar, depends_on, is_zero
-from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.demands import possible
 from rbpsym.mechanics.stability import essential
 
 EVENT = r"(?:begin to |start to |begins to |starts to )?(slip|tip)s?(?: over)?"
@@ -31,7 +31,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     first = _first_of_two(world, name, text)
     if first is None:
         return critical.which(world, superlative, name, text)
-    return _resting(world, region_of(world, name, first[0], text, SUPERLATIVES.get(superlative or "", 0)), first[1])
+    return _resting(world, region_of(world, name, first[0], text, SUPERLATIVES.get(superlative or "", 0)), first[1], text)
 
 
 def _is_quantity(world: Scene, name: str) -> bool:
@@ -45,12 +45,12 @@ def comes_first(world: Scene, text: str) -> Finding:
     first = _first_of_two(world, "", text)
     if first is None:
         raise StatementError(f"“{text}” names no two limits", instead="write “it tips before it slips”.")
-    return _resting(world, yesno.does(world, text, condition=first[0]), first[1])
+    return _resting(world, yesno.does(world, text, condition=first[0]), first[1], text)
 
 
-def _resting(world: Scene, found: Finding, limits: Finding) -> Finding:
-    left = settle((*found.valid, *limits.valid), world.motion.assumptions)
-    return replace(found, **together(found, limits), valid=found.valid if left is None else left)
+def _resting(world: Scene, found: Finding, limits: Finding, text: str) -> Finding:
+    valid = possible((*found.valid, *limits.valid), world.motion.assumptions, never_told(text))
+    return replace(found, **together(found, limits), valid=valid)
 
 
 def _first_of_two(world: Scene, name: str, text: str) -> tuple[Wanted, Finding] | None:
@@ -118,7 +118,7 @@ def _bounds(world: Scene, superlative: str, phrase: str, text: str) -> Iterator[
             given = given.with_range(name, *((low, bound) if OPS[region.relation] > 0 else (bound, high)))
             best = optima.of_extreme(value, name, given, SUPERLATIVES[superlative], phrase, closed=True, by_place=False)
             if len(best.values) == 1 and best.relation == "=" and best.place == (name, region.values[0]):
-                yield _resting(world, best, region), name
+                yield _resting(world, best, region, text), name
 
 
 OPS = {"<": 1, "<=": 1, ">": -1, ">=": -1}

@@ -9,14 +9,14 @@ from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.question import Question
-from rbpsym.ask.seen import Scene
+from rbpsym.ask.seen import Scene, never_told
 from rbpsym.ask.special import left_open
 from rbpsym.ask.words import doubts
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.verdict import Verdict, all_of, undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import depends_on
-from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.demands import possible, settle
 from rbpsym.proof.checks.of_steps import guarded
 from rbpsym.proof.context import Context
 from rbpsym.proof.draft import Draft
@@ -38,8 +38,8 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
     there, open_ = left_open(world, found)
     more = [*more, *there]
-    left = settle((*found.valid, *more), world.motion.assumptions)
-    found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
+    if more:
+        found = replace(found, valid=possible((*found.valid, *more), world.motion.assumptions, never_told(text)))
     found = _not_contradicted(found, world.motion.assumptions)
     nodes = tuple(draft.show(value, factor=True, met=found.valid) for value in found.values)
     letters = {}

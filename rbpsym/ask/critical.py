@@ -11,7 +11,7 @@ from rbpsym.ask.conditions import wanted
 from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
-from rbpsym.ask.seen import Scene, moving, parameter, seen, told, way_to
+from rbpsym.ask.seen import Scene, moving, never_told, parameter, seen, told, way_to
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
 from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises, unsaid
 from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
@@ -20,7 +20,7 @@ from rbpsym.decide.rooted import neat, rooted
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import StatementError
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
-from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.demands import Demand, assuming, possible, settle
 from rbpsym.mechanics.stability import essential
 
 LEAST = {"smallest": -1, "least": -1, "lowest": -1, "minimum": -1, "minimal": -1, "shortest": -1, "slowest": -1}
@@ -62,8 +62,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str, opposite:
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
     whole = () if found.values else [d for d in case_of(world) if not (found.is_none and depends_on(d.value, name))]
     asked = [demand for demand in (*condition.asked, *stated) if not depends_on(demand.value, name)]
-    left = settle((*found.valid, *asked, *whole), world.motion.assumptions)
-    return found if left is None else replace(found, valid=left)
+    return replace(found, valid=possible((*found.valid, *asked, *whole), world.motion.assumptions, never_told(text)))
 
 
 def _opposite(world: Scene, superlative: str | None, name: str, text: str, other: str) -> Finding:
@@ -85,7 +84,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     [value], given, asked = condition.values, condition.given, ()
     if name in world.coordinates:
         way, given = way_to(world, name, None, given)
-        asked = settle(way.asked, world.motion.assumptions) or ()
+        asked = possible(way.asked, world.motion.assumptions, never_told(text))
     else:
         parameter(world, name)
     free = [other for other in moving(world, (value,)) if other != name]
@@ -121,7 +120,8 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     under = where_met(given, [*table.zeros.asked, *(d for zero in zeros for d in zero.asked)])
     own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
     found = checked("vanishes_for", value=value, name=name, places=every, given=under)
-    firm = settle([d for d in world.demands if d.op == ">" and not depends_on(d.value, name)], world.motion.assumptions) or ()
+    firm = [d for d in world.demands if d.op == ">" and not depends_on(d.value, name)]
+    firm = possible(firm, world.motion.assumptions, never_told(text))
     return Finding(symbol=name, values=places, valid=tuple(dict.fromkeys((*shared, *asked, *firm))), asked=own, met=True, **found)
 
 

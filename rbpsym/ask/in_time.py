@@ -19,7 +19,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import solutions
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.coupled import courses_of
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, uniform_motion
 from rbpsym.mechanics.forms import Form
@@ -119,10 +119,8 @@ def first_time(study: Study, subject: str, value: Scalar, found: Mapping[str, Co
     if first is None:
         raise NotApplicable(f"no closed form was found for the time at which “{subject}” has this value")
     time, valid = first
-    asked_for = settle((*_valid(found, substitute(time, letters)), *valid), study.assumptions)
-    if asked_for is None:
-        raise StatementError(f"“{subject}” does not come to this value in this motion")
-    return time, asked_for
+    never = StatementError(f"“{subject}” does not come to this value in this motion")
+    return time, possible((*_valid(found, substitute(time, letters)), *valid), study.assumptions, never)
 
 
 def time_of_swing(asked: Asked, moment: Moment) -> tuple[Scalar, str] | None:

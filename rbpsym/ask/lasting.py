@@ -15,7 +15,7 @@ from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
 from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time, value_in
 from rbpsym.mechanics.coupled import courses_of
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, uniform_motion, value_reached
 from rbpsym.mechanics.events import Way
@@ -53,11 +53,14 @@ def clear(study: Study, state: State) -> State:
     """The state, if no contact is lost on the way to it; what that asks of the parameters is a condition."""
     asked = list(contacts_last(study, state.places))
     for force, demand in asked:
-        if settle([demand], study.assumptions) is None:
-            raise StatementError(f"“{force}” vanishes before, and with it the motion that is stated ends")
-    demands = [demand for _, demand in asked]
+        possible([demand], study.assumptions, _ends_before(force))
     # what the place itself asks for stays beside it: a check of a strict sign takes strict conditions only
-    return replace(state, valid=(*state.valid, *(settle(demands, study.assumptions) or demands)))
+    left = possible((demand for _, demand in asked), study.assumptions, _ends_before(asked[0][0])) if asked else ()
+    return replace(state, valid=(*state.valid, *left))
+
+
+def _ends_before(force: str) -> StatementError:
+    return StatementError(f"“{force}” vanishes before, and with it the motion that is stated ends")
 
 
 def coming(study: Study, name: str, place: Scalar) -> tuple[State, bool]:
@@ -71,12 +74,10 @@ def coming(study: Study, name: str, place: Scalar) -> tuple[State, bool]:
     with suppress(Undecided, StatementError):
         way, within = way_to(Scene(study), name, place, study.assumptions)
         lows = [*way.asked, *least_values(Scene(study), Wanted((square,), within, name, end=place, asked=way.asked))]
-    valid = settle([Demand(substitute(square, {name: place}), ">=")] if lows is None else lows, study.assumptions)
-    if lows is None:
-        return replace(state, valid=valid or ()), False
-    if valid is None:
-        raise StatementError(f"“{name}” does not come to this value in this motion: its speed vanishes before")
-    return clear(study, replace(state, valid=valid)), True
+    never = StatementError(f"“{name}” does not come to this value in this motion: its speed vanishes before")
+    asked = [Demand(substitute(square, {name: place}), ">=")] if lows is None else lows
+    state = replace(state, valid=possible(asked, study.assumptions, never))
+    return (state, False) if lows is None else (clear(study, state), True)
 
 
 def in_phase(asked: Asked, moment: Moment) -> Moment:
@@ -87,9 +88,9 @@ def in_phase(asked: Asked, moment: Moment) -> Moment:
         return moment
     with suppress(NotApplicable):
         end = asked.stage(begins).began.before.time
-        left = () if end is None else settle([Demand(end - state.time, ">=")], asked.study(moment.place).assumptions)
-        if left is None:
-            raise StatementError(f"before that the phase “{asked.names[begins]}” begins")
+        never = StatementError(f"before that the phase “{asked.names[begins]}” begins")
+        given = asked.study(moment.place).assumptions
+        left = () if end is None else possible([Demand(end - state.time, ">=")], given, never)
         return replace(moment, state=replace(state, valid=(*state.valid, *left)))
     return moment
 
@@ -247,8 +248,7 @@ def never_lost(study: Study, state: State, courses: Mapping[str, Course]) -> Ite
             except NotApplicable as error:
                 raise Undecided(error.what) from None
             left = Demand(substitute(time, courses[name].letters) - state.time, ">=")
-            if settle([left], study.assumptions) is None:
-                raise StatementError(f"“{loss.force}” vanishes before, and with it the motion that is stated ends")
+            possible([left], study.assumptions, _ends_before(loss.force))
             yield left
 
 
@@ -275,8 +275,8 @@ def _on_way(
         with suppress(Undecided):  # how far it goes is told by what holds it
             [name] = names_in(demand.value) & study.system.scope.rates.keys()
             found = _least(study, demand, name, places=places)
-            if settle(found, study.assumptions) is None:
-                raise StatementError("a string runs out, or a spring turns over, before: the motion that is stated ends there")
+            what = "a string runs out, or a spring turns over, before: the motion that is stated ends there"
+            possible(found, study.assumptions, StatementError(what))
             yield from found
     for demand in (*held(study), *_pushing(study, places)):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
@@ -286,8 +286,8 @@ def _on_way(
             found = _least_until(study, demand, time, courses or {})
         else:
             found = _least(study, demand, *names, places=places) if names else [demand]
-        if settle(found, study.assumptions) is None:
-            raise StatementError("a contact is lost, or friction reaches its limit, before: the motion that is stated ends there")
+        what = "a contact is lost, or friction reaches its limit, before: the motion that is stated ends there"
+        possible(found, study.assumptions, StatementError(what))
         yield from found
 
 

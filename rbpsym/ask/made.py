@@ -7,14 +7,14 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.seen import PLACE, Scene, moving, parts_seen, seen
+from rbpsym.ask.seen import PLACE, Scene, moving, never_told, parts_seen, seen
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, Scope
 from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.demands import existence, settle
+from rbpsym.mechanics.demands import existence, possible
 from rbpsym.mechanics.elimination import short
 
 WHEN = re.compile(r" (?:where|when|at|until|up to|during|(?:just|right) (?:after|before|when|where)|from|begins)\b")
@@ -144,5 +144,5 @@ def made(world: Scene, text: str, form: t.Node | None = None) -> Finding:
         raise StatementError(f"“{text}” still depends on {left[0]}", instead="say where, of each of them.")
     demands = [demand for _, found in world.used for part in found.values for demand in existence(part)]
     demands += [demand for demand in (*world.standing, *world.lasting) if not moving(world, (demand.value,))]  # of its parts
-    left = settle(demands, world.motion.assumptions)
-    return Finding(values=(value,), valid=tuple(demands) if left is None else left, grounds=(("identity", {}),), form=form)
+    valid = possible(demands, world.motion.assumptions, never_told(text))
+    return Finding(values=(value,), valid=valid, grounds=(("identity", {}),), form=form)

@@ -13,7 +13,20 @@ from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.limits import leading
 from rbpsym.ask.regions import region
-from rbpsym.ask.seen import Scene, comes_back, fits, moving, one_period, parameter, parts_seen, place_in, seen, told, whole_ways
+from rbpsym.ask.seen import (
+    Scene,
+    comes_back,
+    fits,
+    moving,
+    never_told,
+    one_period,
+    parameter,
+    parts_seen,
+    place_in,
+    seen,
+    told,
+    whole_ways,
+)
 from rbpsym.ask.special import limit_said
 from rbpsym.ask.wanted import on_what
 from rbpsym.ask.zeros import precedes, settled_sign, sign_table, where_met
@@ -23,7 +36,7 @@ from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.field import Scalar, depends_on, is_zero, substitute, symbol
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible, settle
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.roots import period
 
@@ -69,11 +82,11 @@ def extremum(
         return replace(found[0], **together(*found), values=values, asked=asked, place=None)
     common = [demand for demand in ways[0][0] if all(demand in asked for asked, *_ in ways)]
     asked = (*common, *inner.valid)
-    valid = settle((*found[0].valid, *asked), world.motion.assumptions) if asked else None
-    if phrase.endswith(f" as a function of {name}") and not fits(world, valid or found[0].valid):
+    valid = possible((*found[0].valid, *asked), world.motion.assumptions, never_told(phrase)) if asked else found[0].valid
+    if phrase.endswith(f" as a function of {name}") and not fits(world, valid):
         return Finding(undecided("where it lies depends on the parameters: it is known for others than those of the example"))
     parts = (*found, inner) if inner.grounds else found
-    return replace(found[0], **together(*parts), valid=found[0].valid if valid is None else valid)
+    return replace(found[0], **together(*parts), valid=valid)
 
 
 def _subject(
@@ -222,11 +235,9 @@ def _lasting(world: Scene, name: str, found: Finding) -> Finding:
         left = settle((*found.valid, *there), world.motion.assumptions)
         return Finding(undecided(BEYOND), found.symbol) if left is None else replace(found, valid=left, met=True)
     lasts, doubts = lasts_to_place(world.study, name, found.place[1])
-    left = settle((*found.valid, *lasts), world.motion.assumptions)
-    if left is None:
-        raise StatementError(f"the motion that is stated ends before it comes to where this is, {name} = {told(found.place[1])}")
+    never = StatementError(f"the motion that is stated ends before it comes to where this is, {name} = {told(found.place[1])}")
     world.doubts.extend(doubts)
-    return replace(found, valid=left)
+    return replace(found, valid=possible((*found.valid, *lasts), world.motion.assumptions, never))
 
 
 BEYOND = "where it would be, the motion is not the one that is stated"

@@ -39,6 +39,11 @@ class NeverThere(StatementError):
     """A coordinate does not come to a place in this phase."""
 
 
+def never_told(text: str) -> StatementError:
+    """What is said where the conditions of something exclude each other."""
+    return StatementError(f"“{text}” never comes about: what it asks for is never met", instead="change the statement.")
+
+
 class Scene(ProblemWorld):
     """One phase of the motion of a problem that is asked, and what was found for the quantities that a question names.
 

@@ -55,7 +55,8 @@ def of_sense(asked: Asked, stated: Sequence[Demand]) -> Iterator[Demand]:
     with suppress(RbpsymError):
         motion = asked.world(0).motion
         pushes = [first_push(motion, name) for name in motion.squares if name in motion.scope.start]
-        told = [one for push in pushes for way in (1, -1) for one in settle([Demand(push * way)], motion.assumptions) or ()]
+        either = (settle([Demand(push * way)], motion.assumptions) for push in pushes for way in (1, -1))
+        told = [one for open_ in either if open_ is not None for one in open_]
         yield from (one for one in stated if one.op == ">" and any(is_zero(one.value - other.value) for other in told))
 
 

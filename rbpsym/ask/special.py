@@ -23,7 +23,7 @@ from rbpsym.errors import ReadError, StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, root, substitute, symbol
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
 from rbpsym.statement.solids import put_into
@@ -44,9 +44,9 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
         raise StatementError(f"“{phrase}” does not depend on {idle[0]}", instead="leave it out.")
     image = {name: place_in(world, name, to) for name, to in pairs.items()}
     try:
-        valid = settle((Demand(neat(substitute(d.value, image), given), d.op) for d in (*world.demands, *world.standing)), given)
-        if valid is None:
-            raise StatementError("with these values the motion never comes there", instead="choose other values.")
+        never = StatementError("with these values the motion never comes there", instead="choose other values.")
+        demands = [Demand(neat(substitute(d.value, image), given), d.op) for d in (*world.demands, *world.standing)]
+        valid = possible(demands, given, never)
         values = tuple(neat(substitute(part, image), given) for part in parts)
         grounds = tuple(("put_in", {"value": part, "image": image}) for part in parts)
         return Finding(values=values, valid=valid, met=True, grounds=grounds, parted=True)
@@ -153,10 +153,8 @@ def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int 
     given, demands = world.motion.assumptions, (*world.demands, *world.standing)
     near = ((demand, leading(demand.value, name, to, given, side)) for demand in demands)
     asked = [Demand(demand.value if term is None else term.coefficient, demand.op) for demand, term in near]
-    valid = settle(asked, world.motion.assumptions)
-    if valid is None:
-        raise StatementError("near this limit the motion never comes about as it is stated", instead="choose another limit.")
-    return replace(found, valid=valid, met=True)
+    never = StatementError("near this limit the motion never comes about as it is stated", instead="choose another limit.")
+    return replace(found, valid=possible(asked, given, never), met=True)
 
 
 def near(world: Scene, phrase: str, name: str, text: str) -> Finding:

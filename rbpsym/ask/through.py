@@ -9,12 +9,12 @@ from rbpsym.ask import optima
 from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.question import read_question
-from rbpsym.ask.seen import Scene, moving, place_in, seen
+from rbpsym.ask.seen import Scene, moving, never_told, place_in, seen
 from rbpsym.ask.zeros import precedes, settled_sign, where_met
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.field import is_zero
-from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.demands import possible
 from rbpsym.present.forms import present
 from rbpsym.typeset.machine import to_machine
 
@@ -51,10 +51,9 @@ def extremum(
     for part in parts:
         world.used.extend(part.used)
     begun = (d for place in range(world.place + 1, parts[best].place + 1) for d in world.asked.stage(place).began.before.valid)
-    valid = (*told.valid, *begun)
-    left = settle(valid, world.motion.assumptions)
+    valid = possible((*told.valid, *begun), world.motion.assumptions, never_told(phrase))
     others = (one for k, one in enumerate(found) if k != best)
-    return replace(told, **together(told, *others), valid=valid if left is None else left)
+    return replace(told, **together(told, *others), valid=valid)
 
 
 def _is_open(found: Finding) -> bool:

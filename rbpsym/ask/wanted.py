@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from types import MappingProxyType
 
-from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, way_to, whole_motion
+from rbpsym.ask.seen import Scene, going_on, is_sure, moving, never_told, one_period, place_in, way_to, whole_motion
 from rbpsym.ask.zeros import where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
@@ -15,7 +15,7 @@ from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.field import Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.coupled import courses_of
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import period, zeros
 from rbpsym.mechanics.stability import essential
@@ -79,7 +79,7 @@ def _without_divisor(demand: Demand, standing: list[Demand], given: Assumptions)
 def case_of(world: Scene) -> tuple[Demand, ...]:
     """What the motion that was told asks of the parameters."""
     asked = (demand for demand in (*world.demands, *world.standing) if not moving(world, (demand.value,)))
-    return settle(asked, world.motion.assumptions) or ()
+    return possible(asked, world.motion.assumptions, never_told("the motion that is stated"))
 
 
 def on_what(world: Scene, value: Scalar) -> str:

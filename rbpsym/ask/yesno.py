@@ -10,7 +10,7 @@ from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.critical import kept_said
 from rbpsym.ask.extremes import Extreme, least
 from rbpsym.ask.finding import Finding, checked
-from rbpsym.ask.seen import Scene, moving, way_to
+from rbpsym.ask.seen import Scene, moving, never_told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.chapters import contact, oscillations
@@ -18,7 +18,7 @@ from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
 from rbpsym.field import UNITY, Scalar, depends_on, is_zero
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible, settle
 from rbpsym.mechanics.events import Loss
 from rbpsym.proof.step import Step
 
@@ -36,7 +36,8 @@ def does(world: Scene, text: str, *, opposite: bool = False, condition: Wanted |
         parts = [*_least(world, condition)]
         demands = [demand for *_, demand in parts]
         still = (Demand(value, ">=") for value in condition.beside if not moving(world, (value,)))
-        surely = settle((*condition.asked, *still, *premises(world, condition)), world.motion.assumptions) or ()
+        asked = (*condition.asked, *still, *premises(world, condition))
+        surely = possible(asked, world.motion.assumptions, never_told(text))
     except Undecided as error:
         return Finding(undecided(error.what))
     left = settle(demands, condition.given)
@@ -88,9 +89,11 @@ def _by_loss(world: Scene, losses: Sequence[Loss], until: str | None, text: str 
         name_, end = free_place(world, until, text)
         if name_ != name:
             raise StatementError(f"“{loss.force}” is a function of {name}", instead=f"say until when: “… until {name} = VALUE”.")
-        surely = settle(way_to(world, name, end, given)[0].asked, given) or ()
+        surely = possible(way_to(world, name, end, given)[0].asked, given, never_told(f"{until} = {text}"))
         before = Demand((end - place) * way.sense, ">=")
-        plain = [one.value for one in settle([before], given) or ()]
+        if (left := settle([before], given)) is None:
+            return None
+        plain = [one.value for one in left]
         later = kept_said(plain, None, (), where_met(given, asked), holds=False)
         if is_all and plain and later["verdict"].is_proved:
             return Finding(**later, valid=surely, says="no", holds=False)

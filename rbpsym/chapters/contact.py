@@ -12,7 +12,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import UNITY, Scalar, cosine, depends_on, generator, is_zero, short, sine, substitute, symbol
 from rbpsym.mechanics.events import Loss
 from rbpsym.mechanics.friction import FrictionNeed
-from rbpsym.mechanics.pushing import asked, start_valid
+from rbpsym.mechanics.pushing import asked, begins
 from rbpsym.mechanics.sides import Side
 from rbpsym.mechanics.stability import essential
 from rbpsym.present.forms import atom_node
@@ -44,7 +44,7 @@ def write(draft: Draft) -> None:
 def _slides(draft: Draft, element: Element, value: Scalar) -> None:
     """From rest it slides in the stated sense only where friction lets it."""
     letter = draft.define(draft.free("a_s"), value)
-    valid = start_valid(draft.study) or ()
+    valid = begins(draft.study)
     draft.add(
         f"slides.{element.name}",
         "identity",

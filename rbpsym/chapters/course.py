@@ -87,14 +87,14 @@ def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: Stat
 def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> None:
     """A step for what is asked of the solution, by the linear law if one is named, if it has that."""
     letter, value = solved.FEATURES[key][0], solved.feature(known, key)
-    if value is None:
+    valid = settle((*known.valid, *solved.swings(known, key)), known.study.assumptions)
+    if value is None or valid is None:
         return
     cause = solved.support(known) if key == "phase lag" else None
     more: dict[str, Any] = {} if cause is None else {"cause": draft.show(cause)}
     kind = ".support" if more else DRIVEN.get(key, ("", ""))[bool(known.form.drive)]
     is_one = len(draft.study.system.independent) == 1
     made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
-    valid = settle((*known.valid, *solved.swings(known, key)), known.study.assumptions) or ()
     shown = _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)
     phrase = "mode" if key in OF_MODE else f"{key.replace(' ', '_')}{kind}"
     data = {"name": name, "law": law, "key": key, "form": known.form, "steady": solutions.steady(known)}

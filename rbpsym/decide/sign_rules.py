@@ -12,8 +12,9 @@ from rbpsym.decide import enclosure
 from rbpsym.decide.constants import is_algebraic, is_zero_number
 from rbpsym.decide.factoring import ANY, DECIDED, MINUS, NONZERO, PLUS, ZERO, flip, plus, power, times
 from rbpsym.decide.points import Point, names_of
-from rbpsym.field import ONE, Poly, Scalar, atoms, generator, inverse, is_exponential, quotient
+from rbpsym.field import ONE, Poly, Scalar, atoms, derivative, generator, inverse, is_exponential, names_in, quotient, symbol
 from rbpsym.field import ZERO as ZERO_POLY
+from rbpsym.field import substitute as put
 from rbpsym.field.normal import bases_of, in_bases, normal, partner, substitute, without_squares
 from rbpsym.field.ring import factors
 from rbpsym.field.roots import without_even_roots
@@ -121,6 +122,19 @@ def _by_one_angle(study: Study, poly: Poly) -> int:
     """The same with cos 2x, sin 3x … in the angle x."""
     image = in_bases(poly, bases_of(poly))
     return ANY if image == poly else study.poly(image)
+
+
+def _by_turned_angle(study: Study, poly: Poly) -> int:
+    """The same with A - B as an angle of its own, A being no more than an angle: cos A = cos(B + (A - B))."""
+    mask = ANY
+    plain = {atoms.symbol_name(index) for index in poly.atoms()}
+    for angle in {Scalar(atoms.atom(index).arg) for index in poly.atoms() if partner(index) is not None}:
+        for name in sorted(names_in(angle) - plain) if len(angle.num) > 1 else ():
+            slope, letter = derivative(angle, name), symbol(f"{name}°")
+            if slope.number() is not None:
+                other = normal(put(Scalar(poly), {name: symbol(name) + (letter - angle) / slope}).num)
+                mask &= study.poly(other) if len(other) < len(poly) else ANY
+    return mask
 
 
 def _by_bounds(study: Study, poly: Poly) -> int:
@@ -245,4 +259,5 @@ RULES: tuple[Rule, ...] = (
     (_by_factors, "the signs of its factors"),
     (_by_double_angle, "by |sin 2x| ≤ 1"),
     (_by_one_angle, "all angles are multiples of one"),
+    (_by_turned_angle, "a difference of angles is an angle of its own"),
 )

@@ -7,10 +7,10 @@ from functools import lru_cache
 from typing import Any
 
 from rbpsym.field import atoms, sympy_bridge
-from rbpsym.field.normal import Bases, bases_of, in_bases, partner, partner_of, reduce_squares, shorten
+from rbpsym.field.normal import Bases, bases_of, in_bases, partner, partner_of, reduce_squares, short, shorten, substitute
 from rbpsym.field.poly import ONE, Poly, generator, inverse
-from rbpsym.field.ring import cofactors, element
-from rbpsym.field.scalar import Scalar
+from rbpsym.field.ring import cofactors, element, factors
+from rbpsym.field.scalar import UNITY, Scalar, quotient
 
 LARGEST_GCD = 1_000_000  # products of terms, above which a common factor is not looked for
 
@@ -49,6 +49,36 @@ def divide(num: Poly, den: Poly) -> Poly | None:
         return num * den**-1 if num.terms else num
     above, below = cofactors(num, den)
     return above * below**-1 if below.is_monomial() else None
+
+
+def without_poles(value: Scalar) -> Scalar:
+    """The value without those factors below the line that sin² + cos² = 1 takes away: (1 - cos² q)/sin q as sin q."""
+    powers = tuple((i, -e) for i, e in value.num.content()[1] if e < 0 and partner(i))
+    num, den = value.num.scaled(1, powers), value.den.scaled(1, powers)
+    bases = bases_of(num, den)
+    num, den = reduce_squares(in_bases(num, bases)), in_bases(den, bases)
+    if not _waves(den):
+        return value
+    coefficient, found = factors(den)
+    above, below = Scalar(num) / coefficient, UNITY
+    for factor in (factor for factor, exponent in found for _ in range(exponent)):
+        rest = _divided(above, factor)
+        above, below = (above, below * Scalar(factor)) if _waves(rest.den) or _waves(rest.num, -1) else (rest, below)
+    return short(above / below)
+
+
+def _divided(value: Scalar, factor: Poly) -> Scalar:
+    """value/f as value f̄/(f f̄), f̄ having -sin for sin: below the line stand cosines alone, and common factors go."""
+    num, den = value.num, reduce_squares(factor) * value.den
+    for index in [i for i in factor.atoms() if atoms.atom(i).kind == "sin"]:
+        other = substitute(den, {index: -generator(index)})
+        num, den = cancel(reduce_squares(num * other), reduce_squares(den * other))
+    return quotient(num, den)
+
+
+def _waves(poly: Poly, sense: int = 1) -> bool:
+    """Whether sines or cosines stand in it in powers of that sign."""
+    return any(exponent * sense > 0 and partner(index) for m in poly.terms for index, exponent in m)
 
 
 MOST_TERMS = 400

@@ -190,7 +190,8 @@ def _first_met(
         asked = None if found is None else [*first, *found]
         if asked is not None and all(one.op == "!=" or floating(one.value, numbers) >= 0 for one in asked):
             told = settle(asked, study.assumptions)
-            return neat(place, assuming(study.assumptions, told or ())), asked, way.sense
+            if told is not None:
+                return neat(place, assuming(study.assumptions, told)), asked, way.sense
         is_open = is_open or (place is not None and asked is None)
     if is_open:
         what = "is not decided: the speed may vanish before, at a place that was not found"
@@ -212,7 +213,9 @@ def _conditions(study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...],
     there = neat(substitute(way.square, {way.name: place}), study.assumptions)
     comes = (way.ahead(place), _drive(study, way.name) * way.sense, there)
     asked = [*existence(place), *_first_turn(study, way), *(Demand(value) for value in comes if not is_zero(value))]
-    given = assuming(study.assumptions, settle(asked, study.assumptions) or ())
+    if (told := settle(asked, study.assumptions)) is None:
+        return asked
+    given = assuming(study.assumptions, told)
     between, known = way.until(place, given), {demand.value for demand in asked if demand.op != "!="}.__contains__
     for value in (way.square, *gaps):
         for factor in () if sign(value, between).is_nonzero else factors_in(value, way.name):

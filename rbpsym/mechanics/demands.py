@@ -9,6 +9,7 @@ from rbpsym.decide.assumptions import Assumptions, behind
 from rbpsym.decide.domain import IMPLIED
 from rbpsym.decide.rooted import neat, root_of
 from rbpsym.decide.signs import sign
+from rbpsym.errors import RbpsymError
 from rbpsym.field import ONE, ZERO, Poly, atoms, cosine, generator, names_in, sine, with_exponentials_joined
 from rbpsym.field.normal import is_zero, normal
 from rbpsym.field.roots import without_even_roots
@@ -47,6 +48,14 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
             kept += [] if parts else [item]
             queue += parts
     return _consistent(list(dict.fromkeys(kept)), given)
+
+
+def possible(demands: Iterable[Demand], given: Assumptions, never: RbpsymError) -> tuple[Demand, ...]:
+    """What is left of what has to be met. Raises the error where it never is, which is no empty condition."""
+    left = settle(demands, given)
+    if left is None:
+        raise never
+    return left
 
 
 def _parted(item: Demand, given: Assumptions) -> list[Demand]:

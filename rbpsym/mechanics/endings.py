@@ -28,7 +28,7 @@ from rbpsym.mechanics.arrivals import (
     state_reached,
 )
 from rbpsym.mechanics.contacts import meeting, slip_speed
-from rbpsym.mechanics.demands import Demand, existence, settle
+from rbpsym.mechanics.demands import Demand, existence, possible, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.forms import gathered
@@ -136,10 +136,7 @@ def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar, gives_
     if found is None:
         raise _no_closed_form(f"the place where “{phase.subject}” {what}") if what else _never(study, phase, UNKNOWN)
     place, asked, sense = found
-    valid = settle(asked, study.assumptions)
-    if valid is None:
-        raise _never(study, phase)
-    return replace(state_at(study, name, place, sense), valid=valid)
+    return replace(state_at(study, name, place, sense), valid=possible(asked, study.assumptions, _never(study, phase)))
 
 
 def comes_to_rest(study: Study, phase: Phase) -> State:
@@ -265,9 +262,7 @@ def _gain(study: Study, phase: Phase, name: str, *besides: str) -> Scalar:
 def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterable[Demand]) -> State:
     """The places and speeds that the accelerations, constants or functions of the time, give; what follows from these and the
     time, from its formula. Raises StatementError if what is asked is never met."""
-    valid = settle(asked, study.assumptions)
-    if valid is None:
-        raise _never(study, phase)
+    valid = possible(asked, study.assumptions, _never(study, phase))
     image, to = {CLOCK: time}, {CLOCK: time}
     for name in study.system.independent:
         gone = gathered(_gain(study, phase, name, CLOCK))

@@ -13,7 +13,7 @@ from rbpsym.decide.rooted import neat
 from rbpsym.errors import StatementError
 from rbpsym.field import NOTHING, Scalar, derivative, function, is_zero, names_in, root, short, substitute, without_even_roots
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.demands import Demand, existence, settle
+from rbpsym.mechanics.demands import Demand, existence, possible, settle
 from rbpsym.mechanics.oscillation import Equilibrium, where_stable
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study
@@ -109,10 +109,9 @@ def swing_of(study: Study, name: str) -> Swing:
     away = function("sin", (start[name] - rest) * times / 2)
     speed = start.get(f"{name}_dot", NOTHING)
     modulus = short(away * away + speed * speed * times**2 / (rate * 4))
-    asked = settle((Demand(1 - modulus), *item.valid), study.assumptions)
-    if asked is None:
-        raise StatementError(f"“{name}” does not swing: it goes round and round")
-    return Swing(rest, rate, modulus, 2 / times, tuple(asked))
+    never = StatementError(f"“{name}” does not swing: it goes round and round")
+    asked = possible((Demand(1 - modulus), *item.valid), study.assumptions, never)
+    return Swing(rest, rate, modulus, 2 / times, asked)
 
 
 def quarters_to(study: Study, name: str, place: Scalar) -> int | None:

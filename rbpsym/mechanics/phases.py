@@ -18,7 +18,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import STRIKES, Struck, is_holding, restitutions, strike
@@ -138,7 +138,8 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     taken = _taken(study, before)
     lost = short(without_even_roots(lost)) if is_blow else NOTHING
     factors = [factor for item in phase.impulses for factor in restitutions(item).values()]
-    asked = settle((Demand(x, ">=") for e in factors for x in (e, 1 - e)), study.assumptions) or ()
+    never = StatementError(f"with what “{phase.name}” begins, a coefficient of restitution is not between 0 and 1")
+    asked = possible((Demand(x, ">=") for e in factors for x in (e, 1 - e)), study.assumptions, never)
     held = dict(_held(study, phase, struck, asked, lost)) if is_blow else {}
     began = HandOver(before, speeds, impulses, lost, taken, is_blow, asked, held, phase)
     later = type(study)(after)
@@ -165,9 +166,7 @@ def _held(
     """What is left of what contacts ask for in a blow, by their names. Raises StatementError for what is never met."""
     for element in (*phase.impulses, *phase.problem.constraints):
         gain = [Demand(lost, ">=")] if is_holding(element) else []
-        left = settle([*asked, *struck.asked[element.name], *gain], study.assumptions)
-        if left is None:
-            raise _not_so(element)
+        left = possible([*asked, *struck.asked[element.name], *gain], study.assumptions, _not_so(element))
         yield element.name, tuple(demand for demand in left if demand not in asked)
 
 

@@ -6,13 +6,14 @@ What is surely otherwise gets a sentence; what depends on parameters is the cond
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.elements.interactions import LETTERS
 from rbpsym.errors import LimitError, StatementError
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, possible, settle
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import resistances, slips, spare
 from rbpsym.mechanics.numbers import floating, sample, samples
@@ -28,31 +29,40 @@ LARGEST = 4000  # terms: signs of what is longer are not looked for
 def check_start(study: Study, *, moves: bool = True) -> None:
     """Raises StatementError where a one-sided force or the friction at the start surely has the wrong sense; of a phase that
     ends at once (it never `moves`), nothing has to begin to slide."""
-    found = [item for item in asked(study) if moves or item[1] not in ("gain", "grip")]
-    for element, what, value in found:
+    found = _asked(study, moves)
+    for element, what, value, _ in found:
         if sign(value, study.assumptions, factoring=False).kind == "negative":
             raise WRONG[what](element, what, value)
-    if settle((Demand(value, OPS[what]) for _, what, value in found), study.assumptions) is None:
-        among = (*study.problem.constraints, *study.problem.interactions)
-        element = next((e for e in among if e.values.get("coefficient") is not None or e.kind in LETTERS), among[0])
-        raise StatementError(
-            f"no values of the parameters let “{element.name}” push and slip at the start as it is stated",
-            instead="check the start, the side, and the sense of the slip.",
-            place=element.place,
-        )
+    possible((demand for *_, demand in found), study.assumptions, _never(study)) if found else ()
+
+
+def _asked(study: Study, moves: bool) -> list[tuple[Element, str, Scalar, Demand]]:
+    rows = (row for row in asked(study) if moves or row[1] not in ("gain", "grip"))
+    return [(element, what, value, Demand(value, OPS[what])) for element, what, value in rows]
+
+
+def _never(study: Study) -> StatementError:
+    among = (*study.problem.constraints, *study.problem.interactions)
+    element = next((e for e in among if e.values.get("coefficient") is not None or e.kind in LETTERS), among[0])
+    return StatementError(
+        f"no values of the parameters let “{element.name}” push and slip at the start as it is stated",
+        instead="check the start, the side, and the sense of the slip.",
+        place=element.place,
+    )
 
 
 def start_valid(study: Study) -> tuple[Demand, ...] | None:
     """Under which conditions the motion begins as stated; None if under none."""
-    return settle((Demand(value, OPS[what]) for _, what, value in asked(study)), study.assumptions)
+    return settle((demand for *_, demand in _asked(study, True)), study.assumptions)
 
 
 def begins(study: Study) -> tuple[Demand, ...]:
-    """The same as far as it is known: nothing where the forces grow too long."""
-    try:
-        return start_valid(study) or ()
-    except LimitError:
-        return ()
+    """The same as far as it is known: nothing where the forces grow too long; where nothing begins to slide, of what then stays
+    at rest. Raises StatementError if under none."""
+    with suppress(LimitError):
+        still = (demand for *_, demand in _asked(study, False))
+        return possible(still, study.assumptions, _never(study)) if (left := start_valid(study)) is None else left
+    return ()
 
 
 def begun_numbers(study: Study) -> dict[str, float]:
@@ -99,7 +109,8 @@ def kept_sense(study: Study, element: Element) -> tuple[Demand, ...]:
     if found is None:
         return ()
     size = [found.size] if names_in(found.size) & {*study.system.unknowns} else []
-    return settle((Demand(value, ">=") for value in ([found.slip] if found.sense else []) + size), study.assumptions) or ()
+    never = StatementError(f"“{element.name}” never acts in the sense that is stated", place=element.place)
+    return possible((Demand(value, ">=") for value in ([found.slip] if found.sense else []) + size), study.assumptions, never)
 
 
 def ways_taken(study: Study) -> Iterator[tuple[Element, Scalar]]:

@@ -12,8 +12,9 @@ from itertools import combinations
 from typing import Any, Protocol
 
 from rbpsym.errors import NoNumber
-from rbpsym.field import NOTHING, ONE, UNITY, Monomial, Poly, Scalar, atoms, generator, is_zero, short, times
+from rbpsym.field import NOTHING, ONE, UNITY, Monomial, Poly, Scalar, atoms, is_zero, short, times
 from rbpsym.field.calculus import depends_on, derivative, names_in, substitute
+from rbpsym.field.division import without_poles
 from rbpsym.field.exponentials import with_squares
 from rbpsym.field.modular import PRIME, NoImage, value_of
 from rbpsym.frozen import Frozen
@@ -251,22 +252,13 @@ def cofactors(known: Known, goal: Scalar) -> list[Scalar] | None:
     for place, pivot in enumerate(known.pivots):
         made.append((pivot, *_combined(pivot.row, {place: UNITY}, made)))
     left, combination = _combined(goal, {}, made)
-    return None if not is_zero(left) else [_without_poles(-c) for c in combination.values() if c]
-
-
-def _without_poles(value: Scalar) -> Scalar:
-    """(1 - cos² q)/sin q as sin q: poles that sin² + cos² = 1 takes away."""
-    for index in {i for m in value.num.terms for i, e in m if e < 0 and atoms.atom(i).kind in ("cos", "sin")}:
-        lowest = min((e for m in value.num.terms for i, e in m if i == index), default=0)  # one may go with another
-        by = Scalar(generator(index)) ** -min(lowest, 0)
-        value = short(value * by) * by.inverse()
-    return value
+    return None if not is_zero(left) else [without_poles(-c) for c in combination.values() if c]
 
 
 def _combined(value: Scalar, combination: dict[int, Scalar], made: list[Made]) -> tuple[Scalar, dict[int, Scalar]]:
     for pivot, row, inner in made:
         if factor := derivative(value, pivot.name):
-            factor = short(factor / pivot.divisor)
+            factor = without_poles(factor / pivot.divisor)
             value = short(value - factor * row)
             combination = {k: combination.get(k, NOTHING) - factor * inner.get(k, NOTHING) for k in combination | inner}
     return value, combination

@@ -63,6 +63,7 @@ CASES = [
     ("m1 + m2*sin(theta1 - theta2)**2", "positive m1 m2", "positive"),
     ("2*m1 + m2 - m2*cos(2*theta1 - 2*theta2)", "positive m1 m2", "positive"),
     ("m1 + m2 - m2*cos(theta1 - theta2)**2", "positive m1 m2", "positive"),
+    ("9*sin(phi)**2 - 16 + 18*sin(phi)*sin(theta - phi)*cos(theta) + 9*cos(theta)**2", "", "negative"),
     ("1 - 6*sin(theta)*sin(theta_0) + 9*sin(theta)**2", LADDER, "positive"),
     ("1 - 6*s*s0 + 9*s**2", "0 < s < 1; 0 < s0 < 1", "positive"),
     ("1 - 6*s*s0 + 9*s**2", "positive", None),

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import assume, given
 
 from rbpsym.field import flint_ring, ring, sympy_bridge
-from rbpsym.field.division import cancel, divide
-from rbpsym.field.normal import is_zero, same
+from rbpsym.field.division import cancel, divide, without_poles
+from rbpsym.field.normal import is_zero, partner, same
 from rbpsym.field.poly import ONE, Poly, inverse
 from rbpsym.field.ring import cofactors, factors
 from rbpsym.field.scalar import Scalar, lift, quotient
@@ -144,3 +144,25 @@ def test_nested_coefficients_are_those_of_the_polynomial(powers) -> None:
     place = [Fraction(3), Fraction(-2, 5), Fraction(7)][:count]
     value = sum(c * math.prod(x**k for x, k in zip(place, key, strict=True)) for key, c in powers.items())
     assert _summed(ring._nested([*powers.items()], 0, count), place) == value
+
+
+X_SIN, X_COS, Y_SIN, Y_COS, TURN = sine(X), cosine(X), sine(Y), cosine(Y), cosine(X - Y)
+POLES = {  # above, below, and what is left below
+    "one of several": (1 - X_SIN**2, X_SIN * X_COS**2, X_SIN),
+    "the other": (1 - X_COS**2, X_COS * X_SIN**2, X_COS),
+    "a sum": (A**2 - (A**2 + B**2) * X_COS**2, A * X_SIN - B * X_COS, lift(1)),
+    "its square": ((A * X_SIN - B * X_COS) ** 2 * (A + X_SIN), (A * X_SIN - B * X_COS) ** 2, lift(1)),
+    "two angles": (1 - X_COS**2 - Y_SIN**2 * X_SIN**2, Y_COS * X_SIN, lift(1)),
+    "the angle between": ((M - TURN**2) * A, M - X_COS * Y_COS * TURN - X_SIN * Y_SIN * TURN, lift(1)),
+    "a true one": (1 - X_COS, X_SIN, X_SIN),
+    "none": (A, B + M, lift(1)),
+}
+
+
+@pytest.mark.parametrize("above, below, left", POLES.values(), ids=POLES)
+def test_of_poles_those_are_left_that_the_circle_does_not_take_away(above: Scalar, below: Scalar, left: Scalar) -> None:
+    value = above / below
+    found = without_poles(value)
+    assert same(found, value)
+    whole = found * left
+    assert not any(partner(i) for i in whole.den.atoms()) and all(e > 0 for m in whole.num.terms for i, e in m if partner(i))

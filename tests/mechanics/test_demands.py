@@ -2,16 +2,20 @@
 
 import math
 import random
+import re
+from pathlib import Path
 
 import pytest
 
+import rbpsym
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.factoring import MINUS, PLUS, ZERO
 from rbpsym.decide.signs import sign
+from rbpsym.errors import StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.scalar import PI, symbol
-from rbpsym.mechanics.demands import Demand, assuming, existence, settle
+from rbpsym.mechanics.demands import Demand, assuming, existence, possible, settle
 from rbpsym.mechanics.numbers import number
 
 GIVEN = Assumptions(
@@ -207,3 +211,13 @@ def test_where_a_weak_condition_holds_as_an_equality_signs_allow_for_it(text):
 def test_a_factor_of_what_is_positive_is_not_asked_for_beside_it() -> None:
     a, b, c = map(symbol, "abc")
     assert settle([Demand(a - b, "!="), Demand((a - b) * (a - c))], Assumptions()) == (Demand((a - b) * (a - c)),)
+
+
+def test_what_is_never_met_is_no_empty_condition() -> None:
+    """“Never” is told by `possible`, and nobody takes it for “nothing is asked”."""
+    asked = [[Demand(symbol("m"))], demands(["m - M > 0"]), demands(["m - M > 0", "M - m > 0"])]
+    assert possible(asked[0], GIVEN, StatementError("never")) == () and possible(asked[1], GIVEN, StatementError("never"))
+    with pytest.raises(StatementError, match="never"):
+        possible(asked[2], GIVEN, StatementError("never"))
+    files = Path(rbpsym.__file__).parent.rglob("*.py")
+    assert not [file for file in files if re.search(r"\bsettle\(.*\) or ", file.read_text(encoding="utf-8"))]
