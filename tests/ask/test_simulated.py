@@ -13,7 +13,7 @@ from tests.oracles.conftest import SETS
 UNCOMPARED: set[str] = set()
 
 
-@pytest.mark.heavy(of=6)
+@pytest.mark.heavy(of=10)
 @pytest.mark.parametrize("name", FOLLOWED)
 def test_answers_are_what_the_simulation_shows(name: str, record_property) -> None:
     found = compared(asked(name), 1)

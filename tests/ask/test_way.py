@@ -17,7 +17,7 @@ TOUCHING = [name for name in WHOLE if any(pushes(element) for element in problem
 SOME = sorted({*TOUCHING[::5], *WHOLE[::9]})
 
 
-@pytest.mark.heavy(of=6)
+@pytest.mark.heavy(of=20)
 @pytest.mark.parametrize("name", SOME)
 def test_what_is_told_of_the_way_is_what_the_simulation_shows(name: str) -> None:
     assert not way.told_of_the_way(asked(name), 3).wrong

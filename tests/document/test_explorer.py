@@ -110,6 +110,7 @@ def check_free_bodies(name: str) -> int:
 NOTHING_LET_GO = '{ ...AS_STATED, off: new Set(["nothing"]) }'
 
 
+@pytest.mark.heavy(of=6)
 @node
 @pytest.mark.parametrize("name", FREE)
 def test_free_bodies_move_as_the_derivation_says(name: str) -> None:

@@ -248,10 +248,10 @@ def test_json_says_what_is_certified(monkeypatch) -> None:
 
 def test_a_motion_that_sets_out_from_an_end_of_its_range_is_within_only_later() -> None:
     """Else start and range contradict each other, and everything follows from them."""
-    whole = found("cylinder-off-cylinder")
+    whole = written(unsimulated("cylinder-off-cylinder"), ())
     ranges = [claim for name, claim in declared(whole.source).items() if name.startswith("range'theta'")]
     assert ranges and all(claim.given == (AHEAD,) for claim in ranges)
-    assert all(not claim.given for name, claim in declared(found("sliding-ladder").source).items())
+    assert all(not claim.given for name, claim in declared(written(unsimulated("sliding-ladder"), ()).source).items())
 
 
 def test_signs_that_take_a_gap_a_least_value_or_pi() -> None:
