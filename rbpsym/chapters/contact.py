@@ -119,7 +119,7 @@ def _asks(draft: Draft, side: Side) -> None:
     draft.add(
         f"asks.{side.force}",
         "asked",
-        t.relation(shown, ">=", t.ZERO),
+        t.upright(t.relation(shown, ">=", t.ZERO)),
         f"contact.{told}",
         premises=_told(draft, side.force),
         is_result=True,

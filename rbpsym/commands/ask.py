@@ -113,6 +113,7 @@ def lines(found: Answer | None, record: Mapping[str, Any], numbers: Given | None
 
 def _road(found: Answer, mark: str, notation: Notation) -> Iterator[str]:
     """The steps, the values, what is said beside them, the conditions."""
+    from rbpsym.expr import tree as t
     from rbpsym.typeset.text import to_text
 
     for step in (step for step in found.steps if step.id != "answer"):
@@ -123,7 +124,7 @@ def _road(found: Answer, mark: str, notation: Notation) -> Iterator[str]:
     yield f"  {mark} {whole}".rstrip()
     yield from (f"    {line}" for line in _beside(found, notation))
     if found.valid:
-        yield f"    where {', '.join(to_text(node, notation) for node in found.valid)}"
+        yield f"    where {', '.join(to_text(t.upright(node), notation) for node in found.valid)}"
     if not found.verdict.is_proved:
         yield f"    {found.verdict.kind}: {found.verdict.reason}"
 
@@ -139,7 +140,7 @@ def _values(found: Answer, notation: Notation) -> Iterator[str]:
     for number, (node, op) in enumerate(zip(found.nodes, ops, strict=False)):
         shown = t.relation(t.Sym(found.symbol), op, node) if found.symbol and op in ("=", "<", ">", "<=", ">=") else node
         own = found.each[number] if found.each else ()
-        yield to_text(shown, notation) + (f" if {', '.join(to_text(part, notation) for part in own)}" if own else "")
+        yield to_text(shown, notation) + (f" if {', '.join(to_text(t.upright(part), notation) for part in own)}" if own else "")
 
 
 def _beside(found: Answer, notation: Notation) -> Iterator[str]:

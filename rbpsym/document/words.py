@@ -67,7 +67,7 @@ class Words(Frozen):
         """The slots as the phrases take them; a body or a list of points is also there with a capital letter."""
         found: dict[str, Any] = {}
         for name, value in slots.items():
-            found[name] = self.word([upright(node) for node in value] if name == "conditions" else value)
+            found[name] = self.word([t.upright(node) for node in value] if name == "conditions" else value)
             if isinstance(value, (BodyRef, PhraseRef)):
                 found[name[0].upper() + name[1:]] = self._first(value, found[name])
             elif isinstance(value, list) and value:
@@ -190,15 +190,3 @@ def sentences(parts: list[Inlines]) -> Inlines:
         found += [Text(" ")] if found else []
         found += part
     return tuple(found)
-
-
-TURNED = {">": "<", ">=": "<=", "!=": "!="}
-
-
-def upright(condition: t.Node) -> t.Node:
-    """z < 0 for the condition −z > 0."""
-    if isinstance(condition, t.Chain) and len(condition.ops) == 1 and condition.ops[0] in TURNED:
-        left, right = condition.items
-        if isinstance(left, t.Neg) and right == t.ZERO:
-            return t.relation(left.arg, TURNED[condition.ops[0]], right)
-    return condition

@@ -328,6 +328,21 @@ def is_negative(node: Node) -> bool:
     return isinstance(node, Neg) or (isinstance(node, Num) and node.value < 0)
 
 
+TURNED = {">": "<", ">=": "<=", "!=": "!="}
+
+
+def upright(condition: Node) -> Node:
+    """z < 0 for the condition −z > 0; a > b for a − b > 0."""
+    if not isinstance(condition, Chain) or condition.ops[0] not in TURNED or condition.items[1:] != (ZERO,):
+        return condition
+    [left, right], [op] = condition.items, condition.ops
+    if isinstance(left, Neg):
+        return relation(left.arg, TURNED[op], right)
+    terms = left.terms if isinstance(left, Add) else ()
+    more, less = ([term for term in terms if is_negative(term) is side] for side in (False, True))
+    return relation(add(*more), op, add(*map(neg, less))) if more and less else condition
+
+
 def mul(*factors: Node) -> Node:
     """A product without ones and nesting, the sign pulled in front; 0 if a factor is 0."""
     flat: list[Node] = []

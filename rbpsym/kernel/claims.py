@@ -352,7 +352,8 @@ def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
 
 def _asked(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """The force is a positive multiple of what is said not to be negative."""
-    force, shown = t.Sym(step.data["force"]), t.chains(step.statement)[0].items[0]
+    [(left, op, right)] = t.relations(step.statement)
+    force, shown = t.Sym(step.data["force"]), t.add(left, t.neg(right)) if op == ">=" else t.add(right, t.neg(left))
     if shown == force:
         return [Claim(force, force)]
     ratio = tree_of(short(source.letters.along(symbol(force.name)) / source.letters.value(shown)))

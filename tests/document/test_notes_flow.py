@@ -13,7 +13,7 @@ from rbpsym.document.notes import plain
 from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.numbering import numbered, once_each, parts
 from rbpsym.document.telling import TOO_WIDE
-from rbpsym.document.words import Words, upright
+from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.pose import DrawnPose
@@ -213,7 +213,10 @@ def test_an_integral_is_carried_out_once() -> None:
 
 @pytest.mark.parametrize(("op", "turned"), [(">", "<"), (">=", "<="), ("!=", "!=")])
 def test_a_condition_does_not_begin_with_a_minus(op: str, turned: str) -> None:
-    assert upright(t.relation(t.Neg(t.Sym("z")), op, t.ZERO)) == t.relation(t.Sym("z"), turned, t.ZERO)
+    a, b, z = map(t.Sym, "abz")
+    assert t.upright(t.relation(t.Neg(z), op, t.ZERO)) == t.relation(z, turned, t.ZERO)
+    assert t.upright(t.relation(t.add(t.Neg(a), b, z), op, t.ZERO)) == t.relation(t.add(b, z), op, a)
+    assert t.upright(t.relation(t.add(a, t.Neg(b)), op, z)) == t.relation(t.add(a, t.Neg(b)), op, z)
 
 
 @pytest.mark.parametrize("name", ["falling-rod-hooked", "bullet-in-a-rod"])

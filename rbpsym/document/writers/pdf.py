@@ -45,7 +45,7 @@ def readable_aloud(source: str) -> bytes:
             source = changed
 
 
-FEW = 0.25  # of the height of a page, its margin too: what stands on a last page that is not worth turning to
+FEW = 0.4  # of the height of a page, its margin too: what stands on a last page that is not worth turning to
 
 
 def without_last_lines(source: str) -> str:

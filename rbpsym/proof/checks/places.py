@@ -82,8 +82,9 @@ def _is_not_met(value: Scalar, bound: Scalar, given: Assumptions) -> bool:
 
 def has_sign_of_force(context: Context, step: Step) -> Verdict:
     """What is stated not to be negative is the force, but for a positive factor (`data`: "force")."""
-    [(left, _, _)] = t.relations(step.statement)
-    force, value = (context.along(v) for v in (symbol(step.data["force"]), context.value(left)))
+    [(left, op, right)] = t.relations(step.statement)
+    more, less = (left, right) if op == ">=" else (right, left)
+    force, value = (context.along(v) for v in (symbol(step.data["force"]), context.value(more) - context.value(less)))
     force = with_root_taken_out(Scalar(force.num)) / Scalar(force.den)  # as its condition is printed
     return compare(NOTHING, force / value, context.assumptions)
 
