@@ -13,13 +13,12 @@ from pathlib import Path
 
 import click
 
+from rbpsym.commands.arguments import Entry, shelf
 from rbpsym.commands.listing import place
-from rbpsym.commands.shelf import Entry, shelf
 from rbpsym.commands.solve import lines
 from rbpsym.derive import derive
-from rbpsym.document.model import Live
+from rbpsym.document.model import Live, numbered
 from rbpsym.document.notes import notes
-from rbpsym.document.numbering import numbered
 from rbpsym.document.pictures import drawings, figures_of
 from rbpsym.document.twin import address
 from rbpsym.document.writers import writer

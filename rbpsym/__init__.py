@@ -39,7 +39,7 @@ _PUBLIC = {
     "grade_answer": "rbpsym.teaching.grading.answer",
     "grade_number": "rbpsym.teaching.grading.answer",
     "equal": "rbpsym.decide.equal",
-    "Assumptions": "rbpsym.decide.assumptions",
+    "Assumptions": "rbpsym.decide.signs",
     "Verdict": "rbpsym.decide.verdict",
     "RbpsymError": "rbpsym.errors",
 }

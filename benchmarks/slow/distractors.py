@@ -24,10 +24,10 @@ from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import without_noise
 from rbpsym.teaching.model import ChoiceKey, Item, NumberKey, Student
 from rbpsym.teaching.plan import WorksheetPlan, _planned, bench_of
+from rbpsym.teaching.ranges import digits_text, measured, si
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery, scenery
 from rbpsym.teaching.tasks.wish import Wish
-from rbpsym.teaching.units import digits_text, measured, si
 
 SEEDS = 200
 

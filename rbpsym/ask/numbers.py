@@ -19,12 +19,10 @@ from rbpsym.mechanics.study import Study
 from rbpsym.quantities import NUMBER, TIME, Dimension
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.example import SIGNS
-from rbpsym.statement.hints import unit_example
 from rbpsym.statement.model import Problem
 from rbpsym.statement.premises import OPS
-from rbpsym.statement.printed_units import unit_of
-from rbpsym.statement.source import did_you_mean
-from rbpsym.statement.units import read_unit
+from rbpsym.statement.source import did_you_mean, unit_example
+from rbpsym.statement.units import read_unit, unit_of
 from rbpsym.typeset.text import to_text
 
 _NUMBER = r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"

@@ -20,7 +20,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.field.sympy_bridge import plain_names
 from rbpsym.frozen import replace
 from rbpsym.proof.step import Step
-from rbpsym.statement.printed_units import unit_text
+from rbpsym.statement.units import unit_text
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.machine import machine_name, to_machine
 

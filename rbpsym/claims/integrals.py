@@ -17,8 +17,7 @@ from math import comb, prod
 from rbpsym.claims.ground import Glossary, Ground
 from rbpsym.claims.model import Setting
 from rbpsym.decide.dimensions import dimension_of
-from rbpsym.decide.domain import conditions, obligations
-from rbpsym.decide.poles import faults, pole
+from rbpsym.decide.domain import conditions, faults, obligations, pole
 from rbpsym.decide.verdict import Witness
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.expr import tree as t

@@ -41,7 +41,7 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     """
     from rbpsym.ask.moments import Asked
     from rbpsym.ask.numbers import read_numbers
-    from rbpsym.commands.shelf import found, stated
+    from rbpsym.commands.arguments import found, stated
     from rbpsym.errors import ReadError
 
     problem = stated(found(name, ("problem",))[1], questions)

@@ -42,7 +42,7 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, check: boo
     written), 1 not.
     """
     from rbpsym.claims.run import default_folder
-    from rbpsym.commands.shelf import found
+    from rbpsym.commands.arguments import found
     from rbpsym.statement.library import problem_files
 
     if every == bool(names):

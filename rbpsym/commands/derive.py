@@ -51,9 +51,9 @@ def command(
     The mark before a formula says what became of its check: ✓ proved, ✗ refuted, ? undecided; with --certified
     ○ proved, and not certified by Rocq.
     """
+    from rbpsym.commands.arguments import found, stated
     from rbpsym.commands.certify import report_on
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.shelf import found, stated
     from rbpsym.commands.solve import exit_code
     from rbpsym.derive import derive
 
@@ -75,9 +75,9 @@ def command(
 
 def roads_of(problem: Problem, language: str) -> list[str]:
     """The table of roads as lines."""
-    from rbpsym.chapters.methods.roads import roads
+    from rbpsym.chapters.methods.balances import roads
     from rbpsym.document.model import Document, Paragraph, Section, words
-    from rbpsym.document.roads import roads_table
+    from rbpsym.document.notes_checks import roads_table
     from rbpsym.document.words import Words
     from rbpsym.document.writers.terminal import terminal_lines
     from rbpsym.mechanics.at_start import study_of
@@ -145,7 +145,7 @@ def reasons(derivation: Derivation, method: str, language: str) -> Iterator[str]
     from rbpsym.document.notes import notation_of
     from rbpsym.document.notes_checks import left_out
     from rbpsym.document.words import Words
-    from rbpsym.document.writers.plain_text import plain_text
+    from rbpsym.document.writers.page import plain_text
 
     said, notation = Words(language, derivation.study.problem), notation_of(derivation, language)
     for skipped in derivation.skipped:

@@ -25,8 +25,8 @@ def command(name: str, other: str | None, lang: str, output: Path) -> int:
     One HTML file without a network: the motion is computed in the browser from the derived
     accelerations and forces. OTHER is a second problem, started together with the first.
     """
+    from rbpsym.commands.arguments import found
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.shelf import found
     from rbpsym.document.files import write_whole
     from rbpsym.explorer.page import explorer
     from rbpsym.statement.loader import load_problem

@@ -7,7 +7,7 @@ from itertools import groupby
 
 import click
 
-from rbpsym.commands.shelf import Entry, shelf
+from rbpsym.commands.arguments import Entry, shelf
 from rbpsym.expr.letters import without_accents
 
 LEVELS = ("introductory", "intermediate", "advanced")  # from easy to hard

@@ -162,7 +162,7 @@ def _of_comment(line: str, folder: Path) -> Mapping[str, str]:
 
 def _problems(folder: Path) -> Mapping[str, str]:
     """The files beside the text, and the problems that ship, with their titles."""
-    from rbpsym.commands.shelf import shelf
+    from rbpsym.commands.arguments import shelf
 
     beside = {path.name: "beside the text" for path in sorted(folder.glob("*.toml"))}
     return {**beside, **{entry.name: entry.title() for entry in shelf() if entry.kind == "problem"}}

@@ -57,7 +57,7 @@ def course_text(name: str) -> str:
 
 def problem_text(name: str, template: str | None) -> str:
     """The text of the new file, from the starter or from a problem that ships."""
-    from rbpsym.commands.shelf import found
+    from rbpsym.commands.arguments import found
     from rbpsym.statement.starter import starter_text
 
     text = starter_text(name)  # also refuses a name that can't be

@@ -33,7 +33,7 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
     quantities. The files are called NAME-works, NAME-energies, NAME-forces;
     where there are more, also NAME-speeds, NAME-positions.
     """
-    from rbpsym.commands.shelf import found
+    from rbpsym.commands.arguments import found
     from rbpsym.document.files import write_all
     from rbpsym.document.pictures import RESOLUTION, drawings
 
@@ -52,8 +52,8 @@ def figures_of(path: Path, language: str) -> dict[str, tuple[tuple[Scene, ...], 
     from rbpsym.document.notes_plots import plot_figures
     from rbpsym.document.words import Words
     from rbpsym.errors import NotApplicable, StatementError
-    from rbpsym.pictures.moving import REASONS
-    from rbpsym.pictures.plots.motion import motion
+    from rbpsym.pictures.plots.following import motion
+    from rbpsym.pictures.pose import REASONS
     from rbpsym.statement.loader import load_problem
 
     derivation = derive(load_problem(path), simulation=False)

@@ -27,8 +27,8 @@ def command(name: str, record: Path | None) -> int:
     """
     import json
 
+    from rbpsym.commands.arguments import found
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.shelf import found
     from rbpsym.derive import derive
     from rbpsym.document.files import write_whole
     from rbpsym.statement.loader import load_problem

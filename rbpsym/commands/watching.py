@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.shelf import stated
+from rbpsym.commands.arguments import stated
 from rbpsym.derive import derive, physics_of
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field, replace

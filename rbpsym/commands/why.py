@@ -7,9 +7,8 @@ from time import perf_counter
 
 import click
 
-from rbpsym.document.model import Display, Document
+from rbpsym.document.model import Display, Document, numbered, parts
 from rbpsym.document.notes import notation_of
-from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.writers.terminal import MARKS
 from rbpsym.errors import ReadError
 from rbpsym.expr.glyphs import Notation

@@ -58,9 +58,8 @@ def command(
     choices come from the seed, the worksheet and the student alone. An interrupted run goes on when the same
     command is given again.
     """
-    from rbpsym.teaching.batch import Order, known_plan
+    from rbpsym.teaching.batch import Order, known_plan, remember
     from rbpsym.teaching.executor import crew
-    from rbpsym.teaching.record import remember
 
     who = crew(executor, jobs)
     _check_choice(name, students, variants, code)
@@ -85,7 +84,7 @@ def _check_choice(name: str | None, students: Path | None, variants: int | None,
 
 def _what_there_is() -> str:
     """What a worksheet can be made of."""
-    from rbpsym.commands.shelf import shelf
+    from rbpsym.commands.arguments import shelf
 
     ready = "\n".join(f"  {entry.name:<34}{entry.title()}" for entry in shelf() if entry.kind == "worksheet")
     return (
@@ -109,7 +108,7 @@ def _people(students: Path | None, variants: int | None) -> tuple[Student | None
 
 def _tell_names(order: Order, people: tuple[Student | None, ...]) -> None:
     """Say whose names the fonts of the papers have no letters for."""
-    from rbpsym.teaching.papers.naming import without_letters
+    from rbpsym.teaching.papers.layout import without_letters
 
     engines = {"pdf": order.engine, "tex": "pdflatex"}
     named = [person for person in people if person is not None]

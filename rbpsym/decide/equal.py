@@ -17,10 +17,9 @@ from typing import Protocol
 from rbpsym.decide import enclosure
 from rbpsym.decide.assumptions import NONE, Assumptions
 from rbpsym.decide.constants import is_algebraic
-from rbpsym.decide.domain import Condition, conditions, holds_at, obligations
+from rbpsym.decide.domain import Condition, conditions, holds_at, obligations, pole
 from rbpsym.decide.enclosure import Number
 from rbpsym.decide.points import Point, all_atoms, points
-from rbpsym.decide.poles import pole
 from rbpsym.decide.radicals import vanishes
 from rbpsym.decide.rooted import rooted
 from rbpsym.decide.signs import sign

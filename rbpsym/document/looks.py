@@ -7,13 +7,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from rbpsym.decide.verdict import Verdict
-from rbpsym.document.language import usual_notation
-from rbpsym.document.model import Block, Callout, Display, Document, Inlines, Paragraph, Section, Strong, Text, words
+from rbpsym.document.model import Block, Callout, Display, Document, Inlines, Paragraph, Section, Strong, Text, numbered, words
 from rbpsym.document.notes import notation_of, shown_steps, words_of
 from rbpsym.document.notes_checks import checks_section, results_section
 from rbpsym.document.notes_statement import statement_section
-from rbpsym.document.numbering import numbered
-from rbpsym.document.phrases import has_phrase, phrase, phrases
+from rbpsym.document.phrases import has_phrase, phrase, phrases, usual_notation
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers import html, latex
 from rbpsym.document.writers.page import body, page_for

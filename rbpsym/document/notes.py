@@ -8,7 +8,6 @@ from importlib.util import find_spec
 
 from rbpsym.ask.asking import own_answers
 from rbpsym.document.chapters import chapter_sections, in_page_order, repeated
-from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
 from rbpsym.document.needless import is_still, needless, owed_by
 from rbpsym.document.notes_checks import Told, checks_section, course_checks_section, results_section, with_remarks
@@ -18,6 +17,7 @@ from rbpsym.document.notes_phases import CHAPTERS, new_steps, phase_results, pha
 from rbpsym.document.notes_question import answer_section, asked, boxes_of_answers, in_known_forms
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
+from rbpsym.document.phrases import common_notation, problem_notation
 from rbpsym.document.places import locator
 from rbpsym.document.used import reaches_beyond, retold, used
 from rbpsym.document.words import Words

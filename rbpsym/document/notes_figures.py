@@ -13,10 +13,9 @@ from rbpsym.document.words import Words, sentences
 from rbpsym.expr.glyphs import DEFAULT, Notation, renamed, spaced
 from rbpsym.field import cosine, sine
 from rbpsym.pictures.figures import sketch as sk
-from rbpsym.pictures.figures.free_body import free_body
 from rbpsym.pictures.figures.outlines import turned
 from rbpsym.pictures.figures.scene import Point
-from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.schematic import free_body, schematic
 from rbpsym.pictures.figures.sketch import Sketch
 from rbpsym.pictures.sketches import sketch_of
 from rbpsym.proof.step import Derivation

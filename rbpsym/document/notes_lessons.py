@@ -14,8 +14,7 @@ from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
-from rbpsym.pictures.figures.placing import placed
-from rbpsym.pictures.figures.scene import Circle, Item, Label, Line, Point, Scene, direction, polar
+from rbpsym.pictures.figures.scene import Circle, Item, Label, Line, Point, Scene, direction, placed, polar
 from rbpsym.proof.step import Derivation, Lesson, Step
 
 # --- the figure of the general theory: a point of a body seen from the origin and from the centre of mass, r' = R + r
@@ -80,7 +79,7 @@ def _drawn(lesson: Lesson, said: Words) -> Iterator[Block]:
 def compared_figure(first: Derivation, second: Derivation, coordinate: str, said: Words) -> Iterator[Block]:
     """Both motions in one plot, where both can be followed."""
     from rbpsym.document.notes_plots import numbers, panels_figure  # with numpy, which is slow to load
-    from rbpsym.pictures.plots.compared import beside, motions
+    from rbpsym.pictures.plots.subjects import beside, motions
 
     name = common_coordinate((first.study, second.study), coordinate)
     try:

@@ -17,11 +17,11 @@ from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.mechanics.events import pushes
-from rbpsym.pictures.moving import REASONS
-from rbpsym.pictures.plots.motion import PlottedMotion, motion
+from rbpsym.pictures.plots.following import PlottedMotion, motion
 from rbpsym.pictures.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
 from rbpsym.pictures.plots.scales import Scale, told_numbers
 from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
+from rbpsym.pictures.pose import REASONS
 from rbpsym.proof.step import Derivation
 from rbpsym.typeset.text import plain_letters
 

@@ -6,14 +6,12 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from typing import Any
 
-from rbpsym.document.model import Document, FigureBlock
-from rbpsym.document.numbering import parts
+from rbpsym.document.model import Document, FigureBlock, parts
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen
-from rbpsym.pictures.figures.placing import placed
-from rbpsym.pictures.figures.scene import Scene
+from rbpsym.pictures.figures.scene import Scene, placed
 from rbpsym.pictures.figures.svg import color_rules, number, to_svg
 from rbpsym.pictures.figures.typst import to_typst_drawing
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
-from rbpsym.document.phrases import phrase, phrases
+from rbpsym.document.phrases import phrase, phrases, problem_notation, usual_notation
 from rbpsym.document.questions import question
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation, spaced

@@ -19,7 +19,7 @@ from rbpsym.mechanics.phases import HandOver, Stage
 from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
-from rbpsym.pictures.sketch_forces import force_node
+from rbpsym.pictures.sketches import force_node
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Coordinate, Phase
 from rbpsym.statement.paths import runs

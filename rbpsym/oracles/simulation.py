@@ -24,12 +24,11 @@ from rbpsym.mechanics.motion import ForceWork
 from rbpsym.mechanics.numbers import NoNumber, Values, number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
-from rbpsym.oracles.simulation_bodies import Mechanism
+from rbpsym.oracles.simulation_bodies import Mechanism, laws
 from rbpsym.oracles.simulation_contacts import conditions
-from rbpsym.oracles.simulation_laws import laws
+from rbpsym.oracles.simulation_joints import with_shares
 from rbpsym.oracles.simulation_motion import Equations, duration, trajectory
 from rbpsym.oracles.simulation_placement import Conditions, Placement, Start, idle_angles, start_state
-from rbpsym.oracles.simulation_resistance import with_shares
 
 GENERIC_STATES = 8
 GENERIC_TIME = 0.3

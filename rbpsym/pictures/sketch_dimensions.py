@@ -8,12 +8,12 @@ from itertools import combinations
 
 from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
+from rbpsym.field import derivative
 from rbpsym.pictures.figures.outlines import turned
-from rbpsym.pictures.figures.sketch import LengthMark, Point, RadiusMark
+from rbpsym.pictures.figures.sketch import AngleMark, LengthMark, Point, RadiusMark
 from rbpsym.pictures.pose import RADII, DrawnPose, other_numbers
-from rbpsym.pictures.sketch_angles import CLOSE, is_parameter, parameters
 from rbpsym.pictures.sketch_supports import circles, cords, lines, points
-from rbpsym.quantities import LENGTH
+from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import PlacedShape, PointRef
 
 
@@ -179,3 +179,148 @@ def radii(pose: DrawnPose) -> Iterator[RadiusMark]:
             if rim not in seen:
                 seen.add(rim)
                 yield RadiusMark(at, pose.node(rim), rim)
+
+
+# --- angles of a sketch: those of coordinates, and slopes of lines that are parameters
+
+
+ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
+CLOSE = 1e-9
+UNSEEN = 0.05  # radians
+
+
+def angles(pose: DrawnPose) -> Iterator[AngleMark]:
+    """Angle coordinates, then the slopes of lines that are parameters."""
+    yield from _coordinate_angles(pose)
+    yield from _slopes(pose)
+
+
+def _coordinate_angles(pose: DrawnPose) -> Iterator[AngleMark]:
+    """Each angle coordinate from its reference direction to the body that turns with it."""
+    for coordinate in pose.study.problem.coordinates:
+        if coordinate.quantity.dimension.length:
+            continue
+        found = _turning_body(pose, coordinate.name)
+        if found is None:
+            yield from _polar_angle(pose, coordinate.name)
+            continue
+        name, sense = found
+        direction = pose.value(pose.study.system.bodies[name].pose.angle)
+        value = pose.numbers[coordinate.name]
+        at = _vertex(pose, name)
+        hung = _hanging(pose, name, at, sense * value)
+        direction = _drawn_axis(pose, name, at, direction) if hung is None else hung
+        reach = _reach(pose, name, at, direction)
+        if abs(value) > UNSEEN:
+            yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), reach)
+
+
+def _hanging(pose: DrawnPose, name: str, at: Point, turned: float) -> float | None:
+    """The way from the vertex to the centre of mass, if the body has no axis to be seen and that way was level or
+    upright when the angle was 0: so a book draws the angle of a body that hangs."""
+    if pose.study.problem.body(name).shape.kind not in ROUND | {"composite", "given"}:
+        return None
+    (x, y), (u, v) = at, pose.center(name)
+    direction = math.atan2(v - y, u - x)
+    quarters = (direction - turned) / (math.pi / 2)
+    is_away = math.dist(at, (u, v)) > CLOSE * pose.size
+    return direction if is_away and abs(quarters - round(quarters)) < CLOSE else None
+
+
+def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:
+    """An angle that turns the line from a fixed centre to a body, as on a circular track."""
+    for state in pose.study.system.bodies.values():
+        x, y = pose.point(state.center)
+        u, v = pose.point(state.center.derivative(coordinate))
+        square, turn = u * u + v * v, x * v - y * u
+        if square < CLOSE or abs(abs(turn) - math.hypot(x, y) * math.sqrt(square)) > CLOSE:
+            continue
+        distance, sense = math.hypot(x, y), 1 if turn > 0 else -1
+        if abs(distance - math.sqrt(square)) < CLOSE:
+            direction = math.atan2(y, x)
+            start = direction - sense * pose.numbers[coordinate]
+            yield AngleMark((0.0, 0.0), start, direction, t.Sym(coordinate), ray=distance)
+            return
+
+
+def _reach(pose: DrawnPose, name: str, at: Point, direction: float) -> float:
+    """How far the line at which the angle ends must be drawn: nothing on a round body or beside it shows it."""
+    shape = pose.study.problem.body(name).shape
+    if shape.kind in ROUND and math.dist(at, pose.center(name)) < CLOSE:
+        return max(pose.node(shape.sizes[key]) for key in ("radius", "outer") if key in shape.sizes)
+    if shape.kind in ("rod", "particle", "rectangle", "triangle", *PARTLY_ROUND):
+        return 0.0
+    return max(0.3 * pose.size, math.dist(at, pose.center(name)))
+
+
+def _turning_body(pose: DrawnPose, coordinate: str) -> tuple[str, int] | None:
+    """The first body whose angle is ±coordinate plus a constant, and the sign."""
+    for name, state in pose.study.system.bodies.items():
+        slope = derivative(state.pose.angle, coordinate).number()
+        if slope in (1, -1) and pose.study.problem.body(name).angle is not None:
+            return name, int(slope)
+    return None
+
+
+def _vertex(pose: DrawnPose, body: str) -> Point:
+    """A hinge of the body, a point that touches a horizontal line, else its centre."""
+    marked = list(points(pose))
+    hinges = [p.at for p in marked if body in p.bodies and p.kind == "pivot"]
+    touches = [
+        pose.ref(e["point"])
+        for e in pose.study.problem.of_kind("contact")
+        if e["point"].body == body and e.values.get("line") is not None and abs(pose.node(e["line"].a)) < CLOSE
+    ]
+    pins = [p.at for p in marked if body in p.bodies]
+    return next(iter([*hinges, *touches, *pins]), pose.center(body))
+
+
+def _drawn_axis(pose: DrawnPose, body: str, at: Point, direction: float) -> float:
+    """The end of the axis that leaves the vertex along the body."""
+    cx, cy = pose.center(body)
+    along = (cx - at[0]) * math.cos(direction) + (cy - at[1]) * math.sin(direction)
+    return direction + math.pi if along < -CLOSE else direction
+
+
+def _slopes(pose: DrawnPose) -> Iterator[AngleMark]:
+    """Parameters that are the slope of a line, at its lower end."""
+    seen: set[str] = set()
+    for line, other in zip(lines(pose), lines(other_numbers(pose)), strict=True):
+        for name in parameters(pose, NUMBER):
+            if name in seen or not (
+                _rise(line)
+                and is_parameter(_rise(line), pose, name)
+                and is_parameter(_rise(other), other_numbers(pose), name)
+            ):
+                continue
+            seen.add(name)
+            yield _slope_mark(pose, line, t.Sym(name))
+
+
+def _slope_mark(pose: DrawnPose, line, label: t.Node) -> AngleMark:
+    """Between the horizontal and the line, below all that stands on it."""
+    size = math.hypot(line.a, line.b)
+    down = (line.b / size, -line.a / size)
+    down = down if down[1] < 0 else (-down[0], -down[1])
+    lowest = max((x * down[0] + y * down[1] for x, y in (pose.center(name) for name in pose.study.system.bodies)))
+    foot = (line.a * line.c / size**2, line.b * line.c / size**2)
+    far = lowest - foot[0] * down[0] - foot[1] * down[1] + 1.1 * pose.size
+    at = (foot[0] + far * down[0], foot[1] + far * down[1])
+    uphill = math.atan2(-down[1], -down[0])
+    start = 0.0 if down[0] < 0 else math.pi
+    return AngleMark(at, start, uphill, label)
+
+
+def _rise(line) -> float:
+    """The acute angle of a line with the horizontal, 0 for a level or an upright one."""
+    return math.atan2(abs(line.a), abs(line.b)) if abs(line.a) > CLOSE and abs(line.b) > CLOSE else 0.0
+
+
+def parameters(pose: DrawnPose, dimension) -> list[str]:
+    """Names of the parameters of a dimension."""
+    return [q.name for q in pose.study.problem.parameters if q.dimension == dimension]
+
+
+def is_parameter(value: float, pose: DrawnPose, name: str) -> bool:
+    """Is a number that of a parameter in this pose?"""
+    return abs(value - pose.numbers[name]) < 1e-9 * max(1.0, abs(value))

@@ -11,12 +11,11 @@ from rbpsym.expr.glyphs import MARKS
 from rbpsym.expr.tree import Node, Num, names
 from rbpsym.quantities import FORCE, Dimension
 from rbpsym.statement.example import check_example
-from rbpsym.statement.hints import in_radians
 from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import fault_of_name, twice
-from rbpsym.statement.source import Table, did_you_mean
+from rbpsym.statement.source import Table, did_you_mean, in_radians
 
 MAX_BODIES = 64
 

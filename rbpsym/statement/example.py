@@ -11,11 +11,10 @@ from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
 from rbpsym.quantities import Dimension, Quantity
-from rbpsym.statement.hints import unit_example
 from rbpsym.statement.model import Coordinate, Problem, Shape
 from rbpsym.statement.premises import OPS
 from rbpsym.statement.slots import ALL
-from rbpsym.statement.source import Table
+from rbpsym.statement.source import Table, unit_example
 from rbpsym.statement.units import unit_named
 
 MOST = 30  # no number is as large as 10^30 or as small as 10^-30 in SI units

@@ -10,12 +10,11 @@ from difflib import get_close_matches
 from rbpsym.errors import DimensionError
 from rbpsym.expr.tree import ZERO, Div, Node, Num, Sym, names
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
-from rbpsym.statement.hints import SIGNS, for_a_dimension
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import AXES, RESERVED, check_name, fault_of_name
 from rbpsym.statement.scope import Scope, read_expression, read_text
-from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SIGNS, SourceItem, Table, did_you_mean, for_a_dimension, kind_of
 
 _PARAMETER_KEYS = ("dimension", "meaning", "sign", "range", "glyph")
 _COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "range", "glyph")

@@ -12,10 +12,9 @@ from rbpsym.expr.tree import Add, Node, Num, Sym, renamed, walk
 from rbpsym.expr.tree import names as tree_names
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
-from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
 from rbpsym.statement.premises import LEFT_OPEN, NOTHING_DECLARED, Declared, contradicts, without_value
-from rbpsym.statement.source import SourceItem, did_you_mean, kind_of, relocate, written
+from rbpsym.statement.source import SourceItem, did_you_mean, kind_of, relocate, unknown_symbol, written
 from rbpsym.typeset.machine import written_otherwise
 
 ORIGIN: Pair = (Num(0), Num(0))

@@ -19,7 +19,7 @@ from rbpsym.document.model import Paragraph
 from rbpsym.document.notes import words_of
 from rbpsym.document.phrases import plain
 from rbpsym.document.telling import Teller
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.page import plain_text
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation

@@ -18,16 +18,15 @@ from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import Derivation, Step
 from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.statement.model import Problem
-from rbpsym.statement.printed_units import unit_of
+from rbpsym.statement.units import unit_of
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import Pool, shown, without_noise
 from rbpsym.teaching.model import AskedQuantity, Item, Measure
-from rbpsym.teaching.ranges import NumberRange, default_ranges, middles
+from rbpsym.teaching.ranges import NumberRange, default_ranges, measure_text, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
 from rbpsym.teaching.spoilers import Content, claims, given, wanted
 from rbpsym.teaching.targets import Target
-from rbpsym.teaching.units import measure_text
 
 ASKED_DIGITS = 3
 PHASE = "phase"  # phase2.acceleration.x is a quantity of the second one

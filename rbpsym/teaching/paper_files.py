@@ -10,8 +10,7 @@ from rbpsym.document.model import Document
 from rbpsym.errors import RbpsymError
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.layout import key_document, paper_document, solution_document
-from rbpsym.teaching.papers.naming import file_stem, printable
+from rbpsym.teaching.papers.layout import file_stem, key_document, paper_document, printable, solution_document
 
 Write = Callable[[Document, Worksheet, bool], str | bytes]
 

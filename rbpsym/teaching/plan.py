@@ -14,8 +14,8 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 
-from rbpsym.document.language import common_notation
 from rbpsym.document.model import Block, Paragraph, words
+from rbpsym.document.phrases import common_notation
 from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError, ReadError
@@ -32,9 +32,8 @@ from rbpsym.teaching.distractors import in_phase, pool
 from rbpsym.teaching.model import Item, Part, Student, Worksheet
 from rbpsym.teaching.papers.solution import given_table, statement_blocks
 from rbpsym.teaching.ranges import NumberRange
-from rbpsym.teaching.sheet import Sheet, SheetPart, is_sheet, sheet_of
+from rbpsym.teaching.sheet import Sheet, SheetPart, bare_sheet, is_sheet, sheet_of, standard_sheet
 from rbpsym.teaching.situations import Scenery, Situation, scenery
-from rbpsym.teaching.standard_sheet import bare_sheet, standard_sheet
 from rbpsym.teaching.targets import targets
 from rbpsym.teaching.tasks.registry import tasks
 from rbpsym.teaching.tasks.wish import Wish

@@ -21,8 +21,7 @@ from rbpsym.statement.model import Coordinate
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import Evaluate, compiled
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.ranges import NumberRange, default_ranges, middles, named_quantities, step_near
-from rbpsym.teaching.units import si
+from rbpsym.teaching.ranges import NumberRange, default_ranges, middles, named_quantities, si, step_near
 
 MOST_DRAWS = 600
 WAY = (0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)  # shares of the way that are looked at

@@ -21,16 +21,16 @@ from rbpsym.mechanics.dynamics import reactions_by_acceleration
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.draft import length
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER
-from rbpsym.statement.printed_units import unit_of, unit_text
+from rbpsym.statement.units import unit_of, unit_text
 from rbpsym.teaching import bench as b
 from rbpsym.teaching.bench import ProblemBench, formula_of
 from rbpsym.teaching.distractors import shown
 from rbpsym.teaching.lines import WEIGHTS, gist
 from rbpsym.teaching.misconceptions.model import with_inertia
 from rbpsym.teaching.model import FollowOn, Item, Measure
+from rbpsym.teaching.ranges import measured
 from rbpsym.teaching.situations import names_in
 from rbpsym.teaching.targets import REFUSALS, Target, axes
-from rbpsym.teaching.units import measured
 from rbpsym.teaching.wording import spoken
 
 # --- formulas into which each student's numbers are put: looked through once, then filled quickly

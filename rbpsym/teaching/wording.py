@@ -9,7 +9,7 @@ from typing import Any
 from rbpsym.document import phrases
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.words import Words
-from rbpsym.document.writers.plain_text import plain_text as bare
+from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.tree import Node
 from rbpsym.proof.step import BodyRef

@@ -38,7 +38,7 @@ ALLOWED = {
     "teaching/grading/intervals.py": "an enclosure that has no value, a name that the point does not have",
     "teaching/grading/quantity.py": "an enclosure that has no value, told as a ReadError",
     "teaching/grading/verdicts.py": "an enclosure that has no value, a name that the point does not have",
-    "teaching/record.py": READS,
+    "teaching/batch.py": READS,
     "teaching/retold.py": "a body, force, work or premise that a wrong physics has not: that differs, or is not told",
     "teaching/tasks/results.py": FLOATS,
     "claims/run.py": READS,

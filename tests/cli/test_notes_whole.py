@@ -16,9 +16,8 @@ from rbpsym.commands import watching
 from rbpsym.commands.watching import KeptDerivations
 from rbpsym.courses import derive_course, sources
 from rbpsym.document.book import Chapter, around, book, index_page, occurring, page, problem_card
-from rbpsym.document.model import Display, Ref
+from rbpsym.document.model import Display, Ref, numbered, parts
 from rbpsym.document.notes import notes
-from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.writers import writer
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course
@@ -198,12 +197,13 @@ def test_the_printed_index_gives_pages() -> None:
 
 
 def test_a_problem_that_cannot_be_derived_is_told_and_left_out(tmp_path: Path, monkeypatch) -> None:
-    from rbpsym.commands import library_notes, shelf
+    from rbpsym.commands import arguments as shelves
+    from rbpsym.commands import notes
 
     bad = tmp_path / "bad.toml"
     bad.write_text('title = "x"\n', encoding="utf-8")
-    entries = [shelf.entry("problem", "bad", bad), shelf.entry("problem", NAMES[0], find_problem(NAMES[0]))]
-    monkeypatch.setattr(library_notes, "shelf", lambda: iter(entries))
+    entries = [shelves.entry("problem", "bad", bad), shelves.entry("problem", NAMES[0], find_problem(NAMES[0]))]
+    monkeypatch.setattr(notes, "shelf", lambda: iter(entries))
     arguments = ["notes", "--all", "--format", "html,md", "--no-simulation", "-o", str(tmp_path / "out")]
     result = CliRunner().invoke(main, arguments)
     assert result.exit_code == 1

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import pytest
 
 from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.domain import _factors
 from rbpsym.decide.equal import scalars_equal
-from rbpsym.decide.poles import _factors
 from rbpsym.field.calculus import root
 from rbpsym.field.scalar import Scalar, generator_of, lift, symbol
 from rbpsym.field.trig import cosine, sine

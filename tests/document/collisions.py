@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.pictures.figures.placing import crosses, overlap, strokes_of
-from rbpsym.pictures.figures.scene import Label, Scene
+from rbpsym.pictures.figures.scene import Label, Scene, crosses, overlap, strokes_of
 
 
 def collisions(scene: Scene) -> list[tuple[Label, object]]:

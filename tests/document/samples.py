@@ -42,8 +42,7 @@ from rbpsym.expr.tree import (
     equation,
     relation,
 )
-from rbpsym.pictures.figures.free_body import free_body
-from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.schematic import free_body, schematic
 from rbpsym.pictures.figures.sketch import (
     AngleMark,
     LengthMark,

@@ -14,9 +14,8 @@ import pytest
 import rbpsym
 from rbpsym.courses import derive_course
 from rbpsym.document.book import Chapter, around, index_page, occurring, page, problem_card
-from rbpsym.document.model import Display, Document, FigureBlock, Math
+from rbpsym.document.model import Display, Document, FigureBlock, Math, parts
 from rbpsym.document.notes import course_notes
-from rbpsym.document.numbering import parts
 from rbpsym.document.writers import writer
 from rbpsym.expr.glyphs import Notation
 from rbpsym.statement.course import load_course

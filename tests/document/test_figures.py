@@ -11,12 +11,11 @@ import pytest
 
 from rbpsym.document.notes_figures import describe, describe_free_body
 from rbpsym.elements.shapes import SHAPES
-from rbpsym.pictures.figures import placing
+from rbpsym.pictures.figures import scene
 from rbpsym.pictures.figures.dimensions import solid_line
-from rbpsym.pictures.figures.free_body import free_body
 from rbpsym.pictures.figures.outlines import OUTLINES, OWN
 from rbpsym.pictures.figures.scene import COLORS, STYLES, Label, Line, Scene
-from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.schematic import free_body, schematic
 from rbpsym.pictures.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
 from rbpsym.pictures.figures.svg import SCALE, label_svg, number, to_svg
 from rbpsym.pictures.figures.tikz import to_tikz
@@ -36,12 +35,12 @@ POSES = [pendulum(n / 5) for n in range(-12, 13)] + [
 
 @pytest.mark.parametrize("name", SCENES)
 def test_no_label_collides(name: str) -> None:
-    assert collisions(placing.placed(SCENES[name])) == []
+    assert collisions(scene.placed(SCENES[name])) == []
 
 
 def test_no_label_lies_on_another_in_any_pose() -> None:
     for sketch in POSES:
-        found = collisions(placing.placed(schematic(sketch)))
+        found = collisions(scene.placed(schematic(sketch)))
         assert not [pair for pair in found if isinstance(pair[1], Label)]
 
 
@@ -67,8 +66,8 @@ def test_a_collision_is_found() -> None:
     ],
 )
 def test_a_stroke_crosses_a_box_or_not(start: tuple, end: tuple, hit: bool) -> None:
-    stroke = next(placing.strokes_of(Scene((Line((start, end)),))))
-    assert placing.crosses(stroke, (-0.1, -0.1, 0.1, 0.1)) is hit
+    stroke = next(scene.strokes_of(Scene((Line((start, end)),))))
+    assert scene.crosses(stroke, (-0.1, -0.1, 0.1, 0.1)) is hit
 
 
 @pytest.mark.parametrize("name", SCENES)

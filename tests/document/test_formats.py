@@ -21,9 +21,21 @@ from hypothesis import strategies as st
 import rbpsym
 from rbpsym.courses import derive_course
 from rbpsym.document import files as extras
-from rbpsym.document.model import Display, Document, FigureBlock, ItemList, Math, Paragraph, Ref, Section, Table, words
+from rbpsym.document.model import (
+    Display,
+    Document,
+    FigureBlock,
+    ItemList,
+    Math,
+    Paragraph,
+    Ref,
+    Section,
+    Table,
+    numbered,
+    parts,
+    words,
+)
 from rbpsym.document.notes import course_notes, plain
-from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.pictures import pictures
 from rbpsym.document.writers import WRITERS, files, writer
 from rbpsym.document.writers.markdown import in_cell, in_markdown

@@ -7,17 +7,15 @@ from functools import cache
 
 import pytest
 
-from rbpsym.document.language import problem_notation
 from rbpsym.document.notes_figures import describe, describe_free_body
+from rbpsym.document.phrases import problem_notation
 from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.pictures.figures.free_body import free_body
-from rbpsym.pictures.figures.placing import placed
-from rbpsym.pictures.figures.scene import Scene
-from rbpsym.pictures.figures.schematic import schematic
+from rbpsym.pictures.figures.scene import Scene, placed
+from rbpsym.pictures.figures.schematic import free_body, schematic
 from rbpsym.pictures.figures.sketch import Sketch, SketchCouple
 from rbpsym.pictures.figures.svg import to_svg
 from rbpsym.pictures.figures.tikz import to_tikz

@@ -9,9 +9,8 @@ from functools import cache
 import pytest
 
 from rbpsym.document.notes import notation_of
-from rbpsym.pictures.figures.placing import placed
-from rbpsym.pictures.figures.scene import Label, Line
-from rbpsym.pictures.plots.motion import PlottedMotion, motion
+from rbpsym.pictures.figures.scene import Label, Line, placed
+from rbpsym.pictures.plots.following import PlottedMotion, motion
 from rbpsym.pictures.plots.panel import Panel, scene
 from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
 from tests.document.collisions import collisions

@@ -8,10 +8,9 @@ import pytest
 from rbpsym.courses import derive_course
 from rbpsym.derive import derive
 from rbpsym.document.chapters import repeated
-from rbpsym.document.model import Display, FigureBlock, Math, Paragraph, Ref, Text
+from rbpsym.document.model import Display, FigureBlock, Math, Paragraph, Ref, Text, numbered, parts
 from rbpsym.document.notes import DETAILS, course_notes, notes, shown_steps
 from rbpsym.document.notes_question import in_known_forms
-from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.phrases import languages
 from rbpsym.document.telling import known_key
 from rbpsym.document.words import Words

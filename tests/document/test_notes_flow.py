@@ -8,10 +8,22 @@ import pytest
 
 import rbpsym
 from rbpsym.document.breaking import table_width
-from rbpsym.document.model import Display, Document, FigureBlock, Math, Paragraph, Ref, Section, Table, Text
+from rbpsym.document.model import (
+    Display,
+    Document,
+    FigureBlock,
+    Math,
+    Paragraph,
+    Ref,
+    Section,
+    Table,
+    Text,
+    numbered,
+    once_each,
+    parts,
+)
 from rbpsym.document.notes import plain
 from rbpsym.document.notes_sentences import element_sentences
-from rbpsym.document.numbering import numbered, once_each, parts
 from rbpsym.document.telling import TOO_WIDE
 from rbpsym.document.words import Words
 from rbpsym.expr import tree as t

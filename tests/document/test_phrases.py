@@ -8,9 +8,8 @@ from string import Formatter
 
 import pytest
 
-from rbpsym.document.language import usual_notation
 from rbpsym.document.model import DocumentError, Emph, Math, Ref, Text
-from rbpsym.document.phrases import FOLDER, grammar, has_phrase, languages, phrase, phrases, plain
+from rbpsym.document.phrases import FOLDER, grammar, has_phrase, languages, phrase, phrases, plain, usual_notation
 from rbpsym.expr.tree import Fn, Sym
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.speech import to_speech

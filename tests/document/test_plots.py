@@ -12,20 +12,18 @@ from click.testing import CliRunner
 
 import rbpsym
 from rbpsym.cli import main
-from rbpsym.document.model import FigureBlock, Math
+from rbpsym.document.model import FigureBlock, Math, parts
 from rbpsym.document.notes import notation_of, notes
 from rbpsym.document.notes_plots import FEW, plot_figures, plots_section
-from rbpsym.document.numbering import parts
 from rbpsym.document.words import Words
 from rbpsym.document.writers import writer
 from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.numbers import number
-from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import placed
 from rbpsym.pictures.plots.axes import axis, round_step, written
-from rbpsym.pictures.plots.following import REASONS
-from rbpsym.pictures.plots.motion import motion
+from rbpsym.pictures.plots.following import REASONS, motion
 from rbpsym.pictures.plots.panel import scene
 from rbpsym.pictures.plots.scales import scales
 from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works

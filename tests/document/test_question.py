@@ -3,9 +3,8 @@
 import pytest
 
 from rbpsym.derive import derive
-from rbpsym.document.model import Display, Math, Paragraph, Ref, Text
+from rbpsym.document.model import Display, Math, Paragraph, Ref, Text, numbered, parts
 from rbpsym.document.notes import DETAILS, notes
-from rbpsym.document.numbering import numbered, parts
 from rbpsym.expr import tree as t
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_text

@@ -5,8 +5,8 @@ from fractions import Fraction
 import pytest
 
 from rbpsym.courses import derive_course
-from rbpsym.document.language import problem_notation
 from rbpsym.document.notes import course_notes
+from rbpsym.document.phrases import problem_notation
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.statement.course import load_course

@@ -8,11 +8,10 @@ from string import Formatter
 import pytest
 
 from rbpsym.derive import derive
-from rbpsym.document.language import part_of
 from rbpsym.document.looks import looks, speak
 from rbpsym.document.model import DocumentError
 from rbpsym.document.notes import notes
-from rbpsym.document.phrases import grammar, phrases, plain
+from rbpsym.document.phrases import grammar, part_of, phrases, plain
 from rbpsym.document.writers import writer
 from rbpsym.expr.tree import Fn, Sym
 from rbpsym.statement.library import problem_files

@@ -10,7 +10,7 @@ from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.notes_statement import _bodies, _phases
 from rbpsym.document.phrases import phrases
 from rbpsym.document.words import Words
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.page import plain_text
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.expr import tree as t
 from rbpsym.mechanics.at_start import study_of

@@ -11,7 +11,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 
 import pytest
 
-from rbpsym.commands.shelf import shelf
+from rbpsym.commands.arguments import shelf
 from rbpsym.derive import derive
 from rbpsym.document.model import Document, Live, Text
 from rbpsym.document.twin import MODULE, address, with_twins

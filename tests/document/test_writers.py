@@ -14,9 +14,21 @@ from zipfile import ZipFile
 import pytest
 
 from rbpsym.document import breaking
-from rbpsym.document.model import Display, Document, DocumentError, FigureBlock, Math, Paragraph, Ref, Section, Table, words
+from rbpsym.document.model import (
+    Display,
+    Document,
+    DocumentError,
+    FigureBlock,
+    Math,
+    Paragraph,
+    Ref,
+    Section,
+    Table,
+    numbered,
+    parts,
+    words,
+)
 from rbpsym.document.notes import notes
-from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.writers import WRITERS, writer
 from rbpsym.document.writers.html import folding_pieces, write_html
 from rbpsym.document.writers.markdown import in_markdown

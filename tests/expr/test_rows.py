@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rbpsym.decide.poles import faults
+from rbpsym.decide.domain import faults
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.latex.reader import read_latex
 from rbpsym.expr.symbol_table import symbol_table

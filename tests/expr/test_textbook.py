@@ -4,8 +4,8 @@ from functools import partial
 
 import pytest
 
+from rbpsym.decide.domain import faults
 from rbpsym.decide.equal import scalars_equal
-from rbpsym.decide.poles import faults
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.latex.reader import read_latex

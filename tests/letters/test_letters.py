@@ -14,7 +14,7 @@ import pytest
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.derive import derive
-from rbpsym.document.language import problem_notation
+from rbpsym.document.phrases import problem_notation
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import ACCENTS, DOTS

@@ -8,8 +8,8 @@ from functools import cache
 
 import pytest
 
+from rbpsym.commands.arguments import entry
 from rbpsym.commands.listing import LEVELS
-from rbpsym.commands.shelf import entry
 from rbpsym.statement.library import library_folder, problem_files
 from tests.library.derived import AT_START, NAMES, derived, problem
 

@@ -13,7 +13,7 @@ from rbpsym.derive import derive
 from rbpsym.document.model import ItemList, Paragraph
 from rbpsym.document.notes import notes
 from rbpsym.document.phrases import has_phrase, languages, phrases
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.page import plain_text
 from rbpsym.expr import tree as t
 from rbpsym.pictures.plots.following import leg
 from rbpsym.pictures.pose import DrawnPose

@@ -6,10 +6,9 @@ from dataclasses import replace
 import pytest
 
 from rbpsym.claims.papers.walk import read_paper
-from rbpsym.document.model import Display
+from rbpsym.document.model import Display, parts
 from rbpsym.document.notes import notation_of, notes
 from rbpsym.document.notes_question import in_known_forms
-from rbpsym.document.numbering import parts
 from rbpsym.document.writers import writer
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.reader import read_latex

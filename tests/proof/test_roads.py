@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.chapters.methods.balances import plan
-from rbpsym.chapters.methods.roads import roads
+from rbpsym.chapters.methods.balances import plan, roads
 from rbpsym.derive import derive
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text

@@ -15,7 +15,7 @@ from rbpsym.document.telling import Teller
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.study import Study
-from rbpsym.pictures.plots.motion import motion
+from rbpsym.pictures.plots.following import motion
 from rbpsym.proof.step import Derivation
 from rbpsym.solve import results
 from rbpsym.statement.loader import load_text

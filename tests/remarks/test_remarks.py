@@ -19,9 +19,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field.calculus import names_in
 from rbpsym.field.evaluate import scalar
 from rbpsym.pictures.plots.following import at
-from rbpsym.remarks.choosing import KINDS, guarded, remarks
-from rbpsym.remarks.dependence import monotone
-from rbpsym.remarks.result import Made, results
+from rbpsym.remarks.choosing import KINDS, Made, guarded, monotone, remarks, results
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.typeset.text import to_text

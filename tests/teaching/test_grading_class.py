@@ -29,8 +29,8 @@ from rbpsym.teaching.model import (
     Worksheet,
 )  # fmt: skip
 from rbpsym.teaching.plan import plan_of
+from rbpsym.teaching.ranges import measure_text
 from rbpsym.teaching.spreadsheets import RISKY, marks_csv, parse_answers, read_answers, safe
-from rbpsym.teaching.units import measure_text
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.machine import to_machine
 from rbpsym.typeset.text import to_text

@@ -16,8 +16,8 @@ from rbpsym.field.scalar import Scalar
 from rbpsym.mechanics.study import Study
 from rbpsym.teaching import model as m
 from rbpsym.teaching.compiled import compiled
+from rbpsym.teaching.ranges import si
 from rbpsym.teaching.spoilers import is_telling, meaning
-from rbpsym.teaching.units import si
 from tests.teaching.library_papers import NAMES, NONE, bench_of, paper
 
 pytestmark = pytest.mark.heavy(of=12)

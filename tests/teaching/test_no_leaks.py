@@ -14,7 +14,7 @@ from rbpsym.teaching.papers import latex_paper, typst_paper
 from rbpsym.teaching.papers.html_paper import write_html
 from rbpsym.teaching.papers.layout import paper_document
 from rbpsym.teaching.plan import plan_of
-from rbpsym.teaching.units import measure_text
+from rbpsym.teaching.ranges import measure_text
 from rbpsym.typeset.text import to_text
 
 SOURCES = ["rod-and-disk-fixed", "sliding-ladder", "rod-and-disk-free", "works-that-cancel", "spin-part", "falling-spool"]

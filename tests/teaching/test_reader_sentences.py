@@ -11,8 +11,8 @@ import pytest
 
 import rbpsym
 from rbpsym.decide.dimensions import a
-from rbpsym.document.language import usual_notation
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.phrases import usual_notation
+from rbpsym.document.writers.page import plain_text
 from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.library import problem_files

@@ -21,7 +21,7 @@ from rbpsym.teaching.executor import Interrupted, Journal, crew, run
 from rbpsym.teaching.grading.marking import grade
 from rbpsym.teaching.model import ChoiceKey, FormulaKey, NumberKey, Student
 from rbpsym.teaching.plan import plan_of
-from rbpsym.teaching.units import measure_text
+from rbpsym.teaching.ranges import measure_text
 from rbpsym.typeset.text import to_text
 from tests.teaching.readers import ROOT, need
 

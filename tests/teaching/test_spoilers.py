@@ -11,9 +11,9 @@ from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.lines import shares
 from rbpsym.teaching.model import BlanksKey, FormulaKey, OrderKey, SlipKey, Student
 from rbpsym.teaching.plan import bench_of, plan_of
+from rbpsym.teaching.sheet import LONGEST
 from rbpsym.teaching.spoilers import Content, claims, wanted
 from rbpsym.teaching.spoilers import printed as told_by
-from rbpsym.teaching.standard_sheet import LONGEST
 
 M, G, A = (t.Sym(name) for name in ("m", "g", "a"))
 WEIGHT, OTHER = claims([t.equation(A, t.Mul((M, G)))]), claims([t.equation(A, t.Mul((M, A)))])

@@ -19,11 +19,11 @@ from rbpsym.teaching.distractors import apart, without_noise
 from rbpsym.teaching.lines import gaps
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
 from rbpsym.teaching.plan import WorksheetPlan, bench_of, plan_of
+from rbpsym.teaching.ranges import si
 from rbpsym.teaching.sheet import sheet_of_text
 from rbpsym.teaching.tasks.compare import variants
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.slip import SHORT, SPLITS, brief
-from rbpsym.teaching.units import si
 
 PROBLEMS = ("rod-and-disk-free", "sliding-ladder-with-spring", "disk-on-incline")
 STUDENTS = [Student(f"s{k}") for k in range(8)]

@@ -23,8 +23,7 @@ from rbpsym.teaching.grading.desk import Desk, grade_worksheet
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.papers.html_fields import spellings
 from rbpsym.teaching.papers.latex_paper import write_paper as latex_paper
-from rbpsym.teaching.papers.layout import key_document, paper_document, solution_document
-from rbpsym.teaching.papers.naming import file_stem, own, safe
+from rbpsym.teaching.papers.layout import file_stem, key_document, own, paper_document, safe, solution_document
 from rbpsym.teaching.papers.typst_paper import write_paper as typst_paper
 from rbpsym.teaching.plan import WorksheetPlan, plan_of
 from rbpsym.teaching.sheet import sheet_of_text
@@ -152,7 +151,7 @@ def test_the_paper_holds_no_answer() -> None:
     key = typst_paper(key_document(sheet), sheet, is_key=True)
     paper = typst_paper(paper_document(sheet), sheet)
     numbers = [item.key.measure for item in sheet.items if item.kind == "number"]
-    from rbpsym.teaching.units import measure_text
+    from rbpsym.teaching.ranges import measure_text
 
     for measure in numbers:
         assert measure_text(measure) in key and measure_text(measure) not in paper
@@ -185,7 +184,7 @@ def test_the_solution_shows_the_students_numbers() -> None:
     sheet = ladder()
     source = typst_paper(solution_document(sheet, plan().derivations), sheet, is_key=True)
     mass = sheet.parts[0].given["ell"]
-    from rbpsym.teaching.units import measure_text
+    from rbpsym.teaching.ranges import measure_text
 
     assert measure_text(mass).split("\u00a0")[0] in source
     assert "9.81" in source

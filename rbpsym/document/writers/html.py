@@ -11,10 +11,8 @@ from markupsafe import Markup, escape
 from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
-from rbpsym.document.model import Display
-from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, alone, body, page_for, prints, shell
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.model import Display, numbered
+from rbpsym.document.writers.page import Page, alone, body, page_for, plain_text, prints, shell
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen
 from rbpsym.pictures.figures.svg import color_rules, to_svg

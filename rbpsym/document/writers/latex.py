@@ -6,10 +6,9 @@ from typing import Any
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.numbering import numbered
+from rbpsym.document.model import numbered
 from rbpsym.document.phrases import plain
-from rbpsym.document.writers.page import Page, alone, body, page_for, prints, shell
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.page import Page, alone, body, page_for, plain_text, prints, shell
 from rbpsym.document.writers.rare_letters import with_rare_letters
 from rbpsym.pictures.figures.tikz import tikz_styles, to_tikz
 from rbpsym.typeset import cutting

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.numbering import numbered
+from rbpsym.document.model import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
 from rbpsym.document.writers.page import Page, alone, body, prints
 from rbpsym.expr.letters import script

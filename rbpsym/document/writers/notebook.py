@@ -8,12 +8,10 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from rbpsym.document.model import Block, Callout, Display, Document, FigureBlock, Live, Section
-from rbpsym.document.numbering import numbered
+from rbpsym.document.model import Block, Callout, Display, Document, FigureBlock, Live, Section, numbered
 from rbpsym.document.pictures import easiest, pictures
 from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
-from rbpsym.document.writers.page import Page, page_of
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.page import Page, page_of, plain_text
 from rbpsym.frozen import Frozen
 
 SCREEN = 110.0  # dots an inch

@@ -8,10 +8,12 @@ from typing import Any
 
 from rbpsym.document import model as d
 from rbpsym.document.files import data_folder
+from rbpsym.document.model import Emph, Inlines, Math, Ref, Strong, Text
 from rbpsym.document.phrases import plain
 from rbpsym.expr.glyphs import Notation
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, replace
+from rbpsym.typeset.text import to_text
 
 Print = Callable[[Any, Any], str]  # of a part, on a page
 
@@ -118,3 +120,20 @@ BRACKETS = {
 def shell(name: str, /, *, autoescape: bool = False, **values: Any) -> str:
     """A page shell with its places filled."""
     return str(environment(autoescape).get_template(name).render(**values))
+
+
+# --- inlines as plain text: for titles in metadata, alt texts and terminals
+
+
+PLAIN: Mapping[type, Print] = {
+    Text: lambda inline, page: inline.text,
+    Math: lambda inline, page: to_text(inline.node, page.notation),
+    Ref: lambda inline, page: inline.mark,
+    Emph: lambda inline, page: page.inlines(inline.inlines),
+    Strong: lambda inline, page: page.inlines(inline.inlines),
+}
+
+
+def plain_text(inlines: Inlines, notation: Notation, language: str = "en") -> str:
+    """The inlines without any markup."""
+    return Page(PLAIN, notation, language).inlines(inlines)

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
 
 from rbpsym.document import model as d
-from rbpsym.document.numbering import numbered
+from rbpsym.document.model import numbered
 from rbpsym.document.writers.latex import LATEX, anchor, blocks, source_of
 from rbpsym.document.writers.page import Page, Print, page_for, page_of
 from rbpsym.document.writers.pdf import compiled, has_pdflatex
 from rbpsym.frozen import replace
-from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import placed
 from rbpsym.pictures.figures.tikz import to_tikz
 from rbpsym.typeset.escaping import latex_text
 

@@ -11,8 +11,8 @@ import click
 
 from rbpsym.decide.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
 from rbpsym.document import model as d
-from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.model import numbered
+from rbpsym.document.writers.page import plain_text
 from rbpsym.expr.glyphs import Notation
 from rbpsym.expr.tree import Chain, System
 from rbpsym.frozen import Frozen, field

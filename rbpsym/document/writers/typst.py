@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from rbpsym.document import breaking
 from rbpsym.document import model as d
-from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, alone, body, page_for, prints, shell
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.model import numbered
+from rbpsym.document.writers.page import Page, alone, body, page_for, plain_text, prints, shell
 from rbpsym.expr.tree import Node
 from rbpsym.pictures.figures.typst import to_typst_drawing
 from rbpsym.typeset.escaping import typst_string, typst_text

@@ -7,10 +7,8 @@ from collections.abc import Mapping
 from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.files import extra
-from rbpsym.document.model import Display
-from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, alone, body, prints
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.model import Display, numbered
+from rbpsym.document.writers.page import Page, alone, body, plain_text, prints
 from rbpsym.document.writers.word_xml import STAYS, Cell, TableLook, link, paragraph, safe, table_of, text_run
 from rbpsym.typeset.cutting import width
 from rbpsym.typeset.escaping import typographic

@@ -8,8 +8,7 @@ from typing import Any
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from rbpsym.document.files import extra
-from rbpsym.document.model import Document, ItemList
-from rbpsym.document.numbering import parts
+from rbpsym.document.model import Document, ItemList, parts
 from rbpsym.document.pictures import Picture, pictures
 from rbpsym.document.writers.word_xml import UNPRINTABLE, W
 from rbpsym.frozen import Frozen

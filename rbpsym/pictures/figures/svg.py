@@ -8,7 +8,7 @@ from markupsafe import escape
 
 from rbpsym.expr.glyphs import DEFAULT, Notation
 from rbpsym.pictures.figures import scene as s
-from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import placed
 from rbpsym.typeset.accents import accented
 from rbpsym.typeset.mathml import to_mathml
 

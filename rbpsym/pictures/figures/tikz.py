@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.expr.glyphs import DEFAULT, Notation
 from rbpsym.pictures.figures import scene as s
-from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import placed
 from rbpsym.typeset.escaping import latex_text
 from rbpsym.typeset.latex import to_latex
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.expr.glyphs import DEFAULT, Notation
 from rbpsym.pictures.figures import scene as s
-from rbpsym.pictures.figures.placing import placed
+from rbpsym.pictures.figures.scene import placed
 from rbpsym.pictures.figures.tikz import number
 from rbpsym.typeset.escaping import typst_string
 from rbpsym.typeset.typst import to_typst

@@ -8,8 +8,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from rbpsym.frozen import Frozen
-from rbpsym.pictures.figures.placing import Box, grown
-from rbpsym.pictures.figures.scene import Point
+from rbpsym.pictures.figures.scene import Box, Point, grown
 
 TICKS = 4  # about as many steps on an axis
 NEAR = 5e-3  # of a step: so little beyond the end a tick still stands

@@ -11,8 +11,20 @@ import numpy as np
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, replace
-from rbpsym.pictures.figures.placing import grown, label_size, overlap
-from rbpsym.pictures.figures.scene import STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
+from rbpsym.pictures.figures.scene import (
+    STYLES,
+    Circle,
+    Item,
+    Label,
+    Line,
+    Point,
+    Scene,
+    Strokes,
+    grown,
+    label_size,
+    overlap,
+    points_of,
+)
 from rbpsym.pictures.plots.axes import Axis, axis, lengths, places
 from rbpsym.pictures.plots.scales import Scale
 

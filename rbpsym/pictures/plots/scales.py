@@ -12,7 +12,7 @@ from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import sample
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
-from rbpsym.statement.printed_units import unit_of, unit_text
+from rbpsym.statement.units import unit_of, unit_text
 
 CLOCKS = tuple(
     DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force")

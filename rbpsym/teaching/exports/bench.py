@@ -9,8 +9,7 @@ from itertools import islice
 from typing import Any
 
 from rbpsym.document.model import Block, FigureBlock, Inlines
-from rbpsym.document.writers.page import Page
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.page import Page, plain_text
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field
 from rbpsym.teaching.exports.page import TEX, PictureTag, SetFormula, image, slug, svg, table, zipped

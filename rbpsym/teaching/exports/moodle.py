@@ -14,8 +14,7 @@ from markupsafe import Markup
 from rbpsym.document.model import Text
 from rbpsym.frozen import Frozen
 from rbpsym.statement.model import Problem
-from rbpsym.statement.printed_units import unit_text
-from rbpsym.statement.units import read_unit
+from rbpsym.statement.units import read_unit, unit_text
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import ExportDesk, Missing, Platform, by_items

@@ -15,8 +15,7 @@ from markupsafe import escape
 from rbpsym.document.model import Math, Text
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen
-from rbpsym.statement.printed_units import unit_text
-from rbpsym.statement.units import read_unit
+from rbpsym.statement.units import read_unit, unit_text
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports.bench import Asking, ExportDesk, free_pairs, nearest_pairs
 from rbpsym.teaching.exports.names import RESERVED, exported_names

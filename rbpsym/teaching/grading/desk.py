@@ -22,7 +22,7 @@ from rbpsym.teaching.grading.number import judge_number, wanted
 from rbpsym.teaching.grading.own_answers import own_formula, own_number, with_numbers_put_in
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.verdicts import are_equal
-from rbpsym.teaching.units import number_text
+from rbpsym.teaching.ranges import number_text
 
 Answers = Mapping[str, str]
 

@@ -15,16 +15,15 @@ from markupsafe import Markup, escape
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.phrases import phrase_of
 from rbpsym.document.translated import translated as document_translated
-from rbpsym.document.writers.page import shell
-from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.page import plain_text, shell
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.glyphs import renamed
 from rbpsym.expr.tree import Node
 from rbpsym.teaching.grading.desk import Mark
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status, sentence
 from rbpsym.teaching.model import Slip, Worksheet
-from rbpsym.teaching.papers.naming import own
-from rbpsym.teaching.units import number_text
+from rbpsym.teaching.papers.layout import own
+from rbpsym.teaching.ranges import number_text
 from rbpsym.teaching.wording import FOLDER, say_slip, teaching_phrases
 from rbpsym.typeset.mathml import to_mathml
 

@@ -15,15 +15,14 @@ from typing import Any
 from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.teaching.batch import TURN, findable, known_plan
+from rbpsym.teaching.batch import SUFFIX, TURN, check, findable, known_plan, record_of
 from rbpsym.teaching.executor import Journal, crew, run
 from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.plan import WorksheetPlan
-from rbpsym.teaching.record import SUFFIX, check, record_of
+from rbpsym.teaching.ranges import number_text
 from rbpsym.teaching.spreadsheets import AnswerRow, AnswerTable, load_roster, marks_csv, read_answers
-from rbpsym.teaching.units import number_text
 
 # --- the class list beside the answers: names for the marks, keys that nobody has, papers that were exchanged or are missing
 

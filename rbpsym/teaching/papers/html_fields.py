@@ -14,13 +14,13 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr.glyphs import Notation
 from rbpsym.expr.tree import Node, Sym
 from rbpsym.field.evaluate import scalar
-from rbpsym.statement.printed_units import OFFERED, offered
+from rbpsym.statement.units import OFFERED, offered
 from rbpsym.teaching import model as m
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.papers.layout import SIGN_WORDS, feedback
-from rbpsym.teaching.units import si
+from rbpsym.teaching.ranges import si
 from rbpsym.teaching.wording import plain_text
 from rbpsym.typeset.text import to_text
 

@@ -12,12 +12,11 @@ from collections.abc import Iterator, Mapping
 from markupsafe import Markup, escape
 
 from rbpsym.document.files import data_folder
-from rbpsym.document.model import Document, Inlines, Section
-from rbpsym.document.numbering import numbered
+from rbpsym.document.model import Document, Inlines, Section, numbered
 from rbpsym.document.writers.html import HTML, font, style
 from rbpsym.document.writers.html import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
-from rbpsym.document.writers.plain_text import plain_text as bare
+from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.expr.tree import Node
 from rbpsym.teaching import model as m
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked

@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from rbpsym.document import breaking
-from rbpsym.document.model import Document, FigureBlock, Section, Table
-from rbpsym.document.numbering import numbered
+from rbpsym.document.model import Document, FigureBlock, Section, Table, numbered
 from rbpsym.document.writers.latex import LATEX, babel, blocks, cell
 from rbpsym.document.writers.latex import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
-from rbpsym.document.writers.plain_text import plain_text as bare
+from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.expr.tree import Node
 from rbpsym.pictures.figures.tikz import tikz_styles
 from rbpsym.teaching.model import Worksheet

@@ -8,9 +8,8 @@ from dataclasses import replace
 from rbpsym.document.chapters import chapter_sections
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, words
 from rbpsym.document.notes import phase_words, shown_steps, words_of
-from rbpsym.document.notes_events import phase_sentences
 from rbpsym.document.notes_phases import phase_sections
-from rbpsym.document.notes_statement import statement_section
+from rbpsym.document.notes_statement import phase_sentences, statement_section
 from rbpsym.document.words import Words, sentences
 from rbpsym.expr import tree as t
 from rbpsym.pictures.pose import DrawnPose
@@ -19,8 +18,8 @@ from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
 from rbpsym.teaching.model import Measure
 from rbpsym.teaching.papers.layout import numbers, solution_blocks
+from rbpsym.teaching.ranges import measure_text
 from rbpsym.teaching.situations import Situation
-from rbpsym.teaching.units import measure_text
 from rbpsym.teaching.wording import say, spoken
 
 # --- the statement of a problem on a worksheet: words, figure, and the table of the student's numbers

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
-from rbpsym.document.model import Document, Inlines, Section
-from rbpsym.document.numbering import numbered
+from rbpsym.document.model import Document, Inlines, Section, numbered
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
-from rbpsym.document.writers.plain_text import plain_text as bare
+from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.document.writers.typst import TYPST, blocks, cell_content, spoken
 from rbpsym.document.writers.typst import section as titled_section
 from rbpsym.expr.tree import Node

@@ -14,12 +14,12 @@ from rbpsym.field import Poly, Scalar
 from rbpsym.teaching import bench as b
 from rbpsym.teaching.distractors import Distractor, apart, shown
 from rbpsym.teaching.model import Anticipated, ChoiceKey, FormulaKey, Item, Measure, NumberKey, Option
+from rbpsym.teaching.ranges import measured
 from rbpsym.teaching.situations import Scenery, names_in
 from rbpsym.teaching.solving import follow_ons, hint, measure_of, number_formula, number_names, where_text, worked
 from rbpsym.teaching.spoilers import Content, printed
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
-from rbpsym.teaching.units import measured
 from rbpsym.teaching.wording import spoken
 
 # --- formula: a result to be entered, in the quantities of the problem

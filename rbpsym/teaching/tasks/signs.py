@@ -11,7 +11,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.motion import Work
-from rbpsym.pictures.figures.free_body import free_body
+from rbpsym.pictures.figures.schematic import free_body
 from rbpsym.pictures.sketches import sketch_of
 from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import ENERGY

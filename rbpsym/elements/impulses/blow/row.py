@@ -1,6 +1,6 @@
 """The impulse as it is given."""
 
-from rbpsym.oracles.simulation_strikes import Bench, Element, End, Strikes, along
+from rbpsym.oracles.simulation_phases import Bench, Element, End, Strikes, along
 
 
 def struck(element: Element, bench: Bench, end: End) -> Strikes:

@@ -3,7 +3,7 @@
 from copy import copy
 
 from rbpsym.oracles.simulation_contacts import slipping
-from rbpsym.oracles.simulation_strikes import Bench, Element, End, Strikes, dense, met, parting
+from rbpsym.oracles.simulation_phases import Bench, Element, End, Strikes, dense, met, parting
 
 
 def struck(element: Element, bench: Bench, end: End) -> Strikes:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rbpsym.oracles.simulation_strikes import Bench, Element, End, Parting, Strikes, along
+from rbpsym.oracles.simulation_phases import Bench, Element, End, Parting, Strikes, along
 
 
 def struck(element: Element, bench: Bench, end: End) -> Strikes:

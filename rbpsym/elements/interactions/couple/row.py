@@ -1,6 +1,6 @@
 """A couple on a body."""
 
-from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Mechanism, couples, values
+from rbpsym.oracles.simulation_bodies import Coordinates, Element, Law, Mechanism, couples, values
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:

@@ -1,6 +1,6 @@
 """The pull of a dashpot."""
 
-from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Mechanism, between
+from rbpsym.oracles.simulation_bodies import Coordinates, Element, Law, Mechanism, between
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:

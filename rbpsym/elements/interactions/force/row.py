@@ -2,7 +2,7 @@
 
 import math
 
-from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Load, Mechanism, State, load_at, placed, values
+from rbpsym.oracles.simulation_bodies import Coordinates, Element, Law, Load, Mechanism, State, load_at, placed, values
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:

@@ -1,6 +1,6 @@
 """The pull along the line of two points."""
 
-from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Load, Mechanism, State, between, values
+from rbpsym.oracles.simulation_bodies import Coordinates, Element, Law, Load, Mechanism, State, between, values
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:

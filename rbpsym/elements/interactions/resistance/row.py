@@ -4,7 +4,7 @@ import math
 
 from rbpsym.mechanics.numbers import Values
 from rbpsym.oracles.simulation_bodies import Coordinates, Load, Mechanism, State, load_at, placed
-from rbpsym.oracles.simulation_resistance import Against, law
+from rbpsym.oracles.simulation_joints import Against, law
 from rbpsym.statement.model import Element
 
 RESTING = 1e-12

@@ -1,8 +1,7 @@
 """A couple against the turning of two bodies."""
 
-from rbpsym.oracles.simulation_bodies import difference
-from rbpsym.oracles.simulation_laws import Coordinates, Element, Load, Mechanism, State, couples
-from rbpsym.oracles.simulation_resistance import Against, law
+from rbpsym.oracles.simulation_bodies import Coordinates, Element, Load, Mechanism, State, couples, difference
+from rbpsym.oracles.simulation_joints import Against, law
 
 row = law
 

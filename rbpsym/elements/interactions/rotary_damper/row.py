@@ -1,7 +1,6 @@
 """The couple of a rotary dashpot."""
 
-from rbpsym.oracles.simulation_bodies import difference
-from rbpsym.oracles.simulation_laws import Coordinates, Element, Law, Mechanism, couples
+from rbpsym.oracles.simulation_bodies import Coordinates, Element, Law, Mechanism, couples, difference
 
 
 def row(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
