@@ -45,9 +45,10 @@ def decided(course: Course, derivations: Mapping[str, Derivation]) -> Formulas:
         if claim.id not in used:
             what = f"no text of the course is bound to the claim “{claim.id}”"
             raise StatementError(what, instead=f"write {{claim:{claim.id}}} in a sentence, or drop the claim.", place=claim.place)
-        found[claim.id, ""] = node = _proved(checker, claim, claim.printed, used[claim.id])
+        printed = claim.printed or Printed("")
+        found[claim.id, ""] = node = _proved(checker, claim, printed, used[claim.id])
         if not isinstance(node, RELATIONS):
-            what = f"the claim “{claim.id}” asserts nothing: {claim.printed.latex.strip()} is no relation"
+            what = f"the claim “{claim.id}” asserts nothing: {printed.latex.strip()} is no relation"
             raise StatementError(what, instead="write a relation.", place=claim.place)
     for sentence, claim, formula in _formulas(sentences, claims):
         if (claim.id, formula.latex) not in found:

@@ -104,7 +104,7 @@ def label(node: t.Node, notation: Notation) -> dict[str, str]:
 def force_labels(system: System, notation: Notation, said: Words) -> dict[str, dict[str, Any]]:
     """By “force@body”: the name of the force, and of the body if there are several."""
     several = len(system.bodies) > 1
-    found = {}
+    found: dict[str, dict[str, Any]] = {}
     for force in system.forces:
         is_told = force_node(system, force) == t.Vec(f"{force.name}_{force.on}")
         body = said.body(force.on) if several and not is_told else ""
@@ -132,19 +132,20 @@ Put = Callable[[Scalar], int]
 
 def strikes(stage: Stage, begins: Phase, put: Put, notation: Notation) -> dict[str, Any] | None:
     """Arrows, components and the kinetic energy that is lost; None where nothing strikes."""
-    if not stage.began.is_blow:
+    began = stage.began
+    if began is None or not began.is_blow:
         return None
     return {
-        "arrows": list(arrows(stage, begins, put, notation)),
-        "parts": [{**label(node, notation), "value": put(value)} for node, value in components(stage, begins)],
-        "lost": put(stage.began.energy_lost),
+        "arrows": list(arrows(began, stage, begins, put, notation)),
+        "parts": [{**label(node, notation), "value": put(value)} for node, value in components(began, stage, begins)],
+        "lost": put(began.energy_lost),
     }
 
 
-def arrows(stage: Stage, begins: Phase, put: Put, notation: Notation) -> Iterator[dict[str, Any]]:
+def arrows(began: HandOver, stage: Stage, begins: Phase, put: Put, notation: Notation) -> Iterator[dict[str, Any]]:
     """The impulses that are known and not zero, on all bodies."""
-    for force in impulsive(stage.study.system, stage.began.phase.impulses):
-        vector, point, couple = (put_in(stage.began, value) for value in (force.vector, force.point, force.couple))
+    for force in impulsive(stage.study.system, began.phase.impulses if began.phase else ()):
+        vector, point, couple = (put_in(began, value) for value in (force.vector, force.point, force.couple))
         unknown = any(depends_on(part, n) for part in (vector.x, vector.y, couple) for n in force.unknowns)
         if not unknown and not all(map(is_zero, (vector.x, vector.y, couple))):
             yield {
@@ -172,14 +173,14 @@ def letter(force: Force, stage: Stage, begins: Phase) -> t.Node:
     return given[0] if len(given) == 1 else t.Sym(force.name)
 
 
-def components(stage: Stage, begins: Phase) -> Iterator[tuple[t.Node, Scalar]]:
+def components(began: HandOver, stage: Stage, begins: Phase) -> Iterator[tuple[t.Node, Scalar]]:
     """What a table names: the components of blows, then all unknown impulses that are not zero."""
     for element in begins.impulses:
         if element.kind == "blow":
             vector = pair(element["impulse"])
             yield from ((present(part), part) for part in (vector.x, vector.y) if not is_zero(part))
     own = {name for element in begins.impulses for name in restitutions(element)}
-    for name, value in stage.began.impulses.items():
+    for name, value in began.impulses.items():
         if not is_zero(value):
             yield t.Sym(name if name in own else hat(name, stage)), value
 

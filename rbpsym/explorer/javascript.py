@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from rbpsym.errors import StatementError
 from rbpsym.field import ONE, Poly, Scalar, atoms
+from rbpsym.field.poly import Monomial
 
 FUNCTIONS = {
     "cos": "cos",
@@ -84,7 +85,7 @@ class Program:
             text += term if term.startswith("-") or not text else f"+{term}"
         return text or "0"
 
-    def _term(self, monomial: tuple, coefficient: int | Fraction) -> str:
+    def _term(self, monomial: Monomial, coefficient: int | Fraction) -> str:
         ratio = Fraction(coefficient)
         above = [self._power(index, e) for index, e in monomial if e > 0]
         below = [self._power(index, -e) for index, e in monomial if e < 0]

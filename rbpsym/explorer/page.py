@@ -36,7 +36,7 @@ from rbpsym.pictures.figures.scene import COLORS
 from rbpsym.quantities import ENERGY, NUMBER, TIME, Dimension, Quantity
 from rbpsym.statement import units
 from rbpsym.statement.curves import is_slot
-from rbpsym.statement.model import Coordinate, Element, Problem
+from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.units import unit_text
 
 # --- a problem as the explorer has it: data for JSON, and the functions of its phases as JavaScript
@@ -99,9 +99,9 @@ def model(problem: Problem, language: str) -> Model:
         ],
     }
     ends = (parts[0], *parts[1:][-1:])
-    free = tuple(loose(part.study, names, _ground(parts)) for part in ends)
+    free = tuple(filter(None, (loose(part.study, names, _ground(parts)) for part in ends)))
     alt = plain("explorer.picture", language, parts=_bodies(study, said))
-    return Model(data, phases, alt, partial, free if None not in free else ())
+    return Model(data, phases, alt, partial, free if len(free) == len(ends) else ())
 
 
 def _bodies(study: Study, said: Words) -> list[str]:
@@ -141,7 +141,7 @@ def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str,
 
 def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
     """The fixed lines that are touched in some phase: the floor is there also when nothing stands on it."""
-    struck = (e for part in parts[1:] for e in part.began.phase.impulses)
+    struck = (e for part in parts if part.began and part.began.phase for e in part.began.phase.impulses)
     found = chain((e for part in parts for e in part.study.problem.constraints), struck)
     return tuple(
         e for e in found if e.values.get("line") is not None and e.values.get("of") is None and not is_slot(e)
@@ -153,14 +153,14 @@ def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:
     if k + 1 == len(parts):
         return LAST
     ending = problem.phases[k]
-    goal = None
+    goal, began, name = None, parts[k + 1].began, ending.subject or ""
     if ending.event in ("reaches", "rests"):
-        place, speed = of_coordinate(parts[k].study, ending.subject)
-        goal = ending.subject, speed if ending.event == "rests" else place - scalar(ending.value)
-    if ending.event == "begins":
-        goal = ending.subject, gap(ending.gap, geometry_of(parts[k].study.system))
+        place, speed = of_coordinate(parts[k].study, name)
+        goal = name, place - scalar(ending.value) if ending.event == "reaches" and ending.value is not None else speed
+    if ending.gap is not None and ending.event == "begins":
+        goal = name, gap(ending.gap, geometry_of(parts[k].study.system))
     names_of = tuple((kind, ending.subject) for kind in KINDS.get(ending.event, ()))
-    return PhaseEnding(parts[k + 1].began.before.time, names_of, goal)
+    return PhaseEnding(began.before.time if began else None, names_of, goal)
 
 
 # event that begins a phase -> events of the explorer that end the phase before
@@ -173,7 +173,7 @@ def _number(slider: Slider, notation: Notation, said: Words) -> dict[str, Any]:
     return {k: v for k, v in found.items() if v is not None} | label(slider.symbol, notation)
 
 
-def _coordinate(coordinate, notation: Notation, said: Words) -> dict[str, Any]:
+def _coordinate(coordinate: Coordinate, notation: Notation, said: Words) -> dict[str, Any]:
     """Letters and units of a coordinate, its speed and its acceleration."""
     name, dimension = coordinate.name, coordinate.quantity.dimension
     angle = dimension == NUMBER
@@ -273,7 +273,7 @@ def sliders(study: Study) -> tuple[Slider, ...]:
     """Parameters, constants of the start, and starts that the author left open; the example's numbers to begin with."""
     problem = study.problem
     numbers = sample(problem, problem.example)
-    starts = {c.start.name: c for c in problem.coordinates if getattr(c.start, "name", None) in problem.implicit}
+    starts = {c.start.name: c for c in problem.coordinates if isinstance(c.start, t.Sym) and c.start.name in problem.implicit}
     turned = angles(problem)
     found = [
         _start(q.name, starts[q.name], numbers) if q.name in starts else _parameter(q, numbers, turned)
@@ -339,7 +339,7 @@ def angles(problem: Problem) -> frozenset[str]:
 TURNS = frozenset({"sin", "cos", "tan"})
 
 
-def _body_nodes(body) -> list[t.Node]:
+def _body_nodes(body: Body) -> list[t.Node]:
     placed = list(body.placed[1]) if body.placed else []
     return [*placed, *([body.angle] if body.angle is not None else [])]
 

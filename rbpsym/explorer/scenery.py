@@ -21,7 +21,7 @@ from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.pose import touched_radii
 from rbpsym.statement.curves import is_slot
-from rbpsym.statement.model import Element, PlacedShape, Shape
+from rbpsym.statement.model import Element, PlacedShape, Shape, Turn
 from rbpsym.statement.paths import runs
 from rbpsym.statement.slots import drawn_as
 from rbpsym.statement.solids import copies, leaves
@@ -87,7 +87,7 @@ def often(seen: SeenStudy, placed: PlacedShape) -> int:
     return 1 if placed.count is None else max(2, round(number(scalar(placed.count), sample(seen.study.problem))))
 
 
-def part(seen: SeenStudy, placed) -> Part:
+def part(seen: SeenStudy, placed: PlacedShape) -> Part:
     """A part of a composite."""
     at = [seen.node(node) for node in placed.at]
     return {**shape(seen, placed.shape), "at": at, "angle": seen.node(placed.angle), "removed": placed.removed}
@@ -181,7 +181,7 @@ def bent(seen: SeenStudy, element: Element) -> Iterator[Part]:
     yield from ({"ends": [one, other], "turn": None} for one, other in zip(places, places[1:], strict=False))
 
 
-def turn(seen: SeenStudy, found) -> Part | None:
+def turn(seen: SeenStudy, found: Turn) -> Part | None:
     """The circle that a string meets, and the sense in which it runs round it."""
     if not found.sense:
         return None

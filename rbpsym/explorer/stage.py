@@ -139,7 +139,7 @@ def _nudge(study: Study) -> dict[str, Any] | None:
     coordinates = {c.name: c for c in study.problem.coordinates}
     name = min(system.independent, key=lambda n: coordinates[n].quantity.dimension.length != 0)
     upper, start = coordinates[name].upper, coordinates[name].start
-    way = -1 if None not in (upper, start) and is_zero(scalar(upper) - scalar(start)) else 1
+    way = -1 if upper is not None and start is not None and is_zero(scalar(upper) - scalar(start)) else 1
     return {"place": system.coordinates.index(name), "name": name, "way": way}
 
 
@@ -201,7 +201,7 @@ def _speed(study: Study, name: str) -> Scalar:
     return symbol(f"{name}_dot") if rate is None else rate
 
 
-def _force(force: Force, put) -> dict[str, Any]:
+def _force(force: Force, put: Callable[[Scalar], int]) -> dict[str, Any]:
     return {
         "name": force.name,
         "on": force.on,
@@ -213,7 +213,7 @@ def _force(force: Force, put) -> dict[str, Any]:
     }
 
 
-def _potential(study: Study, put) -> int | None:
+def _potential(study: Study, put: Callable[[Scalar], int]) -> int | None:
     """The sum of the potential energies that there are; None if no interaction has one."""
     found = [value for value in energy.potentials(study.system).values() if value is not None]
     return put(sum(found, NOTHING)) if found else None

@@ -148,7 +148,7 @@ def _solved(known: Study, notation: Notation) -> tuple[list[str], list[str]]:
     """Accelerations and unknown forces as the free bodies give them; the equations of motion where these stay coupled."""
     found = known.solved
     coupled = known.motion_rows if found.accelerations is None else ()
-    motion = [t.equation(present(row, known.style), t.ZERO) for row in coupled]
+    motion: list[t.Node] = [t.equation(present(row, known.style), t.ZERO) for row in coupled]
     motion += _values(found.accelerations or {}, known)
     shown = [[to_mathml(node, notation) for node in nodes] for nodes in (motion, _values(found.reactions, known))]
     return shown[0], shown[1]
@@ -277,7 +277,7 @@ def letters(text: str, language: str = "en") -> Answer:
     return {"letters": _tutor(text, language).letters}
 
 
-def judge(text: str, line: str, lines: list = NONE, language: str = "en") -> Answer:
+def judge(text: str, line: str, lines: list[str] = NONE, language: str = "en") -> Answer:
     """{verdict, says, step, principle, choices} of a student's line, typed plainly or LaTeX; `lines` are those above it.
 
     Where the line is one of the principles `choices` [{key, words}], the student may be asked which (`principle` is its key).
@@ -289,14 +289,15 @@ def judge(text: str, line: str, lines: list = NONE, language: str = "en") -> Ans
     return {**told, "principle": found.principle, "choices": asked}
 
 
-def hint(text: str, lines: list = NONE, depth: int = 1, language: str = "en") -> Answer:
+def hint(text: str, lines: list[str] = NONE, depth: int = 1, language: str = "en") -> Answer:
     """{says, line}: the next step that can be made, the more of it the greater the depth (1 to 3: then `line` is all of it)."""
     return dict(zip(("says", "line"), _tutor(text, language).hint(lines, depth), strict=True))
 
 
-def record(text: str, lines: list, language: str = "en") -> Answer:
+def record(text: str, lines: list[str], language: str = "en") -> Answer:
     """{problem, lines: [{line, verdict, says}], steps, all}: what a student hands in."""
-    return _tutor(text, language).record(lines)
+    found: Answer = _tutor(text, language).record(lines)
+    return found
 
 
 def _one_of(value: str, known: tuple[str, ...], what: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from rbpsym.ask.question import CLAUSES
 from rbpsym.elements.constraints import CONSTRAINTS
@@ -60,6 +61,6 @@ def _told(field: Field) -> str:
     return f"{field.meaning}{choices}{'' if field.default is None else '; may be left out'}"
 
 
-def _examples(rows: Iterable[tuple]) -> list[str]:
+def _examples(rows: Iterable[tuple[Any, ...]]) -> list[str]:
     """The examples of a table of phrases, which stand last in each row."""
     return [row[-1] for row in rows if isinstance(row[-1], str) and row[-1]]

@@ -21,6 +21,7 @@ from rbpsym.decide.series import Series
 from rbpsym.decide.verdict import Verdict, Witness, refuted, undecided
 from rbpsym.errors import RbpsymError
 from rbpsym.field import NOTHING, ONE, UNITY, Poly, Scalar, atoms, cosine, is_zero, names_in, root, substitute, symbol
+from rbpsym.field.poly import Monomial
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
@@ -103,7 +104,7 @@ class Moving(Frozen):
         grown = self._poly(angle)
         return series.turn(self.point.turn(start.num) if is_whole else e.turn_of(grown[0]), grown)
 
-    def _is_multiple(self, monomial: tuple, coefficient: Fraction | int) -> bool:
+    def _is_multiple(self, monomial: Monomial, coefficient: Fraction | int) -> bool:
         name = angle_name(monomial)
         return name is None or name not in self.point.angles or (coefficient * self.point.parts[name]).denominator == 1
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from functools import cached_property
+from functools import cached_property, partial
 
-from rbpsym.decide.verdict import Verdict, refuted, undecided
+from rbpsym.decide.verdict import REFUTED, Verdict, undecided
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import relations
@@ -38,7 +38,8 @@ class Refuter(Frozen):
         """The names that parameters and the motion have."""
         study = self.context.study
         moving = study.system.scope.rates.keys() | study.system.tied().keys()
-        return moving.union((q.name for q in study.problem.parameters), study.system.unknowns, study.system.accelerations, "t")
+        declared = (quantity.name for quantity in study.problem.parameters)
+        return frozenset(moving).union(declared, study.system.unknowns, study.system.accelerations, "t")
 
     @property
     def _moving(self) -> frozenset[str]:
@@ -95,13 +96,14 @@ class Refuter(Frozen):
     def _is_open(self) -> bool:
         """Are there places of which no formula is known?"""
         study = self.context.study
-        return not study.at_start and (study.rest.open_ or any("factor" in s.data and not s.data.get("at") for s in self.steps))
+        without = any("factor" in step.data and not step.data.get("at") for step in self.steps)
+        return not study.at_start and (bool(study.rest.open_) or without)
 
     def refutation(self, read: t.Node) -> Verdict:
         """REFUTED with a state of the motion, or UNDECIDED with the reason."""
         found = undecided("several")
         for row in relations(read) if not t.names(read) & self._ambiguous else ():
-            found = guarded(lambda row=row: self._of(*row))
+            found = guarded(partial(self._of, *row))
             if found.is_refuted:
                 break
         return found
@@ -110,7 +112,7 @@ class Refuter(Frozen):
     def _ambiguous(self) -> frozenset[str]:
         """The letters of which steps say what does not go together: they mean several things (P_x of one body and of another)."""
         rows = [(t.Sym(name), node) for name, node in _solved(self.steps) if name not in self._own]
-        return frozenset(sym.name for sym, node in rows if guarded(lambda a=sym, b=node: self._of(a, "=", b)).is_refuted)
+        return frozenset(sym.name for sym, node in rows if guarded(partial(self._of, sym, "=", node)).is_refuted)
 
     def _of(self, left: t.Node, op: str, right: t.Node) -> Verdict:
         if op in CONTRARY:
@@ -166,7 +168,7 @@ class Refuter(Frozen):
         from rbpsym.studio.sheet import proof
 
         found = proof(self.context, contrary)
-        return refuted(f"the contrary is proved: {found.how}", None) if found.is_proved else undecided(found.reason)
+        return Verdict(REFUTED, f"the contrary is proved: {found.how}") if found.is_proved else undecided(found.reason)
 
     def _senses(self, left: t.Node, right: t.Node) -> Iterator[list[f.Gap]]:
         """What must agree: the sides; where something is summed up along the motion, how they begin and how they grow."""
@@ -202,7 +204,7 @@ def has_vectors(values: Iterable[Value]) -> bool:
 
 def _pairs(a: Value, b: Value) -> list[f.Gap]:
     """The components that must agree."""
-    if not has_vectors((a, b)):
+    if isinstance(a, Scalar) and isinstance(b, Scalar):
         return [(a, b)]
     sides = (value.components() if isinstance(value, Space) else (NOTHING, NOTHING, value) for value in (a, b))
     return list(zip(*sides, strict=True))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from contextlib import suppress
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 
 from rbpsym.claims.conditions import relations
@@ -81,7 +81,7 @@ class Sheet(Frozen):
     @cached_property
     def context(self) -> Context:
         """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
-        letters = self.derivation.letters
+        letters: Context = self.derivation.letters
         return replace(letters, scalars={**self._ground.scope.scalars, **letters.scalars})
 
     @cached_property
@@ -139,8 +139,8 @@ class Sheet(Frozen):
         return self._with_rates(read_formula(line, self._book, labels=False))
 
     def _with_rates(self, node: t.Node) -> t.Node:
-        is_rate = isinstance(node, t.Sym) and node.name in self._rates
-        return self._rates[node.name] if is_rate else t.mapped(node, self._with_rates)
+        rate = self._rates.get(node.name) if isinstance(node, t.Sym) else None
+        return rate or t.mapped(node, self._with_rates)
 
     def value(self, node: t.Node) -> Value | None:
         """In coordinates, speeds, accelerations and unknown forces; None where it has none."""
@@ -198,7 +198,8 @@ class Sheet(Frozen):
 
     def _is_kept(self, gap: Scalar) -> bool:
         """Does it vanish all along the motion, and not at a rest or a moment only?"""
-        return is_zero(self.context.on_motion(gap))
+        found = self.context.on_motion(gap)
+        return isinstance(found, Scalar) and is_zero(found)
 
     def _tells(self, ends: tuple[t.Node, t.Node]) -> bool:
         """Does an equation say what a letter is that has a value, and not only where it vanishes?"""
@@ -242,20 +243,23 @@ def proof(context: Context, read: t.Node) -> Verdict:
     if not ops <= {"=", *ORDERS}:
         return undecided("only equations and inequalities are decided")
     for check in CHECKS if ops == {"="} else IN_STATES:
-        found = checks.guarded(lambda check=check: check(context, step))
+        found = checks.guarded(partial(check, context, step))
         if found.is_proved:
             break
     return found
 
 
 def _ends(statement: t.Node) -> list[t.Chain]:
-    is_long = isinstance(statement, t.Chain) and len(statement.items) > 2 and set(statement.ops) == {"="}
-    return [t.equation(statement.items[0], statement.items[-1])] if is_long else []
+    if not isinstance(statement, t.Chain) or len(statement.items) <= 2 or set(statement.ops) != {"="}:
+        return []
+    return [t.equation(statement.items[0], statement.items[-1])]
 
 
 def is_same(one: Value | None, other: Value | None) -> bool:
     """Are both known, and equal for every state?"""
-    return one is not None and type(one) is type(other) and (one == other or (isinstance(one, Scalar) and is_zero(one - other)))
+    if isinstance(one, Scalar) and isinstance(other, Scalar):
+        return one == other or is_zero(one - other)
+    return one is not None and one == other
 
 
 def sheets(derivation: Derivation, language: str) -> Mapping[str, Sheet]:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterable, Iterator
+from fractions import Fraction
+from typing import Any
 
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, Space, Value, is_zero, names_in
@@ -50,7 +52,7 @@ def _beside(wrong: t.Chain, step: t.Chain, is_same: Callable[[t.Node, t.Node], b
                 yield wrong.items[this], step.items[goal]
 
 
-def _told(side: t.Node, goal: t.Node, given: Value, true: Value, value: Valued) -> Slip:
+def _told(side: t.Node, goal: t.Node, given: Any, true: Any, value: Valued) -> Slip:
     """How one side differs from what it should be."""
     if (ratio := _ratio(given, true)) is not None:
         return Slip("sign" if ratio == -1 else "times", side, by=str(ratio))
@@ -100,10 +102,10 @@ def _kind(part: t.Node, goal: t.Node) -> str:
 def _of_term(over: Value, its: Value) -> str:
     """What is wrong with a term by which the side is off."""
     ratio = _ratio(over, its)
-    return "" if ratio is None else {2: "sign", 1: "extra"}.get(ratio, "factor")
+    return "" if ratio is None else "sign" if ratio == 2 else "extra" if ratio == 1 else "factor"
 
 
-def _ratio(one: Value, other: Value) -> object | None:
+def _ratio(one: Value, other: Value) -> int | Fraction | None:
     """The number by which they differ; None if it is none, or one of them vanishes."""
     if isinstance(one, Space) or isinstance(other, Space):
         pairs = zip(_parts(one), _parts(other), strict=True)
@@ -112,7 +114,7 @@ def _ratio(one: Value, other: Value) -> object | None:
     return None if is_zero(one) or is_zero(other) else quotient(one, other)
 
 
-def quotient(one: Scalar, other: Scalar) -> object | None:
+def quotient(one: Scalar, other: Scalar) -> int | Fraction | None:
     """The number by which two values differ, if it is one."""
     return (one / other).number() if names_in(one) == names_in(other) else None
 
