@@ -68,7 +68,8 @@ class Refuter(Frozen):
 
     def _value(self, node: t.Node) -> Value | None:
         try:
-            return self.context.value(node)
+            found: Value = self.context.value(node)
+            return found
         except (RbpsymError, ZeroDivisionError):
             return None
 
