@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -45,7 +45,7 @@ class DrawnPose(Frozen, eq=False):
         return fitted(system, numbers) if system.implicit else numbers
 
     @cached_property
-    def where(self):
+    def where(self) -> Callable[[PointRef], Vector]:
         """The position of a point of the statement."""
         return where_in(self.study.system)
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations
 
 from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
 from rbpsym.field import derivative
 from rbpsym.pictures.figures.outlines import turned
-from rbpsym.pictures.figures.sketch import AngleMark, LengthMark, Point, RadiusMark
+from rbpsym.pictures.figures.scene import Point
+from rbpsym.pictures.figures.sketch import AngleMark, LengthMark, RadiusMark, SketchLine
 from rbpsym.pictures.pose import RADII, DrawnPose, other_numbers
 from rbpsym.pictures.sketch_supports import circles, cords, lines, points
-from rbpsym.quantities import LENGTH, NUMBER
+from rbpsym.quantities import LENGTH, NUMBER, Dimension
 from rbpsym.statement.model import PlacedShape, PointRef
 
 
@@ -21,8 +22,9 @@ def lengths(pose: DrawnPose) -> Iterator[LengthMark]:
     """Sizes of bodies, length coordinates, and distances that are parameters and not shown otherwise."""
     found = [*_sizes(pose), *_part_lengths(pose), *_displacements(pose)]
     yield from found
-    told = [mark.label for mark in (*found, *radii(pose), *cords(pose)) if mark.label is not None]
-    shown = {leaf.name for label in told for leaf in t.walk(label) if isinstance(leaf, t.Sym)}
+    told = [mark.label for mark in found] + [mark.label for mark in radii(pose)] + [mark.label for mark in cords(pose)]
+    trees = (label for label in told if isinstance(label, t.Node))
+    shown = {leaf.name for tree in trees for leaf in t.walk(tree) if isinstance(leaf, t.Sym)}
     yield from _distances(pose, shown)
 
 
@@ -124,7 +126,7 @@ def _upright(p: Point, q: Point) -> float:
 
 
 WAYS = (_apart, _across, _upright)
-ENDS_OF = {
+ENDS_OF: Mapping[object, Callable[[Point, Point], tuple[Point, Point]]] = {
     _apart: lambda p, q: (p, q),
     _across: lambda p, q: ((p[0], min(p[1], q[1])), (q[0], min(p[1], q[1]))),
     _upright: lambda p, q: ((max(p[0], q[0]), p[1]), (max(p[0], q[0]), q[1])),
@@ -170,7 +172,7 @@ def radii(pose: DrawnPose) -> Iterator[RadiusMark]:
             seen.add(size)
             yield RadiusMark(at, pose.node(size), size)
     for circle in circles(pose):
-        if circle.label not in seen:
+        if isinstance(circle.label, t.Node) and circle.label not in seen:
             seen.add(circle.label)
             yield RadiusMark(circle.at, circle.radius, circle.label)
     for name, rims in pose.rims.items():
@@ -297,7 +299,7 @@ def _slopes(pose: DrawnPose) -> Iterator[AngleMark]:
             yield _slope_mark(pose, line, t.Sym(name))
 
 
-def _slope_mark(pose: DrawnPose, line, label: t.Node) -> AngleMark:
+def _slope_mark(pose: DrawnPose, line: SketchLine, label: t.Node) -> AngleMark:
     """Between the horizontal and the line, below all that stands on it."""
     size = math.hypot(line.a, line.b)
     down = (line.b / size, -line.a / size)
@@ -311,12 +313,12 @@ def _slope_mark(pose: DrawnPose, line, label: t.Node) -> AngleMark:
     return AngleMark(at, start, uphill, label)
 
 
-def _rise(line) -> float:
+def _rise(line: SketchLine) -> float:
     """The acute angle of a line with the horizontal, 0 for a level or an upright one."""
     return math.atan2(abs(line.a), abs(line.b)) if abs(line.a) > CLOSE and abs(line.b) > CLOSE else 0.0
 
 
-def parameters(pose: DrawnPose, dimension) -> list[str]:
+def parameters(pose: DrawnPose, dimension: Dimension) -> list[str]:
     """Names of the parameters of a dimension."""
     return [q.name for q in pose.study.problem.parameters if q.dimension == dimension]
 

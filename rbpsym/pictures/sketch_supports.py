@@ -14,7 +14,8 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.strings import segments
 from rbpsym.pictures.figures import sketch as sk
-from rbpsym.pictures.figures.sketch import Point, SketchArrow
+from rbpsym.pictures.figures.scene import Point
+from rbpsym.pictures.figures.sketch import SketchArrow
 from rbpsym.pictures.pose import DrawnPose
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.curves import is_slot
@@ -92,7 +93,7 @@ def _string_ends(pose: DrawnPose, path: tuple[Turn, ...]) -> Iterator[sk.SketchP
             yield sk.SketchPoint("guide", pose.ref(turn.center))
 
 
-def origin_label(at: sk.Point) -> t.Node | None:
+def origin_label(at: Point) -> t.Node | None:
     """O, where the origin is."""
     return t.Sym("O") if math.hypot(*at) < NEAR else None
 
@@ -117,7 +118,7 @@ def lines(pose: DrawnPose) -> Iterator[sk.SketchLine]:
         )
 
 
-def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: sk.Point) -> sk.Point | None:
+def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: Point) -> Point | None:
     """Where a line ends before a pulley that stands at its end."""
     a, b, c = line
     for element in pose.study.problem.of_kind("string"):
@@ -157,7 +158,7 @@ def _touched(pose: DrawnPose, element: Element) -> sk.SketchCircle:
     return sk.SketchCircle(at, radius, kind, element["radius"] if radius else None)  # a corner has no size to tell
 
 
-def _hollow(pose: DrawnPose, element: Element, at: sk.Point) -> str:
+def _hollow(pose: DrawnPose, element: Element, at: Point) -> str:
     """A bowl, if all that touches the circle is below its centre and no angle goes all round."""
     turning = [c for c in pose.study.problem.coordinates if c.quantity.dimension == NUMBER and c.start is not None]
     if any(None in (c.lower, c.upper) for c in turning):
@@ -175,7 +176,7 @@ def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
         yield sk.SketchCord(tuple(pose.ref(ref) for ref in element["between"]), element["size"], "string")
     for element in pose.study.problem.of_kind("string"):
         pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
-        found: list[sk.Point] = []
+        found: list[Point] = []
         for place, piece in enumerate(pieces):
             found += [pose.point(piece.start), pose.point(piece.end)]
             if piece.second.sense and place + 1 < len(pieces):
@@ -205,11 +206,11 @@ def _bent(pose: DrawnPose, element: Element) -> sk.SketchCord:
     here = pose.value(parameter(element, geometry_of(pose.study.system)))
     reach = 1.3 * max(abs(here), pose.size / 2 if curve.axis else 1.0)
     numbers = ({**pose.numbers, curve.name: reach * k / 24} for k in range(-24, 25))
-    places = [tuple(number(scalar(node), known) for node in (curve.x, curve.y)) for known in numbers]
+    places = [(number(scalar(curve.x), known), number(scalar(curve.y), known)) for known in numbers]
     return sk.SketchCord(tuple(places), None, "rail")
 
 
-def _round(start: sk.Point, end: sk.Point, middle: sk.Point, sense: int) -> list[sk.Point]:
+def _round(start: Point, end: Point, middle: Point, sense: int) -> list[Point]:
     """Points of the arc from one point of a circle to another."""
     first, last = (math.atan2(p[1] - middle[1], p[0] - middle[0]) for p in (start, end))
     turn = ((last - first) * sense) % math.tau
@@ -239,7 +240,7 @@ def strength(element: Element) -> t.Node:
     return found
 
 
-def _hinge(pose: DrawnPose, body: str) -> sk.Point:
+def _hinge(pose: DrawnPose, body: str) -> Point:
     """Where a body is hinged, else its centre."""
     held = (point.at for point in points(pose) if body in point.bodies)
     return next(held, pose.center(body))
@@ -284,7 +285,7 @@ def _acting(pose: DrawnPose, *values: Scalar) -> Iterator[list[float]]:
         yield [_value(pose, value, more) for value in values]
 
 
-def _value(pose: DrawnPose, value, more: Mapping[str, float]) -> float:
+def _value(pose: DrawnPose, value: Scalar, more: Mapping[str, float]) -> float:
     try:
         return number(value, {**pose.reactions(), **pose.numbers, **more})
     except NoNumber:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
+from typing import Any
 
 from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.expr import tree as t
@@ -14,7 +15,8 @@ from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.system import Force, System
 from rbpsym.pictures import sketch_dimensions as dimensions
 from rbpsym.pictures import sketch_supports as supports
-from rbpsym.pictures.figures.sketch import Point, Sketch, SketchBody, SketchCouple, SketchForce, SketchPart
+from rbpsym.pictures.figures.scene import Point
+from rbpsym.pictures.figures.sketch import Sketch, SketchBody, SketchCouple, SketchForce, SketchPart
 from rbpsym.pictures.pose import DrawnPose, Moving, other_numbers, require_motion
 from rbpsym.pictures.sketch_dimensions import angles
 from rbpsym.pictures.sketch_supports import arrows
@@ -67,8 +69,8 @@ def _bodies(pose: DrawnPose) -> Iterator[SketchBody]:
 
 def _outline(pose: DrawnPose, body: Body) -> tuple[str, dict[str, float]]:
     """Kind and sizes of the outline; one of no particular shape is as large as its rims and points ask."""
-    parts = body.shape.parts or (body.shape,)
-    if any(getattr(part, "shape", part).kind != "given" for part in parts):
+    shapes = [part.shape for part in body.shape.parts] or [body.shape]
+    if any(shape.kind != "given" for shape in shapes):
         return body.shape.kind, _sizes(pose, body.shape)
     rims = [pose.node(rim) for rim in pose.rims.get(body.name, ())]
     if rims and "center" in body.points:
@@ -102,7 +104,7 @@ def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:
     }
 
 
-def _gravity(pose: DrawnPose) -> dict[str, object]:
+def _gravity(pose: DrawnPose) -> dict[str, Any]:
     for element in pose.study.problem.of_kind("gravity"):
         x, y = (pose.node(n) for n in element["direction"])
         return {"gravity": (x, y), "gravity_label": element["g"]}

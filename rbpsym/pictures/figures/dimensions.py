@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from rbpsym.pictures.figures import marks
 from rbpsym.pictures.figures.scene import Label, Line, Point, Scene, direction, polar
-from rbpsym.pictures.figures.sketch import AngleMark, LengthMark, RadiusMark, Sketch, SketchLine
+from rbpsym.pictures.figures.sketch import AngleMark, Caption, LengthMark, RadiusMark, Sketch, SketchLine
 
 UP, DOWN = math.pi / 2, -math.pi / 2
 QUARTER = math.pi / 4
 
 
-def labelled(content: object, target: Point, toward: float | None = None, **more: object) -> tuple:
+def labelled(content: Caption, target: Point, toward: float | None = None, **more: Any) -> tuple[Label, ...]:
     """A label, if there is anything to write."""
     return () if content is None else (Label(content, target, toward, **more),)
 

@@ -120,6 +120,7 @@ def moved(item: Item, at: Point, angle: float) -> Item:
     """The item turned about the origin and shifted."""
     if isinstance(item, Line):
         return replace(item, points=tuple(turned(point, at, angle) for point in item.points))
+    assert isinstance(item, Circle), item
     return replace(item, center=turned(item.center, at, angle))
 
 

@@ -140,9 +140,14 @@ class Label(Frozen):
     size: tuple[float, float] = (0.0, 0.0)
 
     @property
+    def center(self) -> Point:
+        """Its place once that is found."""
+        return self.place or self.target
+
+    @property
     def box(self) -> tuple[float, float, float, float]:
         """Left, bottom, right, top."""
-        (x, y), (w, h) = self.place or self.target, self.size
+        (x, y), (w, h) = self.center, self.size
         return x - w / 2, y - h / 2, x + w / 2, y + h / 2
 
 

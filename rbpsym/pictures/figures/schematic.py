@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 from rbpsym.expr.tree import Sym
 from rbpsym.pictures.figures import dimensions, marks
@@ -63,14 +64,16 @@ def roundest(sketch: sk.Sketch) -> float:
 def extent(sketch: sk.Sketch) -> tuple[float, float, float, float]:
     """The box of bodies, points, links and marks."""
     found = [p for body in sketch.bodies for item in body_outline(body) for p in s.points_of(item)]
-    found += [mark.at for mark in (*sketch.points, *sketch.coils, *sketch.angles)]
+    marked: list[Any] = [*sketch.points, *sketch.coils, *sketch.angles]
+    found += [mark.at for mark in marked]
     found += [
         s.polar(c.at, c.radius, n * dimensions.UP)
         for c in sketch.circles
         for n in range(2 if c.kind == "bowl" else 0, 5)
     ]
     found += [point for cord in sketch.cords for point in cord.points]
-    found += [end for link in (*sketch.links, *sketch.lengths) for end in (link.start, link.end)]
+    spans: list[Any] = [*sketch.links, *sketch.lengths]
+    found += [end for link in spans for end in (link.start, link.end)]
     return s.box_of(tuple(found))
 
 
@@ -99,7 +102,7 @@ def draw_point(point: sk.SketchPoint, sketch: sk.Sketch) -> s.Scene:
     return s.Scene(items, dimensions.labelled(point.label, point.at, away + math.pi / 3, gap=0.2))
 
 
-POINTS = {
+POINTS: Mapping[str, Callable[..., tuple[s.Item, ...]]] = {
     "pivot": lambda at, away: (*marks.support(at, away), *marks.joint(at)),
     "weld": marks.clamp,
     "guide": lambda at, away: marks.joint(at),
@@ -119,7 +122,7 @@ def draw_link(link: sk.SketchLink, sketch: sk.Sketch) -> s.Scene:
     return s.Scene(items, dimensions.labelled(link.label, middle, aside, gap=0.22))
 
 
-CIRCLES = {
+CIRCLES: Mapping[str, Callable[..., tuple[s.Item, ...]]] = {
     "convex": lambda at, radius: (s.Circle(at, radius, "ground"), *marks.dot(at)),
     "concave": lambda at, radius: (*marks.bore(at, radius), *marks.dot(at)),
     "bowl": lambda at, radius: (*marks.bowl(at, radius), *marks.dot(at)),
@@ -179,7 +182,7 @@ def draw_line(line: sk.SketchLine, sketch: sk.Sketch) -> s.Scene:
     return s.Scene(marks.hatching(start, end), dimensions.labelled(line.label, target, toward))
 
 
-DRAW = {
+DRAW: Mapping[type, Callable[[Any, sk.Sketch], s.Scene]] = {
     sk.SketchBody: draw_body,
     sk.SketchPoint: draw_point,
     sk.SketchLink: draw_link,

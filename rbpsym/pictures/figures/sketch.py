@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
+from typing import Any
 
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, replace
@@ -218,14 +219,14 @@ def is_list_of_parts(value: object) -> bool:
     return isinstance(value, tuple) and bool(value) and is_dataclass(value[0])
 
 
-def scaled_part(part: object, factor: float) -> object:
+def scaled_part(part: Any, factor: float) -> Any:
     """A part with its lengths scaled; the ends of an angle are no lengths."""
     names = {"at", "reach", "ray"} if isinstance(part, AngleMark) else LENGTHS
     values = {item.name: getattr(part, item.name) for item in fields(part) if item.name in names}
     return replace(part, **{name: times(value, factor) for name, value in values.items()})
 
 
-def times(value: object, factor: float) -> object:
+def times(value: Any, factor: float) -> Any:
     """A length, a point, sizes by name, a part or several of these, scaled."""
     if value is None:
         return None

@@ -97,8 +97,8 @@ PRINT: Mapping[type, Callable[..., str]] = {
 def label_svg(label: s.Label, notation: Notation) -> str:
     """A label as MathML in a box that is a little larger than the label."""
     left, _, right, top = label.box
-    plain = isinstance(label.content, str)
-    inner = escape(label.content) if plain else accented(to_mathml(label.content, notation))
+    told = label.content
+    inner = escape(told) if isinstance(told, str) else accented(to_mathml(told, notation))
     wide, high = right - left + 0.4, top - label.box[1] + 0.4
     return (
         f'<foreignObject x="{number(left - 0.2)}" y="{number(-top - 0.2)}" width="{number(wide)}"'

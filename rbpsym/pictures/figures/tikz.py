@@ -75,9 +75,9 @@ PRINT: Mapping[type, Callable[..., str]] = {
 
 def label_tikz(label: s.Label, notation: Notation) -> str:
     """A node at the label's place."""
-    plain = isinstance(label.content, str)
-    text = latex_text(label.content) if plain else f"${to_latex(label.content, notation)}$"
-    return rf"\node[rb label, text=rb{label.color}] at {pair(label.place)} {{{text}}};"
+    told = label.content
+    text = latex_text(told) if isinstance(told, str) else f"${to_latex(told, notation)}$"
+    return rf"\node[rb label, text=rb{label.color}] at {pair(label.center)} {{{text}}};"
 
 
 def tikz_styles() -> str:

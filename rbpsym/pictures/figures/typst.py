@@ -95,8 +95,7 @@ PRINT: Mapping[type, Callable[..., str]] = {
 
 def label_typst(label: s.Label, origin: Origin, notation: Notation) -> str:
     """A label, centred at its place."""
-    x, y = label.place
-    plain = isinstance(label.content, str)
-    text = typst_string(label.content) if plain else f"${to_typst(label.content, notation)}$"
+    (x, y), told = label.center, label.content
+    text = typst_string(told) if isinstance(told, str) else f"${to_typst(told, notation)}$"
     at = f"{number(x - origin[0])}cm, {number(origin[1] - y)}cm"
     return f"label-at({at}, {color(label.color)}, {text})"

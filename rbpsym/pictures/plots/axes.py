@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -24,12 +25,12 @@ class Axis(Frozen):
     ticks: tuple[float, ...]
     texts: tuple[str, ...]
 
-    def at(self, value: float | np.ndarray) -> float | np.ndarray:
-        """How far from its beginning a value is, in cm."""
+    def at(self, value: Any) -> Any:
+        """How far from its beginning a value (or each of an array) is, in cm."""
         return self.length * (value - self.low) / (self.high - self.low)
 
 
-def axis(values: Sequence[float], length: float, *, sign: str = "", decimal: str = ".", tight: bool = False) -> Axis:
+def axis(values: Sequence[float] | np.ndarray, length: float, *, sign: str = "", decimal: str = ".", tight: bool = False) -> Axis:
     """The axis that holds all values; a `tight` one ends with them, else it ends at ticks or a little beyond."""
     known = np.asarray(values)[np.isfinite(values)]
     low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
@@ -98,10 +99,10 @@ def walked(points: np.ndarray, stride: float) -> np.ndarray:
 
 def squares(points: np.ndarray) -> np.ndarray:
     """The column and row of points, as far as the sheet goes."""
-    return np.clip(np.floor((points - CORNER) / SQUARE).astype(int), 0, np.array(EXTENT) - 1)
+    return np.asarray(np.clip(np.floor((points - CORNER) / SQUARE).astype(int), 0, np.array(EXTENT) - 1))
 
 
-def inked(lines: Iterable[Sequence[Point]], boxes: Iterable[Box] = ()) -> np.ndarray:
+def inked(lines: Iterable[Sequence[Point] | np.ndarray], boxes: Iterable[Box] = ()) -> np.ndarray:
     """A sheet with some broken lines and full boxes."""
     sheet = np.zeros(EXTENT, dtype=bool)
     for line in lines:
@@ -120,7 +121,7 @@ def summed(sheet: np.ndarray) -> np.ndarray:
 def are_free(ink: np.ndarray, middles: np.ndarray, half: np.ndarray) -> np.ndarray:
     """At which middles there is no ink in a box of half that size."""
     (first, low), (last, high) = squares(middles - half).T, squares(middles + half).T + 1
-    return ink[last, high] - ink[first, high] - ink[last, low] + ink[first, low] == 0
+    return np.asarray(ink[last, high] - ink[first, high] - ink[last, low] + ink[first, low] == 0)
 
 
 def places(
@@ -131,9 +132,9 @@ def places(
     found: list[Point | None] = [None] * len(curves)
     for k in sorted(range(len(curves)), key=lambda k: sum(lengths(piece)[-1] for piece in curves[k])):
         rest = np.any([sheet for n, sheet in enumerate(sheets) if n != k] or [np.zeros(EXTENT, dtype=bool)], axis=0)
-        found[k] = best(curves[k], sizes[k], sheets[k], rest, others, within)
-        if found[k] is not None:
-            others |= inked((), [grown(around(found[k], sizes[k]), 0.02)])
+        found[k] = place = best(curves[k], sizes[k], sheets[k], rest, others, within)
+        if place is not None:
+            others |= inked((), [grown(around(place, sizes[k]), 0.02)])
     return found
 
 

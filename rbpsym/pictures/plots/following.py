@@ -6,17 +6,18 @@ Conditions that stay as equations hold at the start and are kept by the rates.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
 from rbpsym.errors import NotApplicable
 from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, replace
+from rbpsym.mechanics.arrivals import State as Ending
 from rbpsym.mechanics.compiled import compiled_accelerations
-from rbpsym.mechanics.endings import State as Ending
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.numbers import bound
@@ -39,7 +40,7 @@ FAR = 2 * math.pi  # how many sizes of its own a coordinate may move; twice as m
 EDGE = 1e-8  # what starts so near to the end of its range may go so far beyond it
 TOLERANCES = 1e-9, 1e-11
 
-Numbers = Mapping[str, float | np.ndarray]
+Numbers = Mapping[str, Any]  # a number, or an array of one for each moment
 State = np.ndarray  # coordinates that are no closed form of others, independent speeds, the time
 
 
@@ -55,7 +56,7 @@ class Flow(Moving):
     def _accelerations(self) -> Callable[..., np.ndarray]:
         return compiled_accelerations(self.study, self.given)
 
-    def numbers(self, state: State) -> dict[str, float | np.ndarray]:
+    def numbers(self, state: State) -> dict[str, Any]:
         """All numbers of a state, or of many as columns."""
         found = {**self.given, **dict(zip(self.names, state, strict=True))}
         names, values = self._defined
@@ -136,7 +137,7 @@ class Leg(Frozen):
 
 
 def leg(
-    derivation: Derivation, given: Mapping[str, float], end: float = math.inf, ending: Ending | None = None, **told
+    derivation: Derivation, given: Mapping[str, float], end: float = math.inf, ending: Ending | None = None, **told: Any
 ) -> Leg:
     """The motion from the start up to the time `end`, or to the `ending` of its phase; else as long as it is worth.
 
@@ -156,8 +157,8 @@ def leg(
         return Leg(derivation, flow, np.zeros(1), with_forces(flow, start[:, None]), **told)
     pace = flow.pace(start)
     end = end if math.isfinite(end) else PACES * pace
-    limits = {"longest": min(pace / 2, end if is_open else end / 5), "most": MOST, "tolerances": TOLERANCES}
-    path = followed(flow.rate, start, end, events=tuple(events.values()), **limits)
+    path = followed(flow.rate, start.tolist(), end, events=tuple(events.values()), most=MOST, tolerances=TOLERANCES,
+                    longest=min(pace / 2, end if is_open else end / 5))  # fmt: skip
     seen = dict(zip(events, path.seen, strict=True))
     if not seen.get("arrival", True):
         raise NotApplicable("with these numbers a phase does not come to its end")
@@ -204,16 +205,20 @@ def watched(flow: Flow, start: State, is_open: bool) -> Iterator[tuple[str, Even
 
         def left(_: float, state: State) -> float:
             now = flow.numbers(state)
-            return far - max(abs(now[name] - begin[name]) / flow.sizes[name] for name in flow.shown)
+            return float(far - max(abs(now[name] - begin[name]) / flow.sizes[name] for name in flow.shown))
 
         yield "far", Event(left)
     if study.system.independent:
         place, is_shaken = len(study.system.coordinates), study.system.has_clock and not study.squares
         enough = SHAKEN if is_shaken else TURNINGS if len(flow.shown) == 1 else SEVERAL
         yield "turn", Event(lambda _, state: state[place], enough if is_open else math.inf)
-    for name, left in giving_way(study).items():
-        values = compiled(left)
-        yield name, Event(lambda _, state, values=values: float(values(flow.numbers(state)).min()), math.inf)
+
+
+    def least(values: Callable[[Numbers], np.ndarray]) -> Callable[[float, State], float]:
+        return lambda _, state: float(values(flow.numbers(state)).min())
+
+    for name, gaps in giving_way(study).items():
+        yield name, Event(least(compiled(gaps)), math.inf)
 
 
 # --- derivation with the numbers of its motion, phase by phase
@@ -228,7 +233,7 @@ class Journey(Frozen):
 
     legs: tuple[Leg, ...]
 
-    def joined(self, of: Callable[[Leg], Sequence[float]]) -> np.ndarray:
+    def joined(self, of: Callable[[Leg], np.ndarray]) -> np.ndarray:
         """The numbers of all legs with the gaps."""
         return np.concatenate([part for one in self.legs for part in ([math.nan], of(one))][1:])
 
@@ -300,7 +305,7 @@ def motion(derivation: Derivation) -> PlottedMotion:
 def legs(derivation: Derivation, found: Scales) -> Iterator[Leg]:
     """The phases one after the other; the last one is not followed much longer than those before it took."""
     problem, began = derivation.study.problem, 0.0
-    endings = [stage.began.before for stage in stages(problem)[1:]] if problem.phases else []
+    endings = [stage.began.before for stage in stages(problem)[1:] if stage.began is not None] if problem.phases else []
     parts = [("", derivation), *((phase.name, phase.derivation) for phase in derivation.phases)]
     for (name, part), ending in zip(parts, [*endings, None], strict=False):
         if part.study.at_start:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import count, cycle
+from typing import Any
 
 import numpy as np
 
@@ -81,8 +82,8 @@ class DrawnCurve(Frozen, eq=False):
     style: str
 
     @property
-    def names(self) -> Sequence[t.Node]:
-        """The names of a curve that has several."""
+    def names(self) -> Sequence[Any]:
+        """The names of a curve that has several; a word is the only one."""
         return self.name.items if isinstance(self.name, t.Chain) else (self.name,)
 
     @property
@@ -146,7 +147,7 @@ def together(curves: Sequence[DrawnCurve], y: Axis) -> list[DrawnCurve]:
         else:
             one = found[like]
             style = one.style if one.style == "curve sum" else curve.style
-            found[like] = DrawnCurve(t.equation(*one.names, curve.name), one.points, style)
+            found[like] = DrawnCurve(t.equation(*one.names, *curve.names), one.points, style)
     return [replace(one, name=t.equation(*one.names, t.ZERO)) if is_nothing(one, y) else one for one in found]
 
 
@@ -188,7 +189,7 @@ def tick_labels(x: Axis, y: Axis, notation: Notation) -> Iterator[Label]:
     high = max((label.size[1] for label in beside), default=0.0)
     skip = max(1, math.ceil(high / (y.at(y.ticks[1]) - y.at(y.ticks[0])))) if len(y.ticks) > 1 else 1
     for label in beside[next((k for k, tick in enumerate(y.ticks) if tick == 0), 0) % skip :: skip]:
-        yield replace(label, place=(-TICK - 0.04 - label.size[0] / 2, label.place[1]))
+        yield replace(label, place=(-TICK - 0.04 - label.size[0] / 2, label.center[1]))
 
 
 def axis_labels(panel: Panel, notation: Notation) -> Iterator[Label]:

@@ -69,9 +69,10 @@ def base(parameters: list[Quantity]) -> tuple[Quantity, ...]:
     wanted = ((MASS,), (LENGTH,), CLOCKS)
     positive = [q for q in parameters if q.sign == "positive"]
     found = [next((q for kind in kinds for q in positive if q.dimension == kind), None) for kinds in wanted]
-    if None in found:
+    made = tuple(q for q in found if q is not None)
+    if len(made) < len(wanted):
         raise NotApplicable("no mass, length and pace from which units could be made")
-    return tuple(found)
+    return made
 
 
 def product(exponents: Mapping[str, Fraction]) -> t.Node:

@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import cycle
+from typing import cast
 
 import numpy as np
 
@@ -135,10 +137,14 @@ def curves(chosen: Chosen, way: Journey, scale: Scale) -> Iterator[PlotCurve]:
     """A curve for each name that steps state, where it has numbers along most of the way."""
     tables = {id(leg): dict(filter(None, map(stated, chosen(leg)))) for leg in way.legs}
     for name in dict.fromkeys(name for table in tables.values() for name in table):
-        values = way.joined(lambda leg, name=name: leg.values(tables[id(leg)].get(name, NOWHERE))) / scale.size
+        values = _along(way, tables, name) / scale.size
         count = sum(len(leg.moments) for leg in way.legs if name in tables[id(leg)])
         if np.isfinite(values).sum() > count / 2:
             yield PlotCurve(name, values)
+
+
+def _along(way: Journey, tables: Mapping[int, Mapping[t.Node, Scalar]], name: t.Node) -> np.ndarray:
+    return way.joined(lambda leg: leg.values(tables[id(leg)].get(name, NOWHERE)))
 
 
 NOWHERE = symbol("[nowhere]")  # a quantity without a number
@@ -150,11 +156,12 @@ NOWHERE = symbol("[nowhere]")  # a quantity without a number
 def works(moving: PlottedMotion, named: Collection[t.Node] = ()) -> Iterator[Panel]:
     """A panel for each force that works in several ways, with both works and their sum; then all other works, or those that
     are `named`. A force has one colour, and all panels have one scale."""
-    scale, several, single = moving.scales.of(ENERGY), [], []
+    scale, several, single = moving.scales.of(ENERGY), list[tuple[PlotCurve, ...]](), list[PlotCurve]()
     for look, (force, found) in zip(cycle(range(1, MOST + 1)), by_force(moving, scale, named).items(), strict=False):
         styled = tuple(replace(one, style=f"{style} {look}") for one, style in found)
         if len(styled) > 1:
-            several.append((*styled, PlotCurve(t.Sym(f"cal_W_{force}"), sum(one.values for one in styled), "curve sum")))
+            both = np.sum([one.values for one in styled], axis=0)
+            several.append((*styled, PlotCurve(t.Sym(f"cal_W_{force}"), both, "curve sum")))
         else:
             single += styled
     shown = sorted(several, key=lambda group: max(map(largest_value, group)), reverse=True)[: MOST - 1]
@@ -187,26 +194,26 @@ def largest(found: Sequence[PlotCurve]) -> list[PlotCurve]:
 
 def largest_value(curve: PlotCurve) -> float:
     """The largest size of a value."""
-    return np.nanmax(np.abs(curve.values), initial=0.0)
+    return float(np.nanmax(np.abs(curve.values), initial=0.0))
 
 
 def halves(moving: PlottedMotion, half: str, scale: Scale) -> Iterator[tuple[str, PlotCurve]]:
     """The translational (T) or rotational (theta) work of each force on each body, with the name of the force."""
-    closed = {s.statement.items[0]: s for s in moving.derivation.steps if s.rule == "work_done"}
+    closed = {t.rows(s.statement)[0].items[0]: s for s in moving.derivation.steps if s.rule == "work_done"}
     for name, (force, body) in work_names(moving.derivation.steps, half).items():
         if moving.is_over_place and name in closed:
-            yield from ((force, one) for one in curves(lambda _, step=closed[name]: [step], moving.real, scale))
+            yield from ((force, one) for one in curves(only(closed[name]), moving.real, scale))
         else:
             yield force, PlotCurve(name, work_done(moving.real, force, body, half) / scale.size)
 
 
 def work_names(steps: Iterable[Step], half: str) -> dict[t.Node, tuple[str, str]]:
     """How the works of one half are called, with the force and the body of each."""
-    found = {}
+    found = dict[t.Node, tuple[str, str]]()
     for step in steps:
         if step.rule == "work" and step.id.count(".") == 2:  # those of the ledger: work.FORCE.BODY
             _, force, body = step.id.split(".")
-            for row in getattr(step.statement, "rows", (step.statement,)):
+            for row in t.rows(step.statement):
                 if row.items[0].name.startswith(f"cal_W_{half}"):
                     found[row.items[0]] = force, body
     return found
@@ -234,11 +241,11 @@ def energies(moving: PlottedMotion) -> Iterator[Panel]:
     scale = moving.scales.of(ENERGY)
     kinetic = list(curves(of_rule("kinetic_energy"), moving.real, scale))
     potential = list(curves(of_rule("potential"), moving.real, scale))
-    parts, total = [*kinetic, *potential][: MOST - 1], t.Sym("E")
+    parts, total = [*kinetic, *potential][: MOST - 1], cast(t.Node, t.Sym("E"))
     if potential and spread(kinetic) < HARDLY * spread(parts):
         parts, total = list(map(since_start, parts)), t.Delta(total)
     if parts:
-        whole = [PlotCurve(total, sum(one.values for one in parts), "curve sum")] if len(parts) > 1 else []
+        whole = [PlotCurve(total, np.sum([one.values for one in parts], axis=0), "curve sum")] if len(parts) > 1 else []
         yield replace(panel(moving, moving.real, (*parts, *whole), scale), kind="energies")
 
 
@@ -248,13 +255,18 @@ HARDLY = 0.12  # of the height: where the kinetic energy is less, all energies a
 def spread(found: Sequence[PlotCurve]) -> float:
     """How far apart the values of some curves (and zero) are."""
     values = np.array([curve.values for curve in found])
-    return np.nanmax(values, initial=0.0) - np.nanmin(values, initial=0.0)
+    return float(np.nanmax(values, initial=0.0) - np.nanmin(values, initial=0.0))
 
 
 def since_start(curve: PlotCurve) -> PlotCurve:
     """The change of a quantity since the start."""
     first = curve.values[np.isfinite(curve.values)][0]
-    return PlotCurve(t.Delta(curve.name), curve.values - first, curve.style)
+    return PlotCurve(curve.name if isinstance(curve.name, str) else t.Delta(curve.name), curve.values - first, curve.style)
+
+
+def only(step: Step) -> Chosen:
+    """One step."""
+    return lambda leg: [step]
 
 
 def of_rule(rule: str) -> Chosen:
@@ -286,7 +298,7 @@ def forces(moving: PlottedMotion, named: Collection[t.Node] = ()) -> Iterator[Pa
     """The unknown forces (or the `named` ones) along the motion, marked where a contact is lost; then the unknown couples."""
     couples = couples_of(moving)
     for wanted, scale in ((False, moving.scales.of(FORCE)), (True, moving.scales.of(DIMENSIONS["torque"], "torque"))):
-        found = curves(lambda leg, w=wanted: reactions(leg, couples, w), moving.real, scale)
+        found = curves(partial(reactions, couples=couples, wanted=wanted), moving.real, scale)
         if every := [curve for curve in found if not named or curve.name in named]:
             shown = tuple(largest(every))
             made = panel(moving, moving.real, shown, scale, marks=marks_of(moving))
@@ -342,7 +354,7 @@ def positions(moving: PlottedMotion, linear: str = "") -> Iterator[Panel]:
 
 def differs(one: np.ndarray, other: np.ndarray) -> bool:
     """Would two curves be told apart?"""
-    return np.nanmax(np.abs(one - other)) > 0.02 * np.nanmax(np.abs(other))
+    return bool(np.nanmax(np.abs(one - other)) > 0.02 * np.nanmax(np.abs(other)))
 
 
 # --- two motions in one plot: a coordinate that both problems have, and its rate, from the same start with the same numbers
@@ -358,8 +370,8 @@ def motions(first: Derivation, second: Derivation) -> tuple[PlottedMotion, Plott
     numbers = (found, Scales({**own.numbers, **found.numbers}, found.base))
     pairs = list(zip((first, second), numbers, strict=True))
     end = max(next(legs(one, scale)).moments[-1] for one, scale in pairs)
-    one, other = (PlottedMotion(one, scale, Journey((leg(one, scale.numbers, end),))) for one, scale in pairs)
-    return one, other
+    made = [PlottedMotion(one, scale, Journey((leg(one, scale.numbers, end),))) for one, scale in pairs]
+    return made[0], made[1]
 
 
 def beside(pair: tuple[PlottedMotion, PlottedMotion], name: str) -> Iterator[Panel]:
