@@ -10,18 +10,20 @@ from typing import Any
 from rbpsym.decide.domain import divisors
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.expr.tree import Node
-from rbpsym.field import NOTHING, Scalar, has_roots, substitute, symbol
+from rbpsym.expr.tree import Node, relations
+from rbpsym.field import NOTHING, Scalar, has_roots, short, substitute, symbol
 from rbpsym.field.sympy_bridge import plain_names
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
 from rbpsym.mechanics.demands import Demand, existence
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.events import Loss, Losses
+from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
+from rbpsym.mechanics.phases import Stage
 from rbpsym.mechanics.pushing import begins, kept_sense, ways_kept
-from rbpsym.mechanics.rest import Balance
+from rbpsym.mechanics.rest import Balance, Rest
 from rbpsym.mechanics.sides import grips, lasting
 from rbpsym.mechanics.solutions import Course, courses, given
 from rbpsym.mechanics.study import Study
@@ -84,14 +86,15 @@ def _owed(told: list[str], derivation: Derivation) -> list[str]:
     for step in derivation.steps:
         if step.rule == "first_integral" or (step.chapter in RESULTS and not step.id.startswith("motion.from_")):
             for duty in step.certificate.verdict.open_obligations:
-                value, op = derivation.letters.value(duty.relation.items[0]), duty.relation.ops[0]
+                left, op, _ = next(relations(duty.relation))
+                value = derivation.letters.value(left)
                 asked = _demands([Demand(value, op), *([Demand(-value, op)] if op == "!=" else [])], derivation.study)
                 found += [] if {*told, *found} & {*asked} else asked[:1]
     return found
 
 
-def text(value: Scalar | None, study: Study | None = None) -> str | None:
-    """The infix text of a value."""
+def text(value: Scalar | None, study: Study | None = None) -> Any:
+    """The infix text of a value; None for None."""
     return None if value is None else to_machine(shown(value, study))
 
 
@@ -101,7 +104,7 @@ def shown(value: Scalar, study: Study | None = None) -> Node:
     return present(value, replace(study.style if study else PLAIN, tangents=False))
 
 
-def _table(values: Mapping[str, Scalar] | None, study: Study) -> dict[str, str] | None:
+def _table(values: Mapping[str, Scalar] | None, study: Study) -> dict[str, Any] | None:
     return None if values is None else {name: text(value, study) for name, value in values.items()}
 
 
@@ -145,7 +148,7 @@ def results(study: Study) -> dict[str, Any]:
 
 def _start(study: Study) -> dict[str, Any] | None:
     """The speeds at the start, and why only this is told; None where formulas for every position are."""
-    return study.instant and {"reason": ONLY_THERE, "speeds": _table(study.instant.speeds, study)}
+    return {"reason": ONLY_THERE, "speeds": _table(study.instant.speeds, study)} if study.instant else None
 
 
 def _equations_of_motion(study: Study) -> dict[str, Any]:
@@ -197,7 +200,7 @@ def _accelerations(study: Study) -> dict[str, str] | None:
     return _table(values, study)
 
 
-def _kinetic(study: Study) -> dict[str, str]:
+def _kinetic(study: Study) -> dict[str, Any] | None:
     translational, rotational = study.kinetic
     parts = {"translational": translational, "rotational": rotational, "total": translational + rotational}
     return _table(parts, study)
@@ -266,7 +269,7 @@ def _equilibria(study: Study) -> list[dict[str, Any]]:
     ]
 
 
-POSITIVE = {"positive": True, "zero": False, "negative": False, "nonpositive": False}
+POSITIVE: Mapping[str | None, bool] = {"positive": True, "zero": False, "negative": False, "nonpositive": False}
 
 
 def _row(values: Iterable[Scalar], study: Study) -> list[str]:
@@ -287,7 +290,7 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
             if decay and POSITIVE.get(sign(square, study.assumptions).kind) is not False
         ],
         "characteristic_polynomial": {"zeros": item.linear.zeros, "factors": [_row(p, study) for p in factors]},
-        "eigenvalues": None if None in roots else [text(v, study) for found in roots for v in found],
+        "eigenvalues": None if None in roots else [text(v, study) for found in roots for v in found or ()],
         "routh_hurwitz": [
             {"value": text(value, study), "positive": POSITIVE.get(sign(value, study.assumptions).kind)}
             for value in needed
@@ -315,11 +318,11 @@ def _sides(study: Study) -> list[dict[str, Any]]:
     ]
 
 
-def _demands(found, study: Study) -> list[str]:
+def _demands(found: Iterable[Demand], study: Study) -> list[str]:
     return list(dict.fromkeys(f"{text(demand.value, study)} {demand.op} 0" for demand in found))
 
 
-def _complete(found) -> dict[str, Any]:
+def _complete(found: Rest | Losses) -> dict[str, Any]:
     """Whether a list is all that there is, and why not."""
     return {"complete": "undecided" if found.complete is None else found.complete, "reason": found.reason or None}
 
@@ -343,13 +346,13 @@ def _there(item: Balance) -> Scalar | None:
     return None if square is None else substitute(square, {item.place: symbol(item.name)})
 
 
-def _condition(loss, study: Study) -> dict[str, Any]:
+def _condition(loss: Loss, study: Study) -> dict[str, Any]:
     at = _table(loss.at, study) or None
     valid = _demands(loss.valid, study)
     return {"force": loss.force, "vanishes": text(loss.factor, study), "at": at, "valid_where": valid}
 
 
-def _need(item, study: Study) -> dict[str, Any]:
+def _need(item: FrictionNeed, study: Study) -> dict[str, Any]:
     """f/N of a contact that static friction holds, the coefficient that it needs, and whether the declared one will do."""
     return {
         "contact": item.constraint,
@@ -373,8 +376,9 @@ def _phases(study: Study) -> list[dict[str, Any]]:
     return found if reason is None else [*found, {"name": study.problem.phases[len(found)].name, "reason": reason.what}]
 
 
-def _phase(stage) -> dict[str, Any]:
+def _phase(stage: Stage) -> dict[str, Any]:
     began, study = stage.began, stage.study
+    assert began is not None, stage.name
     return {
         "name": stage.name,
         "time": text(began.before.time, study),
