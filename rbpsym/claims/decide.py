@@ -12,7 +12,7 @@ from contextlib import suppress
 
 from rbpsym.claims.ground import HOW, Question, are_same
 from rbpsym.claims.integrals import as_vector
-from rbpsym.claims.refute import disorder, refutation, witness_of
+from rbpsym.claims.refute import ORDERS, disorder, mixes_clock, refutation, witness_of
 from rbpsym.decide.equal import compare, scalars_equal
 from rbpsym.decide.points import names_of
 from rbpsym.decide.signs import sign
@@ -21,6 +21,7 @@ from rbpsym.errors import Undecided
 from rbpsym.field import NOTHING, Scalar, Space, atoms, bases_of, depends_on, derivative, quotient, substitute
 from rbpsym.field.normal import normal
 from rbpsym.field.roots import without_even_roots
+from rbpsym.frozen import replace
 from rbpsym.quantity.path import is_along_one_path, look_different, on_path, path_of
 
 MOST_RATES = 2
@@ -127,7 +128,26 @@ def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
             found = proved(HOW["sense"]) if all(one.is_proved for one in each) else found
         if found.is_proved:
             return found
+    if "start" in question.depths and _by_growth(high - low, question, strict=strict):
+        return proved(HOW["growth"])
     return disorder(low, high, question, strict=strict)
+
+
+def _by_growth(gap: Scalar, question: Question, *, strict: bool) -> bool:
+    """Not negative (`strict`: positive) at the start, as its rates are there, up to one that is never negative; positive after
+    the start where that one is."""
+    given, declared = question.motion.assumptions, question.ground.world.motion.assumptions
+    later = strict and given.range_of("t")[0] is not None and 0 not in given.sides_of("t")
+    for name in question.motion.scope.rates:  # on the way all states are met, not those alone of which the claim tells
+        given = given.with_range(name, *declared.range_of(name), declared.sides_of(name))
+    with suppress(Undecided, ZeroDivisionError):
+        for order in range(MOST_RATES + 1):
+            if not compare(NOTHING, question.begin(gap), given, strict=strict and not order and not later).is_proved:
+                return False
+            gap = question.rate(gap)
+            if compare(NOTHING, question.seen(gap, "start"), given, strict=later).is_proved:
+                return True
+    return False
 
 
 def _below(pair: tuple[Scalar, ...], question: Question, *, strict: bool) -> Verdict:
@@ -166,6 +186,8 @@ def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdi
 def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
     """a ≈ b for small values of what is said to be small, or of one coordinate, with its speed, in which they differ, or of all
     of them; at any depth."""
+    if question.ground.small == ("t",):
+        return _in_time(a, b, question)
     found = undecided("nothing was tried")
     for depth in question.depths:
         sides = [question.seen(side, depth) for side in (a, b)]
@@ -182,7 +204,24 @@ def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
     for name in names_of([a - b]):
         if to_first_order([a, b], [name], question).is_proved and has_slopes([a, b], [name]):
             return undecided(f"it holds to first order in {name}, of which it is not said that it is small")
-    return found
+    return undecided("it is not said what is small beside the time") if mixes_clock(a - b, question.motion) else found
+
+
+def _in_time(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """a ≈ b for small times: to first order, and in the first rate that does not vanish at the start; a side that stays as it
+    is says nothing of higher ones."""
+    is_told = False
+    for order, of in enumerate(ORDERS):
+        x, y = (question.begin(value) for value in (a, b))
+        if not are_same(x, y, question):
+            if order > 1 and is_told and NOTHING in (x, y):
+                return proved("equal to first order in t")
+            found = witness_of(x, y, question.motion.assumptions)
+            return found if found.witness is None else replace(found, witness=replace(found.witness, of=of))
+        if order and x:
+            return proved(f"equal to order {order} in t")
+        is_told, a, b = is_told or bool(x), question.rate(a), question.rate(b)
+    return undecided("neither side changes with the time to third order")
 
 
 def to_first_order(sides: list[Scalar], small: list[str], question: Question) -> Verdict:

@@ -265,7 +265,9 @@ def corrected(latex: str, relation: t.Chain, repaired: t.Chain, symbols: Mapping
     gap = latex[len(before) : begin]
     if isinstance(old, t.Num | t.Sym) and isinstance(new, t.Mul) and re.match(r"\s*\^", behind):
         text = f"({text})"
-    if text.startswith("-") and before.endswith("+"):
+    if len(text) > 1 and re.search(r"\\[dt]?frac\s*(?:\d|\{[^{}]*\}|\\[a-zA-Z]+\s*)?$", before):  # as \frac takes it
+        text = f"{{{text}}}"
+    elif text.startswith("-") and before.endswith("+"):
         before, text = before[:-1].rstrip(), f"- {text[1:].lstrip()}"
     elif isinstance(old, t.Neg) and not text.startswith("-") and not re.search(r"(?:[=({\[&]|\\approx|\\\\)$", before) and before:
         text = f"+ {text}"

@@ -18,7 +18,21 @@ from rbpsym.expr.latex.tokens import tokenize
 from rbpsym.expr.letters import NAME_OF_LETTER
 from rbpsym.expr.source import Source
 from rbpsym.expr.symbol_table import Drawn, SymbolTable, spelling
-from rbpsym.field import ONE, Scalar, Scope, Space, atoms, depends_on, is_zero, kept, substitute, symbol, time_derivative
+from rbpsym.field import (
+    NOTHING,
+    ONE,
+    UNITY,
+    Scalar,
+    Scope,
+    Space,
+    atoms,
+    depends_on,
+    is_zero,
+    kept,
+    substitute,
+    symbol,
+    time_derivative,
+)
 from rbpsym.field.exponentials import with_squares
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantity.bound import Bound, Motion, World
@@ -31,10 +45,14 @@ class Glossary(Frozen):
     names: Mapping[str, tuple[str, bool]]
 
 
+CLOCK = "time"  # what t means where nothing else is called so: the time since the start
+
+
 def with_own_symbols(setting: Setting, world: World) -> Setting:
-    """The setting with the problem's own names as they are printed, where it gives them no other meaning."""
+    """The setting with the problem's own names as they are printed, where it gives them no other meaning; and the time."""
     taken = {found[0] for latex in setting.symbols if (found := _drawn(latex))}
-    own = {latex: Meaning(name) for latex, name in world.symbols.items() if _is_free(latex, taken)}
+    known = world.symbols if setting.theory or setting.phase else {"t": CLOCK, **world.symbols}
+    own = {latex: Meaning(name) for latex, name in known.items() if _is_free(latex, taken)}
     return replace(setting, symbols={**own, **setting.symbols}) if own else setting
 
 
@@ -133,6 +151,9 @@ class Ground(Frozen):
     def motion(self) -> Motion:
         """What is true of the motion, what is given and assumed included."""
         motion = self.world.motion
+        if any(found.told == CLOCK for found in self.bounds.values()) and "t" not in motion.scope.rates:
+            rates, start = {**motion.scope.rates, "t": UNITY}, {**motion.scope.start, "t": NOTHING}
+            motion = replace(motion, scope=replace(motion.scope, rates=rates, start=start))
         if self.assumed is not None:
             motion = replace(motion, assumptions=self.assumed)
         if not self.premises:
@@ -194,6 +215,9 @@ def _enter(scalars: dict[str, Scalar], vectors: dict[str, Space], name: str, arr
         vectors[f"{name}/dm"] = found.density
 
 
+_CLOCK = Bound(symbol("t"), told=CLOCK)
+
+
 def grounded(setting: Setting, words: Glossary, world: World, names: Collection[str]) -> Ground:
     """The ground of formulas with some names. Raises StatementError at the phrase that means nothing."""
     bounds: dict[tuple[str, bool], Bound] = {}
@@ -201,7 +225,7 @@ def grounded(setting: Setting, words: Glossary, world: World, names: Collection[
         if words.names[latex][0] not in names:
             continue
         try:
-            bounds[words.names[latex]] = world.bound(meaning.phrase)
+            bounds[words.names[latex]] = world.bound(meaning.phrase) if meaning.phrase != CLOCK else _CLOCK
         except RbpsymError as error:
             raise StatementError(
                 f"the meaning of {latex}: {error.what}", instead=error.instead, place=meaning.place
@@ -216,6 +240,7 @@ HOW = {
     "start": "along the motion from the start",
     "sense": "along the motion from the start until it first comes to rest",
     "rates": "equal at the start and in rate",
+    "growth": "so at the start, and its rate keeps it so",
     "constant": "its rate vanishes on the motion",
 }
 

@@ -33,6 +33,8 @@ def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
     moves = any(depends_on(value, name) for value in (a, b) for name in question.motion.scope.rates)
     if question.motion.is_tied and (moves or any(holds_unknowns(value, question) for value in (a, b))):
         return undecided("the coordinates are tied by conditions that are not solved in closed form")
+    if moves and is_timed(question):
+        return undecided(OF_TIME)
     for find in (_at_start, _at_any_state, _along, _in_rates_at_start, _on_other_motions):
         with suppress(ZeroDivisionError, Undecided):
             found = find(a, b, question)
@@ -62,7 +64,26 @@ def _at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
     if not (tells_of_start(a, question) or tells_of_start(b, question)):
         return undecided("")
     x, y = question.begin(a), question.begin(b)
-    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, question.motion.assumptions)
+    given = question.motion.assumptions
+    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, given, begun_within(question))
+
+
+def begun_within(question: Question) -> list[Condition]:
+    """What the conditions of a claim, ranges of what changes, ask of the start for it to be a state of which the claim tells."""
+    given, found = question.motion.assumptions, []
+    for name, value in question.motion.scope.start.items() if question.ground.assumed is not None else ():
+        for side, end in enumerate(given.range_of(name)):
+            gap, op = (None if end is None else (value - end) * (1 - 2 * side)), ">=" if side in given.sides_of(name) else ">"
+            found += [] if gap is None else [Condition(t.Sym(name), op, gap)]
+    return found
+
+
+def is_timed(question: Question) -> bool:
+    """Whether a condition of the claim is one on the time: which places are met then is not looked for."""
+    return question.ground.assumed is not None and question.ground.assumed.range_of("t") != (None, None)
+
+
+OF_TIME = "where the motion is at these times is not known in closed form"
 
 
 def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -85,11 +106,12 @@ def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
 
 def _may_be_met(values: Iterable[Scalar], motion: Motion) -> bool:
     """Whether values that are no functions of one place may be had on the motion: the start gives what changes in them a value
-    of its own, which is free."""
-    names = {name for name in motion.scope.rates for value in values if depends_on(value, name)}
+    of its own, which is free, and of which they do not tell themselves."""
+    held = {name for value in values for name in names_in(value)}
+    names = held & motion.scope.rates.keys()
     starts = {motion.scope.start.get(name) for name in names}
-    own = {name for start in starts if start is not None for name in names_in(start)}
-    return motion.is_free or (len(starts) == len(names) and starts == set(map(symbol, own)))
+    own = {name for start in starts if start is not None for name in names_in(start)} - held
+    return motion.is_free or (len(starts) == len(names) and own <= motion.starts and starts == set(map(symbol, own)))
 
 
 def _on_other_motions(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -105,7 +127,7 @@ def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
     for order in ORDERS:
         x, y = (question.begin(value) for value in (a, b))
         if not holds_unknowns(x, question) and not holds_unknowns(y, question):
-            found = witness_of(x, y, question.motion.assumptions)
+            found = witness_of(x, y, question.motion.assumptions, begun_within(question))
             if found.witness is not None:
                 return replace(found, witness=replace(found.witness, of=order))
         a, b = (question.rate(value) for value in (a, b))
@@ -120,13 +142,14 @@ def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
         if found.is_refuted:
             return found
     rates = [question.seen(question.rate(value), "start") for value in (a, b)]
-    return _differ(rates[0], rates[1], question)
+    found = _differ(rates[0], rates[1], question)
+    return found if found.witness is None else replace(found, witness=replace(found.witness, of="rates of change"))
 
 
 def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
     """Where both are known as functions of one place on the path: a place at which they differ."""
     motion, path = question.motion, path_of((a, b), question.motion)
-    if _mixes_clock(a - b, motion):
+    if mixes_clock(a - b, motion):
         return undecided("the coordinates are functions of the time that are not known in closed form")
     if len(path.names) > 1:
         return undecided("how the coordinates are passed at one time is not known in closed form")
@@ -139,7 +162,7 @@ def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return undecided("")
 
 
-def _mixes_clock(gap: Scalar, motion: Motion) -> bool:
+def mixes_clock(gap: Scalar, motion: Motion) -> bool:
     """Does it hold the time beside coordinates or speeds? On the motion from the start these are no longer free."""
     clock = "t" in motion.scope.rates and depends_on(gap, "t")
     return clock and any(depends_on(gap, n) or depends_on(gap, f"{n}_dot") for n in motion.scope.rates if n != "t")
@@ -172,12 +195,15 @@ def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> 
     path = path_of(values, motion)
     if motion.is_tied or any(holds_unknowns(value, question) for value in values):
         return undecided("the sign of the difference is not known for the motion from the start")
-    if not path.names and not _may_be_met(values, motion):
-        begun = [question.begin(value) for value in values]
-        found = witness_of(begun[0], begun[1], motion.assumptions, (), lambda x, y: sign_of(x - y) in signs)
-        if found.witness is None:
-            return undecided("the sign of the difference is not known for the motion from the start")
+    begun = [question.begin(value) for value in values]
+    within = begun_within(question)
+    found = witness_of(begun[0], begun[1], motion.assumptions, within, lambda x, y: sign_of(x - y) in signs)
+    if found.witness is not None:
         return replace(found, witness=replace(found.witness, of=ORDERS[0]))
+    if is_timed(question) and any(depends_on(value, name) for value in values for name in motion.scope.rates):
+        return undecided(OF_TIME)
+    if mixes_clock(values[0] - values[1], motion) or (not path.names and not _may_be_met(values, motion)):
+        return undecided("the sign of the difference is not known for the motion from the start")
     for pair, when in on_path(tuple(question.seen(value, "start") for value in values), motion):
         if any(map(_holds_speed, pair)) and not motion.is_free:
             return undecided("the sign of the difference is not known for the motion from the start")

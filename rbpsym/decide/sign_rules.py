@@ -12,9 +12,10 @@ from rbpsym.decide import enclosure
 from rbpsym.decide.constants import is_algebraic, is_zero_number
 from rbpsym.decide.factoring import ANY, DECIDED, MINUS, NONZERO, PLUS, ZERO, flip, plus, power, times
 from rbpsym.decide.points import Point, names_of
-from rbpsym.field import ONE, Poly, Scalar, atoms, derivative, generator, inverse, is_exponential, names_in, quotient, symbol
+from rbpsym.field import ONE, Poly, Scalar, atoms, generator, inverse, is_exponential, quotient
 from rbpsym.field import ZERO as ZERO_POLY
 from rbpsym.field import substitute as put
+from rbpsym.field.division import turnings
 from rbpsym.field.normal import bases_of, in_bases, normal, partner, substitute, without_squares
 from rbpsym.field.ring import factors
 from rbpsym.field.roots import without_even_roots
@@ -126,15 +127,10 @@ def _by_one_angle(study: Study, poly: Poly) -> int:
 
 def _by_turned_angle(study: Study, poly: Poly) -> int:
     """The same with A - B as an angle of its own, A being no more than an angle: cos A = cos(B + (A - B))."""
-    mask = ANY
     plain = {atoms.symbol_name(index) for index in poly.atoms()}
-    for angle in {Scalar(atoms.atom(index).arg) for index in poly.atoms() if partner(index) is not None}:
-        for name in sorted(names_in(angle) - plain) if len(angle.num) > 1 else ():
-            slope, letter = derivative(angle, name), symbol(f"{name}°")
-            if slope.number() is not None:
-                other = normal(put(Scalar(poly), {name: symbol(name) + (letter - angle) / slope}).num)
-                mask &= study.poly(other) if len(other) < len(poly) else ANY
-    return mask
+    images = (image for image, _ in turnings(poly) if plain.isdisjoint(image))
+    others = (normal(put(Scalar(poly), image).num) for image in images)
+    return next((mask for one in others if len(one) < len(poly) and (mask := study.poly(one)) != ANY), ANY)
 
 
 def _by_bounds(study: Study, poly: Poly) -> int:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
+from itertools import combinations
 from typing import Any
 
-from rbpsym.field import atoms, sympy_bridge
-from rbpsym.field.normal import Bases, bases_of, in_bases, partner, partner_of, reduce_squares, short, shorten, substitute
+from rbpsym.field import atoms, calculus, sympy_bridge
+from rbpsym.field.normal import Bases, bases_of, in_bases, normal, partner, partner_of, reduce_squares, short, shorten, substitute
 from rbpsym.field.poly import ONE, Poly, generator, inverse
 from rbpsym.field.ring import cofactors, element, factors
-from rbpsym.field.scalar import UNITY, Scalar, quotient
+from rbpsym.field.scalar import UNITY, Scalar, quotient, symbol
 
 LARGEST_GCD = 1_000_000  # products of terms, above which a common factor is not looked for
 
@@ -55,16 +56,31 @@ def without_poles(value: Scalar) -> Scalar:
     """The value without those factors below the line that sin² + cos² = 1 takes away: (1 - cos² q)/sin q as sin q."""
     powers = tuple((i, -e) for i, e in value.num.content()[1] if e < 0 and partner(i))
     num, den = value.num.scaled(1, powers), value.den.scaled(1, powers)
-    bases = bases_of(num, den)
-    num, den = reduce_squares(in_bases(num, bases)), in_bases(den, bases)
     if not _waves(den):
         return value
+    for image, back in turnings(den, in_pairs=True):
+        if len(normal(calculus.substitute(Scalar(den), image).num)) < len(normal(den)):
+            return calculus.substitute(without_poles(calculus.substitute(value, image)), back)
+    bases = bases_of(num, den)
+    num, den = reduce_squares(in_bases(num, bases)), in_bases(den, bases)
     coefficient, found = factors(den)
     above, below = Scalar(num) / coefficient, UNITY
     for factor in (factor for factor, exponent in found for _ in range(exponent)):
         rest = _divided(above, factor)
         above, below = (above, below * Scalar(factor)) if _waves(rest.den) or _waves(rest.num, -1) else (rest, below)
     return short(above / below)
+
+
+def turnings(poly: Poly, *, in_pairs: bool = False) -> Iterator[tuple[dict[str, Scalar], dict[str, Scalar]]]:
+    """Images that make a difference of angles in it an angle of its own, cos A = cos(B + (A - B)), each with its way back; one
+    of two that stand in it apart, too (`in_pairs`)."""
+    found = dict.fromkeys(Scalar(atoms.atom(index).arg) for index in sorted(poly.atoms()) if partner(index))
+    pairs = (one - other for one, other in combinations((angle for angle in found if len(angle.num) == 1), 2) if in_pairs)
+    for angle in (*(angle for angle in found if len(angle.num) > 1), *pairs):
+        for name in sorted(calculus.names_in(angle) - {"pi"}):
+            slope, letter = calculus.derivative(angle, name), f"{name}°"
+            if slope.number() is not None:
+                yield {name: symbol(name) + (symbol(letter) - angle) / slope}, {letter: angle}
 
 
 def _divided(value: Scalar, factor: Poly) -> Scalar:

@@ -32,7 +32,7 @@ def check_start(study: Study, *, moves: bool = True) -> None:
     found = _asked(study, moves)
     for element, what, value, _ in found:
         if sign(value, study.assumptions, factoring=False).kind == "negative":
-            raise WRONG[what](element, what, value)
+            raise _wrong(element, what, value)
     possible((demand for *_, demand in found), study.assumptions, _never(study)) if found else ()
 
 
@@ -150,67 +150,54 @@ def _at_start(value: Scalar, start: Mapping[str, Scalar]) -> Scalar | None:
         return None
 
 
-def _pulls(element: Element, what: str, value: Scalar) -> StatementError:
-    size = to_machine(present(value))
-    if element.kind == "string":
-        return StatementError(
-            f"the string “{element.name}” would have to push at the start: its tension is {size}",
-            instead="check its path and what else holds the bodies; a light rod that may push is a body of its own.",
-            place=element.place,
-        )
-    return StatementError(
-        f"the {element.kind} “{element.name}” would have to pull at the start: its force is {size}",
-        instead="check the start (the sense in which things move or turn), the side, and whether it touches at all; "
-        'what holds to both sides is type = "guide" for a point.',
-        place=element.place,
-    )
+def _wrong(element: Element, what: str, value: Scalar) -> StatementError:
+    """What is said of the wrong sense of something at the start."""
+    kind = "resisted" if element.kind in LETTERS else element.kind
+    said, instead = WRONG.get(f"{what}.{kind}") or WRONG[what]
+    data = {"kind": element.kind, "name": element.name, "slip": element.values.get("slip"), "size": to_machine(present(value))}
+    return StatementError(said.format_map(data), instead=instead, place=element.place)
 
 
-def _slips_back(element: Element, what: str, value: Scalar) -> StatementError:
-    told = {
-        "slip": "at the start it slips the other way",
-        "gain": "from rest it does not begin to slide that way: friction would drive it",
-    }
-    size = to_machine(present(value))
-    if element.kind in LETTERS:
-        other = "at the start it moves the other way" if what == "slip" else "from rest it does not begin to move that way"
-        return StatementError(
-            f"the {element.kind} “{element.name}” is against a motion that is not the stated one: {other} (in the sense that it "
-            f"resists, the {'speed' if what == 'slip' else 'acceleration'} is {size})",
-            instead="take the other sense; where nothing begins to move, hold it by a constraint.",
-            place=element.place,
-        )
-    return StatementError(
-        f"{element.kind} “{element.name}” has slip = “{element['slip']}”, but {told[what]} (in this sense "
-        f"{'the speed' if what == 'slip' else 'the acceleration'} of the slip is {size})",
-        instead='take the other sense, slip = "auto" for a start with a speed, or static friction, type = "sticking" or '
-        '"rolling", for what does not slide.',
-        place=element.place,
-    )
-
-
-def _lets_go(element: Element, what: str, value: Scalar) -> StatementError:
-    return StatementError(
-        f"the {element.kind} “{element.name}” would slip at the start: the static friction exceeds its limit there",
-        instead='check the start and the limit; what slides is type = "contact" with a coefficient and a slip.',
-        place=element.place,
-    )
-
-
-def _elsewhere(element: Element, what: str, value: Scalar) -> StatementError:
-    return StatementError(
-        f"the {element.kind} “{element.name}” does not run, or touch, at the start where the ranges would have it",
-        instead="let the start and the ranges tell the same side.",
-        place=element.place,
-    )
-
-
-def _negative(element: Element, what: str, value: Scalar) -> StatementError:
-    return StatementError(
-        f"the size of the {element.kind} “{element.name}” would be negative at the start: {to_machine(present(value))}",
-        instead="a magnitude is not: write the unknown force in it with the other sign.",
-        place=element.place,
-    )
-
-
-WRONG = {"way": _elsewhere, "grip": _lets_go, "size": _negative, "force": _pulls, "slip": _slips_back, "gain": _slips_back}
+SLIP, BACK = "{kind} “{name}” has slip = “{slip}”, but ", (
+    'take the other sense, slip = "auto" for a start with a speed, or static friction, type = "sticking" or "rolling", for what '
+    "does not slide."
+)
+RESISTED, OTHER = "the {kind} “{name}” is against a motion that is not the stated one: ", (
+    "take the other sense; where nothing begins to move, hold it by a constraint."
+)
+WRONG = {
+    "way": (
+        "the {kind} “{name}” does not run, or touch, at the start where the ranges would have it",
+        "let the start and the ranges tell the same side.",
+    ),
+    "grip": (
+        "the {kind} “{name}” would slip at the start: the static friction exceeds its limit there",
+        'check the start and the limit; what slides is type = "contact" with a coefficient and a slip.',
+    ),
+    "size": (
+        "the size of the {kind} “{name}” would be negative at the start: {size}",
+        "a magnitude is not: write the unknown force in it with the other sign.",
+    ),
+    "force": (
+        "the {kind} “{name}” would have to pull at the start: its force is {size}",
+        "check the start (the sense in which things move or turn), the side, and whether it touches at all; what holds to both "
+        'sides is type = "guide" for a point.',
+    ),
+    "force.string": (
+        "the string “{name}” would have to push at the start: its tension is {size}",
+        "check its path and what else holds the bodies; a light rod that may push is a body of its own.",
+    ),
+    "slip": (SLIP + "at the start it slips the other way (in this sense the speed of the slip is {size})", BACK),
+    "gain": (
+        SLIP + "from rest it does not begin to slide that way: friction would drive it (in this sense the acceleration of the "
+        "slip is {size})",
+        BACK,
+    ),
+    "slip.resisted": (
+        RESISTED + "at the start it moves the other way (in the sense that it resists, the speed is {size})", OTHER
+    ),
+    "gain.resisted": (
+        RESISTED + "from rest it does not begin to move that way (in the sense that it resists, the acceleration is {size})",
+        OTHER,
+    ),
+}

@@ -24,3 +24,32 @@ def test_a_true_claim_is_not_refuted_by_a_state_that_is_never_reached(tmp_path):
     path.write_text(TRUE_ON_THE_MOTION, encoding="utf-8")
     [found] = check_claims(load_claims(path), Certificates(None))
     assert found.outcome in (Outcome.PROVED, Outcome.UNDECIDED), found
+
+
+TIMED = {  # of a ladder that is released at rest, which has no clock of its own
+    r"\omega \approx -\frac{3g}{4\ell} t\cos\theta_0 \quad\text{for small } t": "PROVED",
+    r"\omega \approx -\frac{3g}{2\ell} t\cos\theta_0 \quad\text{for small } t": "REFUTED",
+    r"\theta \approx \theta_0 - \frac{3g}{8\ell} t^2\cos\theta_0 \quad\text{for small } t": "PROVED",
+    r"\theta \approx \theta_0 - \frac{3g}{7\ell} t^2\cos\theta_0 \quad\text{for small } t": "REFUTED",
+    r"\theta \approx \theta_0 \quad\text{for small } t": "PROVED",
+    r"\theta \approx \theta_0\cos(\sqrt{g/\ell}\,t)": "UNDECIDED",
+    r"\theta \ge \theta_0 - \frac{3g}{4\ell} t^2": "PROVED",
+    r"\theta < \theta_0": "REFUTED",
+    r"\theta < \theta_0 \quad\text{for } t > 0": "PROVED",
+    r"\theta < \theta_0 \quad\text{for } t \ge 0": "REFUTED",
+    r"\theta > \theta_0 \quad\text{for } t > 0": "UNDECIDED",
+    r"\omega \ge -\frac{3g}{4\ell} t": "PROVED",
+    r"\omega > -\frac{3g}{4\ell} t": "REFUTED",
+    r"\omega \le -\frac{g}{4\ell} t \quad\text{for } \theta < \frac{\pi}{4}": "UNDECIDED",
+    r"\omega = -\frac{3g}{4\ell} t\cos\theta_0": "REFUTED",
+    r"\frac{d\theta}{dt} = \omega": "PROVED",
+    r"t \ge 0": "PROVED",
+}
+
+
+def test_the_time_has_a_meaning_without_a_clock(tmp_path):
+    rows = [f"[[claim]]\nid = '{k}'\nlatex = '{latex}'\n" for k, latex in enumerate(TIMED)]
+    path = tmp_path / "timed.toml"
+    path.write_text("title = 'Times'\nproblem = 'sliding-ladder'\n" + "".join(rows), encoding="utf-8")
+    found = check_claims(load_claims(path), Certificates(None))
+    assert {one.latex: str(one.outcome) for one in found} == TIMED

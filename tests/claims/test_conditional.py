@@ -24,7 +24,7 @@ PENDULUM = [
     (r"\alpha \approx -\frac{3g}{2\ell}\theta \quad (\theta \ll 1)", "PROVED"),
     (r"\frac1\theta \approx 1+\theta", "UNDECIDED"),
     (r"\theta > 0 \text{ for } 0 < \theta \le 1", "PROVED"),
-    (r"\theta > 0 \text{ for } 0 \le \theta \le 1", "UNDECIDED"),  # at its end it is not
+    (r"\theta > 0 \text{ for } 0 \le \theta \le 1", "REFUTED"),  # at its end it is not
 ]
 DRIVEN = [
     (r"\frac{m}{M+m} \approx \frac mM - \frac{m^2}{M^2} \quad M \gg m", "PROVED"),

@@ -13,6 +13,7 @@ from rbpsym.claims.model import Outcome, Printed
 from rbpsym.claims.run import Worlds
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
+from rbpsym.frozen import replace
 from rbpsym.statement.library import library_folder
 from tests.claims.errata import run
 from tests.claims.injected import injected
@@ -104,3 +105,12 @@ SUM = t.Chain((t.Sym("a", span=(0, 1)), t.Add((X, Y), span=(4, 9))), ("=",))
 def test_what_is_not_changed_stays_as_it_is_printed(repaired, text):
     new = t.Chain((SUM.items[0], repaired), ("=",))
     assert corrected("a = x + y", SUM, new, {"z": r"\zeta", "x": "x", "y": "y"}).replace("\\zeta ", "\\zeta") == text
+
+
+@pytest.mark.parametrize(("over", "under", "text"), [("1", "z", r"a = \frac1{z + 2}x"), ("z", "2", r"a = \frac{1 + z}2x")])
+def test_what_a_fraction_takes_without_braces_gets_them(over, under, text):
+    one, two, x = replace(t.ONE, span=(9, 10)), replace(t.TWO, span=(10, 11)), t.Sym("x", span=(11, 12))
+    half, grown = t.Div(one, two, span=(4, 11)), t.Div(t.Add((one, t.Sym("z"))) if over == "z" else one, two)
+    grown = grown if under == "2" else t.Div(one, t.Add((t.Sym("z"), two)))
+    old, new = (t.Chain((SUM.items[0], t.Mul((part, x), span=(4, 12))), ("=",)) for part in (half, grown))
+    assert corrected(r"a = \frac12x", old, new, {"z": "z", "x": "x"}) == text

@@ -48,7 +48,7 @@ ROWS = [
     (r"\alpha = -\frac{3g}{2\ell}\sin\theta \qquad 0\le\theta<\frac{\pi}{2}", PROVED),
     (r"|\sin\theta| = \sin\theta \qquad 0\le\theta<\frac{\pi}{2}", PROVED),
     (r"|\sin\theta| = \sin\theta \qquad -1<\theta<\frac{\pi}{2}", "NOT PROVED"),
-    (r"\sin\theta > 0 \text{ if } 0\le\theta<\frac{\pi}{2}", UNDECIDED),
+    (r"\sin\theta > 0 \text{ if } 0\le\theta<\frac{\pi}{2}", REFUTED),
     (r"\sin\theta > 0 \text{ if } 0<\theta<\frac{\pi}{2}", PROVED),
     (r"|\sin\theta| = \sin\theta \text{ if } \theta>0 \\ |\sin\theta| = -\sin\theta \text{ if } \theta<0", PROVED),
     (r"|\sin\theta| = \sin\theta \text{ if } \theta>0 \\ |\sin\theta| = \sin\theta \text{ if } \theta<0", REFUTED),

@@ -10,7 +10,7 @@ from hypothesis import assume, given
 
 from rbpsym.field import flint_ring, ring, sympy_bridge
 from rbpsym.field.division import cancel, divide, without_poles
-from rbpsym.field.normal import is_zero, partner, same
+from rbpsym.field.normal import is_zero, normal, partner, same
 from rbpsym.field.poly import ONE, Poly, inverse
 from rbpsym.field.ring import cofactors, factors
 from rbpsym.field.scalar import Scalar, lift, quotient
@@ -147,6 +147,7 @@ def test_nested_coefficients_are_those_of_the_polynomial(powers) -> None:
 
 
 X_SIN, X_COS, Y_SIN, Y_COS, TURN = sine(X), cosine(X), sine(Y), cosine(Y), cosine(X - Y)
+SPREAD = Scalar(normal((sine(X - Y) * (M + TURN)).num))
 POLES = {  # above, below, and what is left below
     "one of several": (1 - X_SIN**2, X_SIN * X_COS**2, X_SIN),
     "the other": (1 - X_COS**2, X_COS * X_SIN**2, X_COS),
@@ -154,6 +155,7 @@ POLES = {  # above, below, and what is left below
     "its square": ((A * X_SIN - B * X_COS) ** 2 * (A + X_SIN), (A * X_SIN - B * X_COS) ** 2, lift(1)),
     "two angles": (1 - X_COS**2 - Y_SIN**2 * X_SIN**2, Y_COS * X_SIN, lift(1)),
     "the angle between": ((M - TURN**2) * A, M - X_COS * Y_COS * TURN - X_SIN * Y_SIN * TURN, lift(1)),
+    "of a difference, in both angles": (A * sine(X - Y), SPREAD, M + TURN),
     "a true one": (1 - X_COS, X_SIN, X_SIN),
     "none": (A, B + M, lift(1)),
 }
