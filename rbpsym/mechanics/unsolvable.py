@@ -143,15 +143,17 @@ def is_nonzero(system: System, value: Scalar, images: Mapping[str, Scalar]) -> b
         return True
     if not any(is_rooted(part.num) for part in (value, *images.values())):
         return False
-    return all(_is_seen(value, images, numbers) for numbers in islice(samples(system.problem), 3))
+    seen = (_is_seen(value, images, numbers) for numbers in samples(system.problem))
+    decided = [*islice((one for one in seen if one is not None), 3)]
+    return bool(decided) and all(decided)
 
 
-def _is_seen(value: Scalar, images: Mapping[str, Scalar], numbers: Mapping[str, float]) -> bool:
-    """Whether the value is clearly not zero there, against the largest of its terms."""
+def _is_seen(value: Scalar, images: Mapping[str, Scalar], numbers: Mapping[str, float]) -> bool | None:
+    """Whether the value is clearly not zero there, against the largest of its terms; None where it has no value."""
     known = dict(numbers)
     try:
         known |= {name: number(image, numbers) for name, image in images.items()}
         sizes = [abs(number(part, known)) for part in linear_row(value, tuple(images)).values()]
         return abs(number(value, known)) > SEEN * max(1.0, *sizes)
     except NoNumber:
-        return False
+        return None
