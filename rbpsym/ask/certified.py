@@ -48,7 +48,7 @@ NAMED = {solutions.WEAK: "underdamped", solutions.CRITICAL: "critically damped",
 LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
-    "course", "speed_along", "kept_speed", "followed", "reached_in_time",
+    "course", "speed_along", "kept_speed", "followed", "reached_in_time", "by_speed",
     "parallel_axis", "mass_integral", "mass_center",
 )  # fmt: skip
 
@@ -71,7 +71,7 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     _grounds(draft, found)
     if found.moment is not None and found.moment.phase is not None and found.moment.phase.event != "at once":
         endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
-    if found.moment is not None and found.moment.courses:
+    if found.moment is not None and (found.moment.courses or found.moment.watched):
         in_time.write(draft, found.moment)
         draft.chapter = "ask"
     lasts, open_ = ((), ()) if is_ground else asks(asked, found)
@@ -327,7 +327,7 @@ def _valid(
         image = dict.fromkeys(found.study.system.speeds, NOTHING) | there
         asked = [Demand(substitute(one.value, image), one.op) for one in asked]
     asked = [*first, *asked]
-    if moment is not None and (moment.watched or (moment.courses and moment.how == "time")):
+    if moment is not None and moment.state.time is not None and (moment.watched or (moment.courses and moment.how == "time")):
         at, given = {"t": moment.state.time}, found.study.assumptions
         asked = [Demand(neat(substitute(one.value, at), given), one.op) for one in asked]
     stated = (*(moment.state.valid if moment else ()), *lasts)

@@ -53,7 +53,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str, opposite:
     ways = (stays, comes_to_rest, rises)
     condition = slides or next(filter(None, (find(world, text) for find in ways)), None) or wanted(world, text, name)
     if condition.equal:
-        return _values(world, superlative, name, condition, text)
+        return equal_for(world, superlative, name, condition, text)
     stated = premises(world, condition)
     own = (demand.value for demand in stated if depends_on(demand.value, name) and demand.op != "!=")
     condition = replace(condition, beside=(*condition.beside, *own))
@@ -80,7 +80,8 @@ def _opposite(world: Scene, superlative: str | None, name: str, text: str, other
 # --- equalities
 
 
-def _values(world: Scene, superlative: str | None, name: str, condition: Wanted, text: str) -> Finding:
+def equal_for(world: Scene, superlative: str | None, name: str, condition: Wanted, text: str) -> Finding:
+    """SYMBOL for which a value vanishes."""
     [value], given, asked = condition.values, condition.given, ()
     if name in world.coordinates:
         way, given = way_to(world, name, None, given)
@@ -99,11 +100,8 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     zeros = [zero for zero in table.zeros.found if not zero.is_pole]
     zeros = [replace(zero, asked=left) for zero in zeros if (left := _met(world, name, zero, given)) is not None]
     if table.zeros.open_:
-        return Finding(
-            undecided("no closed form was found for where it vanishes, nor was it seen to be monotone"),
-            name,
-            equation=table.zeros.open_[0],
-        )
+        why = undecided("no closed form was found for where it vanishes, nor was it seen to be monotone")
+        return Finding(why, name, equation=table.zeros.open_[0])
     if table.zeros.crossings:
         return _crossing(name, table.zeros.crossings, given, is_only=not zeros)
     every = [zero.place for zero in table.zeros.found if not zero.is_pole]

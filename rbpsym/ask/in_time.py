@@ -16,7 +16,7 @@ from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, derivative, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics import solutions
+from rbpsym.mechanics import solutions, solved
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
@@ -89,13 +89,34 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     formula gives it."""
     study = asked.study(place)
     name = subject.removesuffix("_dot")
-    found = courses_of(study, manner)
+    try:
+        found = courses_of(study, manner)
+    except NotApplicable:
+        if (moment := _by_speed(study, place, name, value)) is None or manner or name == subject:
+            raise
+        return moment
     time, asked_for = first_time(study, subject, value, found)
     made = at_time(asked, place, substitute(time, _letters(found)), manner, is_solved=True)
     at = {*found, *(f"{n}_dot" for n in found)}
     is_given = name not in (subject, *study.system.unknowns) and not names_in(value) & at
     there = {**made.state.speeds, **({name: value} if is_given else {})}  # by its own meaning, not by a long formula
     return replace(made, state=replace(made.state, speeds=there, valid=asked_for), watched=(subject, value, time))
+
+
+def _by_speed(study: Study, place: int, name: str, value: Scalar) -> Moment | None:
+    """The moment at which the one coordinate that moves has a speed, by the acceleration as a function of that alone; None where
+    it is none. Raises StatementError where the speed is never come to."""
+    known, letter = solutions.given(study, name), study.letters.free("u")
+    found = solved.by_speed(known, letter) if known and study.system.independent == (name,) else None
+    if known is None or found is None or found[2] is None:
+        return None
+    gained, time, there = (one if one is None else short(substitute(one, {letter: value})) for one in found)
+    begun = substitute(Scalar(found[0].num), {letter: known.speed})
+    valid = settle((Demand(short((value - known.speed) * gained)), Demand(short(begun / gained))), study.assumptions)
+    if valid is None:
+        raise StatementError(f"“{name}_dot” does not come to this value in this motion")
+    state = State(time, {name: there}, {name: value}, valid)
+    return Moment(place, state, "time", watched=(f"{name}_dot", value, time))
 
 
 def _letters(found: Mapping[str, Course]) -> dict[str, Scalar]:
@@ -142,4 +163,6 @@ def write(draft: Draft, moment: Moment) -> tuple[str, ...]:
     told = tuple(course.told(draft, name, one, laws.get(name) or "", moment.courses) for name, one in moment.courses.items())
     if moment.watched is None:
         return told
+    if not moment.courses:
+        return (course.by_speed(draft, *moment.watched[:2], moment.state),)
     return (*told, course.reached(draft, *moment.watched, moment.state, _letters(moment.courses)))

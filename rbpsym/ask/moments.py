@@ -347,7 +347,7 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
         return _ahead(asked, "takes", name, place, node)
     coordinate = _coordinate(asked, name.removesuffix("_dot"))
     require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
-    if coordinate != name or names_in(scalar(node)) & world.motion.scope.rates.keys():
+    if coordinate != name or names_in(scalar(node)) & {*world.motion.scope.rates, *world.study.system.dependent}:
         raise NoClosedForm(f"no closed form was found for the moment at which “{name}” has this value", instead=BY_NUMBERS)
     return _ahead(asked, "reaches", name, place, node)
 

@@ -10,12 +10,16 @@ from rbpsym.ask import ahead, branches, critical, made, optima, special, through
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
-from rbpsym.ask.finding import Finding
+from rbpsym.ask.finding import Finding, together
 from rbpsym.ask.moments import Asked, NotMet
 from rbpsym.ask.question import ASKED, PHASE
-from rbpsym.ask.seen import NeverThere, Scene, scene
+from rbpsym.ask.seen import NeverThere, Scene, number_in, require_same, scene
 from rbpsym.ask.senses import turned
+from rbpsym.ask.wanted import Wanted
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.field import is_zero, short, substitute
+from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import mover
 
 _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
@@ -72,8 +76,25 @@ ROWS: Rows = (
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
 
+def _extreme_is(world: Scene, name: str, text: str, best: str, to: str) -> Finding:
+    """SYMBOL for which a greatest or least value is a given one, or vanishes. Raises StatementError without one such value."""
+    phase = f" in phase {world.asked.names[world.place]}" if world.is_named else ""
+    other, found = finding(world.asked, text + phase)
+    if len(found.values) != 1 or found.relation != "=":
+        raise StatementError(f"there is no single “{text}” that is known", instead="ask for that alone.")
+    value = number_in(world, to or "0")
+    require_same(world, found.values[0], value, (text, to))
+    for part, new in ((world.used, other.used), (world.doubts, other.doubts), (world.lasting, other.lasting)):
+        part.extend(new)
+    world.standing.extend((*found.valid, *(found.asked[0] if found.asked else ())))
+    equal = Wanted((short(found.values[0] - value),), world.motion.assumptions, equal=True)
+    told = critical.equal_for(world, None, name, equal, f"{text} = {to or 0}")
+    return replace(told, **together(told, found))
+
+
 # what is asked otherwise if the plain reading of it is refused
 RESORTS: Rows = (
+    (rf"{_N} {_FOR} (?:the )?({_BEST} .+?) (?:(?:=|is|equals) (?!zero)(.+)|vanishes|is zero)", _extreme_is),
     (rf"{_N} where (.+?) ((?:=|is|equals|vanishes) ?.*)", lambda w, name, *said: ahead.which(w, None, name, " ".join(said))),
     (r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)", lambda w, phrase: ahead.which(w, None, _mover(w), f"{phrase} = 0")),
     (r"ratio of (\w+) to (\w+) (in the \w+ mode)", made.of_mode),
@@ -106,6 +127,7 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
     found = finding(asked, text)
     if found is None:
         return None
+    found = _at_rest(asked, *found) or found
     with suppress(RbpsymError):
         other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
         if other is not None:
@@ -116,6 +138,22 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
         with suppress(NotMet):  # from there the motion does not come so far: the condition on its sense is told
             return branches.either(text, found, finding(side, text), letter)
     return concluded(found[0], text, found[1], letter)
+
+
+def _at_rest(asked: Asked, world: Scene, found: Finding) -> tuple[Scene, Finding] | None:
+    """For what vanishes with the speeds: the values for which the motion just comes to rest at the place at which it is taken;
+    None where there are none."""
+    places = {question.when.words for question, _ in world.used if question.when and question.when.kind == "reaches"}
+    if not (found.is_none and found.rule == "vanishes_for" and len(places) == 1):
+        return None
+    [(mover_, to)], value = places, found.grounds[0][1]["value"]
+    phase = f" in phase {asked.names[world.place]}" if world.is_named else ""
+    with suppress(RbpsymError):
+        other = finding(asked, f"{found.symbol} for which {mover_} comes to rest at {to}{phase}")
+        images = [{found.symbol: place} for place in other[1].values]
+        if images and all(is_zero(neat(substitute(value, at), world.motion.assumptions)) for at in images):
+            return other
+    return None
 
 
 def resorted(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:

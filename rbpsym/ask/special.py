@@ -123,8 +123,6 @@ def _limits(world: Scene, phrase: str, name: str, text: str, parts: Sequence[Sca
     given = world.motion.assumptions
     sign_, plain = (-1, text[1:]) if text.startswith("-") else (1, text.removeprefix("+"))
     to = None if plain in FAR else place_in(world, name, text)
-    if not any(depends_on(part, name) for part in parts):
-        raise StatementError(f"“{phrase}” does not depend on {name}", instead="leave the limit out.")
     limits = of_symbol(name, given)
     at_top = to is not None and limits.upper is not None and is_zero(to - limits.upper)
     side = -1 if at_top else sign_
@@ -165,7 +163,8 @@ def near(world: Scene, phrase: str, name: str, text: str) -> Finding:
 def _limit(value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str, *, as_term: bool) -> Finding:
     found = leading(value, name, to, given, side)
     if not depends_on(value, name):
-        return Finding(values=(value,), **checked("no_change", value=value, names=(name,), best=value, given=given))
+        same = checked("no_change", value=value, names=(name,), best=value, given=given)
+        return Finding(values=(value,), **same, says=f"“{phrase}” does not depend on {name}")
     if found is None and is_zero(value):
         return _nothing(value, name, given)
     if found is None:

@@ -61,7 +61,7 @@ SAID: Mapping[str, Row] = {
     "no": {"least_on_way": _holds(False), "equilibrium": _stable(False), "stays": lambda data: not data["until"]},
     "yes where this is met(, else no)?": {"least_on_way": _hangs(False), "vanishing": lambda data: data["open"]},
     "no where this is met(, else yes)?": {"least_on_way": _hangs(True)},
-    f"(yes|no): “…” does not depend on {NAME}": {"no_change": _itself},
+    f"((yes|no): )?“…” does not depend on {NAME}": {"no_change": _itself},
     f"(yes|no): “…” depends on {NAME}": {"changes": _itself},
     "(yes|no): “…” is conserved": {"kept_or_not": _kept(True)},
     "(yes|no): “…” changes": {"kept_or_not": _kept(False)},

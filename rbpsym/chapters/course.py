@@ -84,6 +84,20 @@ def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: Stat
                      data={"subject": subject, "value": value}).id  # fmt: skip
 
 
+def by_speed(draft: Draft, subject: str, value: Scalar, state: State) -> str:
+    """The id of the step that says when, and where, a coordinate has a speed of which its acceleration is a function."""
+    name, letter = subject.removesuffix("_dot"), draft.study.letters.free("u")
+    known = solutions.given(draft.study, name)
+    found = known and solved.by_speed(known, letter)
+    assert found, subject
+    told = [(old, new) for old, new in (("t", state.time), (name, state.places[name])) if new is not None]
+    rows = [t.equation(draft.define(draft.free(f"{old}_1"), new), draft.show(new, factor=True)) for old, new in told]
+    return draft.add("moment", "by_speed", t.System(tuple(rows)) if len(rows) > 1 else rows[0], "course.by_speed",
+                     premises=draft.those(f"motion.{name}"), name=t.Sym(name), speed=t.Sym(subject), value=draft.show(value),
+                     obligations=draft.asked(state.valid), is_result=True,
+                     data={"name": name, "value": value, "letter": letter, "time": found[1], "place": found[2]}).id  # fmt: skip
+
+
 def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> None:
     """A step for what is asked of the solution, by the linear law if one is named, if it has that."""
     letter, value = solved.FEATURES[key][0], solved.feature(known, key)

@@ -14,7 +14,7 @@ from rbpsym.field import atoms
 from rbpsym.field.calculus import depends_on, derivative, split_factor, substitute
 from rbpsym.field.normal import short, without_even_roots
 from rbpsym.field.poly import ONE, Monomial, Poly, generator
-from rbpsym.field.scalar import NOTHING, Scalar, generator_of, lift, quotient, symbol
+from rbpsym.field.scalar import NOTHING, UNITY, Scalar, generator_of, lift, quotient, symbol
 from rbpsym.field.trig import cosine, sine
 
 
@@ -45,6 +45,23 @@ def antiderivative(value: Scalar, name: str) -> Scalar | None:
             return None
         total = total + part * Scalar(Poly(rest))
     return total * quotient(ONE, value.den) if value.den is not ONE else total
+
+
+def with_logarithm(value: Scalar, name: str) -> tuple[Scalar, Scalar, Scalar] | None:
+    """(f, c, D) with the antiderivative f + c ln D of a quotient N/D with a linear D, or with N = c D'; None for another one."""
+    powers = [power for power in value.den.by_power(atoms.intern("symbol", name)) if power < 0]
+    above, below = (Scalar(part) * symbol(name) ** -min(powers, default=0) for part in (value.num, value.den))
+    slope = derivative(below, name)
+    if not slope:
+        return (found, NOTHING, UNITY) if (found := antiderivative(value, name)) is not None else None
+    ratio = short(above / slope)
+    if not depends_on(ratio, name):
+        return NOTHING, ratio, below
+    if depends_on(slope, name):
+        return None
+    rest = substitute(above, {name: symbol(name) - below / slope})
+    whole = antiderivative(short((above - rest) / below), name)
+    return None if whole is None else (whole, short(rest / slope), below)
 
 
 def _by_roots(num: Poly, below: Scalar, index: int, name: str) -> Scalar | None:

@@ -10,10 +10,12 @@ from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
 from rbpsym.field.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
 from rbpsym.field.exponentials import with_exponentials_joined
+from rbpsym.field.integration import with_logarithm
 from rbpsym.mechanics.demands import WAYS, Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.forms import power_law, raised
 from rbpsym.mechanics.friction import slips, stops
+from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import Given, kind_of, steady
 
 Letters = Mapping[str, Scalar]
@@ -33,6 +35,21 @@ def speed_along(known: Given, name: str) -> Scalar | None:
     last = short(form.constant / form.drag)
     square = last + (known.speed**2 - last) * dies**2
     return function("sqrt", short(square)) * known.sense(known.speed or form.constant)
+
+
+def by_speed(known: Given, letter: str) -> tuple[Scalar, Scalar | None, Scalar | None] | None:
+    """The acceleration, where it is a function of the speed alone, which the letter stands for, and as such functions the time
+    and the place, as far as their integrals have closed forms; None for another acceleration."""
+    form, speed, found = known.form, symbol(letter), list[Scalar | None]()
+    gained = short(substitute(form.at_speed(symbol(f"{known.name}_dot")), {f"{known.name}_dot": speed}))
+    if form.stiffness or form.drive or form.drawn or depends_on(form.constant, "t") or not gained:
+        return None
+    for rate, begin in ((UNITY, NOTHING), (speed, known.place)):
+        whole, factor, inner = with_logarithm(rate / gained, letter) or (None, NOTHING, UNITY)
+        since = None if whole is None else begin + whole - substitute(whole, {letter: known.speed})
+        ratio = short(inner / substitute(inner, {letter: known.speed}))
+        found.append(since if since is None or not factor else since + factor * function("ln", ratio))
+    return gained, *found
 
 
 def sets_out(known: Given) -> tuple[Demand, ...]:
@@ -117,6 +134,9 @@ def _fastest(known: Given) -> Scalar | None:
 def _terminal(known: Given) -> Scalar | None:
     """The speed at which the resistance balances what is constant."""
     form = known.form
+    if form.law:
+        places = [place for place in zeros(form.law, f"{known.name}_dot") if known.sense(place * known.speed) > 0]
+        return places[0] if len(places) == 1 else None
     if form.stiffness or form.drive or not form.constant:
         return None
     if form.damping:

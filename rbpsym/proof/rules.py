@@ -90,6 +90,7 @@ CHECKED: Mapping[str, str] = {
     "greatest_of": "answers.greatest_of",
     "course": "solutions.course",
     "reached_in_time": "identity solutions.reached",
+    "by_speed": "solutions.by_speed",
     "speed_along": "solutions.speed_along",
     "swing": "identity solutions.swing",
     "kept_speed": "values.kept_speed",

@@ -170,10 +170,13 @@ def time_until(world: ProblemWorld, name: str, text: str) -> Bound:
 # --- phases
 
 
-def _stage(world: ProblemWorld, name: str | None) -> tuple[int, HandOver]:
-    """Which phase a name is of, and how it begins; without a name, the only phase that begins with a blow."""
+def _stage(world: ProblemWorld, name: str | None, force: str = "") -> tuple[int, HandOver]:
+    """Which phase a name is of, and how it begins; without a name, the only phase that begins with a blow, or with one in which
+    that force has an impulse."""
     names = [stage.name for stage in world.stages]
-    blows = [stage.name for stage in world.stages if name is None and stage.began is not None and stage.began.is_blow]
+    apart = {one.name: one.began for one in world.stages if name is None and one.began is not None and one.began.is_blow}
+    struck = [one for one, began in apart.items() if {force, f"{force}_x"} & began.impulses.keys()]
+    blows = struck or [*apart]
     if name is None and len(blows) != 1:
         told = f"write “… when {' begins” or “… when '.join(blows)} begins”." if blows else "the problem has no blow."
         raise StatementError("the blow is not named", instead=told)
@@ -210,7 +213,7 @@ def until(world: ProblemWorld, name: str) -> Bound:
 
 def impulse(world: ProblemWorld, force: str, name: str | None) -> Bound:
     """The impulse of a constraint or collision when PHASE begins; of a pivot as a vector."""
-    place, began = _stage(world, name)
+    place, began = _stage(world, name, force)
     found, told = began.impulses, f"phase {place}"
     both = tuple(found[name] for name in (f"{force}_x", f"{force}_y") if name in found)
     if force not in found and len(both) == 2:

@@ -120,7 +120,6 @@ WRONG = [
     (ROLLING, "acceleration of s with c = -1", "outside of what is declared"),
     (ROLLING, "acceleration of s with beta = pi", "outside of what is declared"),
     (ROLLING, "acceleration of s with c = 2/5 and then", "gives no value"),
-    (ROLLING, "acceleration of s in the limit m -> 0", "does not depend on m"),
     (ROLLING, "acceleration of s in the limit foo -> 0", "no parameter"),
     (ROLLING, "acceleration of s in the limit c -> R", "is a length"),
     (ROLLING, "acceleration of s in the limit c -> -1", "outside of what is declared"),
@@ -145,6 +144,7 @@ WRONG = [
 ]  # fmt: skip
 
 SAID = [
+    (ROLLING, "acceleration of s in the limit m -> 0", "does not depend on m"),
     ("disk-off-center", "smallest M for which period of theta >= 0", "holds for all values"),
     ("disk-off-center", "largest period of theta over d", "has no bound as d goes to 0"),
     ("disk-off-center", "R for which period of theta is least", "no least value is reached"),

@@ -20,7 +20,10 @@ from rbpsym.ask.undetermined import bearable
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import replace
 from rbpsym.mechanics.numbers import floating
+from rbpsym.proof.context import Context
+from rbpsym.proof.rules import RULES
 from rbpsym.statement.loader import load_text
 from tests.ask.law import one_value_a_letter
 
@@ -265,6 +268,14 @@ ANSWERS = (
     ("winding-string", "time until phi = L/(2*R)", "3*L**2/(8*R*v_0)"),
     ("springs-in-series", "period of y", "2*pi*sqrt(m*(k_1 + k_2)/(k_1*k_2))"),
     ("three-springs-in-series", "period of z", "2*pi*sqrt(m*(1/k_1 + 1/k_2 + 1/k_3))"),
+    ("hoist-of-one-power", "terminal speed of y", "P/(m*g)"),
+    ("hoist-of-one-power", "time until speed of y = 2*v_0", "-v_0/g - P/(m*g**2)*ln((P - 2*m*g*v_0)/(P - m*g*v_0))"),
+    ("car-of-one-power-in-air", "x where speed of x = 2*v_0", "m/(3*k)*ln((P - k*v_0**3)/(P - 8*k*v_0**3))"),
+    ("blocks-on-spring", "A for which largest f = mu*m*g/2", "mu*(m + M)*g/(2*k)"),
+    ("ball-on-pulled-paper", "time until s - x = d", "sqrt(14*d/(5*a))"),
+    ("ball-on-pulled-paper", "x where s - x = d", "2*d/5"),
+    ("struck-hinged", "J for which speed of theta where theta = pi/3 vanishes", "M*L*sqrt(g*L/6)/b"),
+    ("two-balls", "J", "2*(1+e)*M*m*sqrt(2*g*h)/(M+m)"),
 )  # fmt: skip
 
 
@@ -297,6 +308,13 @@ def test_what_two_rough_contacts_bear_is_what_a_linear_program_finds() -> None:
         assert found is all(floating(value, at) >= 0 for value in values), at
         seen.add(found)
     assert seen == {True, False}
+
+
+def test_when_a_speed_is_come_to_is_checked_by_its_rate() -> None:
+    found = answered(asked("hoist-of-one-power"), "time until speed of y = 2*v_0")
+    step, context = next(step for step in found.steps if step.rule == "by_speed"), Context(asked("hoist-of-one-power").first)
+    wrong = replace(step, data={**step.data, "time": step.data["time"] * 2})
+    assert not RULES["by_speed"][0](context, wrong).is_proved
 
 
 @pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: value[:60])

@@ -235,6 +235,9 @@ def seen_then(context: Context, moment: Any, value: Scalar) -> tuple[Verdict, Sc
         image[name] = (state.places if what == "place" else state.speeds)[coordinate]
         if moment.how == "time" and (said := said_of(context, coordinate)):
             found.append(same(context, at_time(state.time, said if what == "place" else derivative(said, "t")), image[name]))
+        elif (step := context.steps.get("moment")) and step.rule == "by_speed":
+            stated = named_sides(context, step)[-1][1] if what == "place" else step.data["value"]
+            found.append(same(context, stated, image[name]))
         elif moment.how == "rest":
             found.append(_stays(context, state, coordinate))
         else:

@@ -202,6 +202,28 @@ def speed_along(context: Context, step: Step) -> Verdict:
     return weakest([*found, same(context, begin * begin, first * first), positive(context, step, push * step.data["way"])])
 
 
+def by_speed(context: Context, step: Step) -> Verdict:
+    """dt/du a(u) = 1 and dx/du a(u) = u with the acceleration a(u) at the speed u; both begin as the motion does, and are stated
+    for one speed, up to which a(u) changes to one side and keeps its sign (`data`: "name", "value", "letter", "time",
+    "place")."""
+    name, letter, value = step.data["name"], step.data["letter"], step.data["value"]
+    gained = substitute(context.on_motion(symbol(f"{name}_ddot")), {f"{name}_dot": symbol(letter)})
+    first, given = context.start(symbol(f"{name}_dot")), _given(context, step)
+    if names_in(gained) & {*context.study.system.coordinates, *context.study.system.speeds, "t"}:
+        return undecided("the acceleration is no function of the speed alone")
+    kinds = {sign(end, given).kind or "" for end in (first, value)} - {"zero"}
+    given = given.with_signs({letter: kinds.pop()} if len(kinds) == 1 and "" not in kinds else {})
+    slope = sign(derivative(Scalar(gained.num), letter), given)
+    found = [] if slope.is_nonzero else [undecided("whether the acceleration keeps its sign is not decided")]
+    parts = (step.data["time"], UNITY, NOTHING), (step.data["place"], symbol(letter), context.start(symbol(name)))
+    told = [row for row in parts if row[0] is not None]
+    for (part, rate, begin), (_, stated) in zip(told, named_sides(context, step), strict=True):
+        found.append(same(context, derivative(part, letter) * gained, rate))
+        found += [same(context, substitute(part, {letter: at}), to) for at, to in ((first, begin), (value, stated))]
+    ends = [substitute(Scalar(gained.num), {letter: at}) for at in (first, value)]
+    return weakest([*found, positive(context, step, ends[0] * ends[1]), positive(context, step, (value - first) * ends[1])])
+
+
 def swing(context: Context, step: Step) -> Verdict:
     """The place goes to and fro as q = q* + (2/n) asin(k s) with s = sin u, where (ds/dt)² = ϑ²(1 - s²)(1 - k² s²): that is
     q̇² with the stated k, ϑ and q*, and the time from s = 0 to 1 is K(k)/ϑ, which is to be a quarter of the period (`data`:
