@@ -71,7 +71,8 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     _grounds(draft, found)
     if found.moment is not None and found.moment.phase is not None and found.moment.phase.event != "at once":
         endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
-    if found.moment is not None and (found.moment.courses or found.moment.watched):
+    is_free = bool(found.study.system.independent)  # else all is a function of the time as it is stated
+    if found.moment is not None and (found.moment.courses or (found.moment.watched and is_free)):
         in_time.write(draft, found.moment)
         draft.chapter = "ask"
     lasts, open_ = ((), ()) if is_ground else asks(asked, found)

@@ -14,7 +14,7 @@ from rbpsym.decide.dimensions import require_dimension
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, Scalar, derivative, names_in, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, derivative, is_zero, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import solutions, solved
 from rbpsym.mechanics.arrivals import of_coordinate
@@ -108,11 +108,12 @@ def _by_speed(study: Study, place: int, name: str, value: Scalar) -> Moment | No
     it is none. Raises StatementError where the speed is never come to."""
     known, letter = solutions.given(study, name), study.letters.free("u")
     found = solved.by_speed(known, letter) if known and study.system.independent == (name,) else None
-    if known is None or found is None or found[2] is None:
+    if known is None or found is None or found[2] is None or is_zero(value):
         return None
     gained, time, there = (one if one is None else short(substitute(one, {letter: value})) for one in found)
     begun = substitute(Scalar(found[0].num), {letter: known.speed})
-    valid = settle((Demand(short((value - known.speed) * gained)), Demand(short(begun / gained))), study.assumptions)
+    asked_for = Demand(short((value - known.speed) * gained)), Demand(short(begun / gained)), Demand(value * known.speed, ">=")
+    valid = settle(asked_for, study.assumptions)
     if valid is None:
         raise StatementError(f"“{name}_dot” does not come to this value in this motion")
     state = State(time, {name: there}, {name: value}, valid)

@@ -212,9 +212,11 @@ def by_speed(context: Context, step: Step) -> Verdict:
     if names_in(gained) & {*context.study.system.coordinates, *context.study.system.speeds, "t"}:
         return undecided("the acceleration is no function of the speed alone")
     kinds = {sign(end, given).kind or "" for end in (first, value)} - {"zero"}
-    given = given.with_signs({letter: kinds.pop()} if len(kinds) == 1 and "" not in kinds else {})
-    slope = sign(derivative(Scalar(gained.num), letter), given)
-    found = [] if slope.is_nonzero else [undecided("whether the acceleration keeps its sign is not decided")]
+    if kinds not in ({"positive"}, {"negative"}):  # where it is zero the acceleration of a constant power has no value
+        return undecided("whether the speed vanishes on the way is not decided")
+    given = given.with_signs({letter: kinds.pop()})
+    ways = (sign(part, given).is_nonzero for part in (derivative(Scalar(gained.num), letter), Scalar(gained.den)))
+    found = [] if all(ways) else [undecided("whether the acceleration keeps its sign is not decided")]
     parts = (step.data["time"], UNITY, NOTHING), (step.data["place"], symbol(letter), context.start(symbol(name)))
     told = [row for row in parts if row[0] is not None]
     for (part, rate, begin), (_, stated) in zip(told, named_sides(context, step), strict=True):
