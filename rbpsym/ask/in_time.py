@@ -113,9 +113,8 @@ def _by_speed(study: Study, place: int, name: str, value: Scalar) -> Moment | No
     gained, time, there = (one if one is None else short(substitute(one, {letter: value})) for one in found)
     begun = substitute(Scalar(found[0].num), {letter: known.speed})
     asked_for = Demand(short((value - known.speed) * gained)), Demand(short(begun / gained)), Demand(value * known.speed, ">=")
-    valid = settle(asked_for, study.assumptions)
-    if valid is None:
-        raise StatementError(f"“{name}_dot” does not come to this value in this motion")
+    never = StatementError(f"“{name}_dot” does not come to this value in this motion")
+    valid = possible(asked_for, study.assumptions, never)
     state = State(time, {name: there}, {name: value}, valid)
     return Moment(place, state, "time", watched=(f"{name}_dot", value, time))
 
