@@ -332,7 +332,7 @@ TURNED = {">": "<", ">=": "<=", "!=": "!="}
 
 
 def upright(condition: Node) -> Node:
-    """z < 0 for the condition −z > 0; a > b for a − b > 0."""
+    """z < 0 for the condition −z > 0; a > b for a − b > 0; e < 1 for 1 − e > 0."""
     if not isinstance(condition, Chain) or condition.ops[0] not in TURNED or condition.items[1:] != (ZERO,):
         return condition
     [left, right], [op] = condition.items, condition.ops
@@ -340,7 +340,10 @@ def upright(condition: Node) -> Node:
         return relation(left.arg, TURNED[op], right)
     terms = left.terms if isinstance(left, Add) else ()
     more, less = ([term for term in terms if is_negative(term) is side] for side in (False, True))
-    return relation(add(*more), op, add(*map(neg, less))) if more and less else condition
+    if not more or not less:
+        return condition
+    first, second = add(*more), add(*map(neg, less))
+    return relation(second, TURNED[op], first) if isinstance(first, Num) else relation(first, op, second)
 
 
 def mul(*factors: Node) -> Node:

@@ -228,6 +228,7 @@ def test_a_condition_does_not_begin_with_a_minus(op: str, turned: str) -> None:
     a, b, z = map(t.Sym, "abz")
     assert t.upright(t.relation(t.Neg(z), op, t.ZERO)) == t.relation(z, turned, t.ZERO)
     assert t.upright(t.relation(t.add(t.Neg(a), b, z), op, t.ZERO)) == t.relation(t.add(b, z), op, a)
+    assert t.upright(t.relation(t.add(t.ONE, t.Neg(b)), op, t.ZERO)) == t.relation(b, turned, t.ONE)
     assert t.upright(t.relation(t.add(a, t.Neg(b)), op, z)) == t.relation(t.add(a, t.Neg(b)), op, z)
 
 

@@ -81,6 +81,13 @@ def test_a_bad_request_gets_a_sentence(request_: str) -> None:
     assert json.loads(api.call(request_))["error"]["what"]
 
 
+def test_a_sheet_travels_as_a_list_of_lines(ladder: str) -> None:
+    line = "theta_ddot = 3*g/(4*ell)*cos(theta)"
+    assert asked(do="judge", text=ladder, line=line, lines=[line])["ok"]["verdict"] == "wrong"
+    assert asked(do="record", text=ladder, lines=[line])["ok"]["lines"][0]["verdict"] == "wrong"
+    assert "of another kind" in asked(do="record", text=ladder, lines=[1])["error"]["what"]
+
+
 def test_the_schema_tells_every_operation() -> None:
     found = asked(do="schema")["ok"]
     assert set(found) == set(api.OPERATIONS)
