@@ -28,7 +28,7 @@ from tests.architecture.source import ROOT
 from tests.document.collisions import collisions
 from tests.library.derived import derived_from
 
-pytestmark = pytest.mark.heavy(of=10)
+pytestmark = pytest.mark.heavy(of=20)
 
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("*/*.toml"))
 FILES = {**problem_files(), **{f"{path.parent.name}-{path.stem}": path for path in EXAMPLES}}

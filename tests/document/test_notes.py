@@ -22,7 +22,7 @@ from rbpsym.statement.loader import load_text
 from tests.document.unseen import UNSEEN
 from tests.library.derived import answers_to, unsimulated
 
-pytestmark = pytest.mark.heavy(of=10)
+pytestmark = pytest.mark.heavy(of=20)
 
 NAMES = (*sorted(problem_files()), *UNSEEN)
 

@@ -24,6 +24,7 @@ REFUSED = {
 KEPT = "kept"
 
 
+@pytest.mark.heavy
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_nothing_false_is_told(path: Path) -> None:
     if path.stem in REFUSED:

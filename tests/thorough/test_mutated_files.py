@@ -6,7 +6,7 @@ import pytest
 
 from tests.thorough.mutated import fault, mutant
 
-FEW, MANY, A_BATCH = 100, 5000, 100
+FEW, MANY, A_BATCH = 75, 5075, 100
 SIMULATED = 10  # of so many mutants one is simulated as well
 
 
