@@ -335,15 +335,12 @@ def upright(condition: Node) -> Node:
     """z < 0 for the condition −z > 0; a > b for a − b > 0; e < 1 for 1 − e > 0."""
     if not isinstance(condition, Chain) or condition.ops[0] not in TURNED or condition.items[1:] != (ZERO,):
         return condition
-    [left, right], [op] = condition.items, condition.ops
-    if isinstance(left, Neg):
-        return relation(left.arg, TURNED[op], right)
-    terms = left.terms if isinstance(left, Add) else ()
-    more, less = ([term for term in terms if is_negative(term) is side] for side in (False, True))
-    if not more or not less:
+    left, op = condition.items[0], condition.ops[0]
+    terms = left.terms if isinstance(left, Add) else (left,)
+    more, less = (add(*(neg(term) if side else term for term in terms if is_negative(term) is side)) for side in (False, True))
+    if less == ZERO:
         return condition
-    first, second = add(*more), add(*map(neg, less))
-    return relation(second, TURNED[op], first) if isinstance(first, Num) else relation(first, op, second)
+    return relation(less, TURNED[op], more) if isinstance(more, Num) else relation(more, op, less)
 
 
 def mul(*factors: Node) -> Node:
