@@ -8,6 +8,8 @@ import html
 import shutil
 import sys
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from itertools import groupby
 from pathlib import Path
 
@@ -37,18 +39,23 @@ def write(pages: Path, extra: Path, studio: Path) -> None:
     problems = sorted((entry for entry in shelf() if entry.kind == "problem"), key=place)
     (extra / "problems").mkdir(parents=True, exist_ok=True)
     pages.mkdir(exist_ok=True)
-    for entry in problems:
-        derivation = derive(load_problem(entry.path), simulation=False)
-        document = numbered(notes(derivation))
-        figure, notation = figures_of(document)[0]
-        [drawn] = drawings([(figure.scenes, notation)], "svg", 0)
-        (pages / f"{entry.name}.svg").write_bytes(drawn)
-        (extra / "problems" / f"{entry.name}.html").write_text(writer("html")(document), encoding="utf-8")
-        if moves(derivation):
-            moving = explorer((derivation.study.problem,))
-            (extra / "problems" / f"{entry.name}-explorer.html").write_text(moving, encoding="utf-8")
-        (pages / f"{entry.name}.md").write_text("\n".join(page(entry, derivation, figure.alt, has_studio)), encoding="utf-8")
+    with ProcessPoolExecutor() as crew:
+        list(crew.map(partial(write_one, pages=pages, extra=extra, has_studio=has_studio), problems))
     (pages / "index.md").write_text("\n".join(index(problems)), encoding="utf-8")
+
+
+def write_one(entry: Entry, *, pages: Path, extra: Path, has_studio: bool) -> None:
+    """The page of a problem with its figure, and what it leads to."""
+    derivation = derive(load_problem(entry.path), simulation=False)
+    document = numbered(notes(derivation))
+    figure, notation = figures_of(document)[0]
+    [drawn] = drawings([(figure.scenes, notation)], "svg", 0)
+    (pages / f"{entry.name}.svg").write_bytes(drawn)
+    (extra / "problems" / f"{entry.name}.html").write_text(writer("html")(document), encoding="utf-8")
+    if moves(derivation):
+        moving = explorer((derivation.study.problem,))
+        (extra / "problems" / f"{entry.name}-explorer.html").write_text(moving, encoding="utf-8")
+    (pages / f"{entry.name}.md").write_text("\n".join(page(entry, derivation, figure.alt, has_studio)), encoding="utf-8")
 
 
 def moves(derivation: Derivation) -> bool:
