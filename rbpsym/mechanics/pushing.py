@@ -33,7 +33,8 @@ def check_start(study: Study, *, moves: bool = True) -> None:
     for element, what, value, _ in found:
         if sign(value, study.assumptions, factoring=False).kind == "negative":
             raise _wrong(element, what, value)
-    possible((demand for *_, demand in found), study.assumptions, _never(study)) if found else ()
+    if found:
+        possible((demand for *_, demand in found), study.assumptions, _never(study))
 
 
 def _asked(study: Study, moves: bool) -> list[tuple[Element, str, Scalar, Demand]]:
