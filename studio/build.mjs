@@ -36,7 +36,7 @@ async function archive() {
   }
   py.runPython(`import sys; sys.path[:0] = ["/src", "/src/pack"]; sys.dont_write_bytecode = True; import pack_engine`);
   py.runPython(`pack_engine.pack("/engine.zip", "/data.zip", "/scene.css")`);
-  return ["/engine.zip", "/data.zip", "/scene.css"].map((name) => py.FS.readFile(name));
+  return [...["/engine.zip", "/data.zip", "/scene.css"].map((name) => py.FS.readFile(name)), py.runPython("pack_engine.words()")];
 }
 
 // --- Typst, for PDF: its compiler from npm, its fonts out of the library of the Python package, in which they lie as they are
@@ -66,14 +66,14 @@ function typst() {
 rmSync(out, { recursive: true, force: true });
 const began = Date.now();
 for (const name of ENGINE) { mkdirSync(join(out, "pyodide"), { recursive: true }); cpSync(join(here, "node_modules", "pyodide", name), join(out, "pyodide", name)); }
-const [modules, contents, scene] = await archive();
+const [modules, contents, scene, words] = await archive();
 const py = put(`py/engine.${hashed(modules)}.zip`, modules), data = put(`py/data.${hashed(contents)}.zip`, contents);
 const version = JSON.parse(readFileSync(join(here, "node_modules", "pyodide", "package.json"))).version;
 const files = { py, data, key: `snapshot-${version}-${hashed(py + data)}`, snapshots: process.env.STUDIO_SNAPSHOTS !== "0" };
 
 const worker = source("worker.js").replace("FILES;", JSON.stringify(files) + ";");
 const workerName = put(`worker.${hashed(worker)}.js`, worker);
-const bundled = await build({ entryPoints: [join(here, "src", "app.js")], bundle: true, minify: true, format: "esm", write: false, target: "es2022", logLevel: "error" });
+const bundled = await build({ entryPoints: [join(here, "src", "app.js")], bundle: true, minify: true, format: "esm", write: false, define: { LANGUAGES: words }, target: "es2022", logLevel: "error" });
 const app = bundled.outputFiles[0].text.replace("./WORKER", "./" + workerName).replace("./TYPST", "./" + typst());
 const appName = put(`app.${hashed(app)}.js`, app);
 const font = readFileSync(join(root, "templates", "math.woff2")), fontName = put(`math.${hashed(font)}.woff2`, font);

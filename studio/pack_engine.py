@@ -67,6 +67,13 @@ def data():
     yield SRC / "sympy/__init__.py", "sympy/__init__.py"  # its list of names is read (`sympy_bridge`)
 
 
+def words() -> str:
+    """What the page itself says, by language."""
+    from rbpsym.languages import languages, phrases
+
+    return json.dumps({language: phrases(language, "studio") for language in languages()}, ensure_ascii=False)
+
+
 def pack(code: str, rest: str, looks: str) -> None:
     """Writes the archives of the modules and of the data, and how figures look."""
     touch()

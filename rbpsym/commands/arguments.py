@@ -12,6 +12,7 @@ from click.shell_completion import CompletionItem
 
 from rbpsym.errors import ReadError
 from rbpsym.frozen import Frozen, replace
+from rbpsym.languages import title_in
 from rbpsym.statement.library import course_files, not_found, problem_files, worksheet_files
 
 if TYPE_CHECKING:
@@ -99,20 +100,15 @@ class Entry(Frozen):
 
     def title(self, language: str = "en") -> str:
         """Its title in a language, or in English if it has none in that."""
-        return in_language(self.titles, language) or self.name
+        return title_in(self.titles, language) or self.name
 
     def topic(self, language: str = "en") -> str:
         """What it teaches; empty if no one said."""
-        return in_language(self.topics, language)
+        return title_in(self.topics, language)
 
     def level(self, language: str = "en") -> str:
         """For whom it is; empty if no one said."""
-        return in_language(self.levels, language)
-
-
-def in_language(texts: Mapping[str, str], language: str) -> str:
-    """The text in a language, or in English if there is none in that."""
-    return texts.get(language) or texts.get("en", "")
+        return title_in(self.levels, language)
 
 
 def shelf() -> Iterator[Entry]:

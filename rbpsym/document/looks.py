@@ -11,12 +11,13 @@ from rbpsym.document.model import Block, Callout, Display, Document, Inlines, Pa
 from rbpsym.document.notes import notation_of, shown_steps, words_of
 from rbpsym.document.notes_checks import checks_section, results_section
 from rbpsym.document.notes_statement import statement_section
-from rbpsym.document.phrases import has_phrase, phrase, phrases, usual_notation
+from rbpsym.document.phrases import has_phrase, phrase, usual_notation
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers import html, latex
 from rbpsym.document.writers.page import body, page_for
 from rbpsym.expr.glyphs import DEFAULT, Notation, notation_for
 from rbpsym.expr.tree import Node
+from rbpsym.languages import phrases
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import UNCHECKED, Certificate, Derivation, DerivedCourse, Excerpt, Lesson, Step
 from rbpsym.statement.model import Problem
@@ -30,7 +31,7 @@ _CHOSEN = {"language": "en"}  # what a notebook chose: values know nothing of th
 
 
 def speak(language: str) -> None:
-    """Let values show themselves in a language from now on. Raises DocumentError if there are no phrases in it.
+    """Let values show themselves in a language from now on. Raises RbpsymError if there are no phrases in it.
 
     >>> speak("en")
     """

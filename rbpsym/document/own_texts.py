@@ -11,8 +11,9 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 
 from rbpsym.document.model import Block, Display, Inlines, Paragraph
-from rbpsym.document.phrases import filled, languages, merged, phrases
+from rbpsym.document.phrases import filled, merged
 from rbpsym.expr import tree as t
+from rbpsym.languages import languages, phrases
 from rbpsym.statement.course import Course
 from rbpsym.statement.own_text import OwnFormula, OwnParagraph, Sentence
 

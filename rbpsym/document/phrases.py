@@ -13,12 +13,10 @@ inlines (a phrase, put in as it is), a list of any of these (joined: "a, b and c
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import cache
-from pathlib import Path
 from string import Formatter
 from types import MappingProxyType
 from typing import Any
@@ -27,23 +25,18 @@ from rbpsym.document import model as d
 from rbpsym.expr.glyphs import MARKS, Notation, notation_for
 from rbpsym.expr.tree import Node, Word, walk
 from rbpsym.frozen import Frozen, field
+from rbpsym.languages import part_of, phrases
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
 
 
 @cache
 def usual_notation(language: str) -> Notation:
-    """The notation of a language, as its phrases file tells it under [notation], [functions] and [spoken]."""
+    """The notation of a language, as its phrases tell it under [notation], [functions] and [spoken]."""
     table = phrases(language)
     marks = {key: table[f"notation.{key}"] for key in MARKS if f"notation.{key}" in table}
     parts = {part: MappingProxyType(part_of(part, language)) for part in ("functions", "spoken")}
     return replace(notation_for((), marks), functions=parts["functions"], words=parts["spoken"])
-
-
-def part_of(part: str, language: str) -> dict[str, str]:
-    """The entries of one table of a phrases file."""
-    prefix = f"{part}."
-    return {key.removeprefix(prefix): text for key, text in phrases(language).items() if key.startswith(prefix)}
 
 
 def common_notation(
@@ -72,32 +65,45 @@ def problem_notation(problem: Problem, language: str = "en") -> Notation:
 class Grammar(Frozen):
     """How words change beside others.
 
-    `singular` are the numbers that take the form `one`; nouns with one of the `feminine` endings are feminine,
-    but for the words in `genders`; `contractions` are what words that meet become (“de el”: “del”); the last
-    “and” of a list is `other_last` before the `sound` (a regular expression), else `last`.
+    `singular` are the numbers that take the form `one`; the gender of a phrase is that of the first word like `noun`: as
+    `genders` tell of it, else of how it ends (the longest first), else masculine; `cases`: by name, what becomes what, in
+    order; `contractions` are what words that meet become (“de el”: “del”); the last “and” of a list is `other_last`
+    before the `sound` (a regular expression), else `last`.
     """
 
     last: str = ", "
     other_last: str = ""
     sound: str = ""
+    noun: str = r"\w+"
     singular: frozenset[int] = frozenset({1})
-    feminine: tuple[str, ...] = ()
     genders: Mapping[str, str] = field(default_factory=dict)
+    endings: tuple[tuple[str, str], ...] = ()
+    cases: Mapping[str, tuple[tuple[str, str], ...]] = field(default_factory=dict)
     contractions: Mapping[str, str] = field(default_factory=dict)
 
     def number(self, count: int) -> str:
         """ "one" or "many"."""
         return "one" if count in self.singular else "many"
 
-    def gender(self, noun: str) -> str:
-        """ "feminine" or "masculine", by the first word of a noun phrase.
+    def gender(self, phrase: str) -> str:
+        """The gender of a noun phrase.
 
-        >>> Grammar(feminine=("a",), genders={"mapa": "masculine"}).gender("la cuña")
+        >>> Grammar(endings=(("a", "feminine"),), genders={"mapa": "masculine"}).gender("la cuña")
         'feminine'
         """
-        words = noun.lower().split()
-        word = words[0] if words else ""
-        return self.genders.get(word, "feminine" if word.endswith(self.feminine) else "masculine")
+        found = re.search(self.noun, phrase)
+        word = found[0].lower() if found else ""
+        return self.genders.get(word) or next((name for end, name in self.endings if word.endswith(end)), "masculine")
+
+    def declined(self, phrase: str, case: str) -> str:
+        """A noun phrase in another case than that of a subject.
+
+        >>> Grammar(cases={"acc": (("^der ", "den "),)}).declined("der Stab", "acc")
+        'den Stab'
+        """
+        for pattern, told in self.cases.get(case, ()):
+            phrase = re.sub(pattern, told, phrase)
+        return phrase
 
     def contracted(self, text: str) -> str:
         """The text with its contractions.
@@ -115,55 +121,42 @@ class Grammar(Frozen):
         return self.other_last if self.sound and re.match(self.sound, word, re.IGNORECASE) else self.last
 
 
+GENDERS = ("masculine", "feminine", "neuter")
+
+
 def grammar_of(table: Mapping[str, str]) -> Grammar:
-    """The grammar in a phrases file (dotted keys)."""
+    """The grammar in the phrases of a language (dotted keys)."""
 
     def several(key: str) -> tuple[str, ...]:
         return tuple(table.get(f"grammar.{key}", "").split())
 
-    genders = {word: gender for gender in ("masculine", "feminine") for word in several(f"{gender}_words")}
-    prefix = "grammar.contractions."
+    def entries(part: str) -> Iterator[tuple[str, str]]:
+        prefix = f"grammar.{part}."
+        return ((key.removeprefix(prefix), text) for key, text in table.items() if key.startswith(prefix))
+
+    cases: dict[str, tuple[tuple[str, str], ...]] = {}
+    for key, told in entries("cases"):
+        case, _, pattern = key.partition(".")
+        cases[case] = (*cases.get(case, ()), (pattern, told))
+    endings = [(end, gender) for gender in GENDERS for end in several(f"{gender}_endings")]
     return Grammar(
         last=table["list.last"],
         other_last=table.get("grammar.other_last", ""),
         sound=table.get("grammar.sound", ""),
+        noun=table.get("grammar.noun", r"\w+"),
         singular=frozenset(map(int, several("singular"))) or frozenset({1}),
-        feminine=several("feminine_endings"),
-        genders=genders,
-        contractions={key.removeprefix(prefix): short for key, short in table.items() if key.startswith(prefix)},
+        genders={word: gender for gender in GENDERS for word in several(f"{gender}_words")},
+        endings=tuple(sorted(endings, key=lambda pair: -len(pair[0]))),
+        cases=cases,
+        contractions=dict(entries("contractions")),
     )
 
 
 # ---
 
 
-FOLDER = Path(__file__).with_suffix("")
 DECIMAL_COMMA = re.compile(r"\d,\d")
 INLINES = (d.Text, d.Math, d.Ref, d.Emph, d.Strong)
-
-
-def languages(folder: Path | None = None) -> tuple[str, ...]:
-    """The languages that have a phrases file."""
-    return tuple(sorted(path.stem for path in (folder or FOLDER).glob("*.toml")))
-
-
-@cache
-def phrases(language: str, folder: Path | None = None) -> Mapping[str, str]:
-    """All templates of a language by dotted key."""
-    path = (folder or FOLDER) / f"{language}.toml"
-    if not path.is_file():
-        known = ", ".join(languages(folder))
-        raise d.DocumentError(f"there are no phrases in “{language}”", instead=f"known: {known}.")
-    return dict(flatten("", tomllib.loads(path.read_text(encoding="utf-8"))))
-
-
-def flatten(prefix: str, table: Mapping[str, object]) -> Iterator[tuple[str, str]]:
-    """The leaves of a nested table with their dotted keys."""
-    for name, value in table.items():
-        if isinstance(value, Mapping):
-            yield from flatten(f"{prefix}{name}.", value)
-        else:
-            yield f"{prefix}{name}", str(value)
 
 
 @cache
@@ -174,12 +167,12 @@ def grammar(language: str) -> Grammar:
 
 def phrase(key: str, language: str = "en", **slots: object) -> d.Inlines:
     """The phrase `key` with its places filled. Raises DocumentError for a missing key or slot."""
-    return phrase_of(None, key, language, slots)
+    return phrase_of("notes", key, language, slots)
 
 
-def phrase_of(folder: Path | None, key: str, language: str, slots: Mapping[str, object]) -> d.Inlines:
-    """The same of the phrases in a folder (None: those of documents)."""
-    text = template(key, language, slots, folder)
+def phrase_of(part: str, key: str, language: str, slots: Mapping[str, object]) -> d.Inlines:
+    """The same of the phrases in one part of a language (those of documents stand in “notes”)."""
+    text = template(key, language, slots, part)
     return contracted(merged(filled(text, key, language, slots)), language)
 
 
@@ -198,13 +191,13 @@ def text_of(inlines: d.Inlines, key: str) -> str:
 
 def has_phrase(key: str, language: str = "en") -> bool:
     """Is there a phrase (or one with variants) under this key?"""
-    table = phrases(language, None)
+    table = phrases(language)
     return key in table or any(name.startswith(f"{key}.") for name in table)
 
 
-def template(key: str, language: str, slots: Mapping[str, object], folder: Path | None = None) -> str:
+def template(key: str, language: str, slots: Mapping[str, object], part: str = "notes") -> str:
     """The template of `key`, in the variant that the slots ask for."""
-    table = phrases(language, folder)
+    table = phrases(language, part)
     wanted = f"{key}.{variant(language, slots)}"
     if wanted in table:
         return table[wanted]
@@ -215,7 +208,7 @@ def template(key: str, language: str, slots: Mapping[str, object], folder: Path 
     near = get_close_matches(wanted.rstrip("."), table, n=1)
     raise d.DocumentError(
         f"no phrase “{wanted.rstrip('.')}” in “{language}”",
-        instead=f"did you mean “{near[0]}”?" if near else f"add it to phrases/{language}.toml.",
+        instead=f"did you mean “{near[0]}”?" if near else f"add it to languages/{language}/{part}.toml.",
     )
 
 
@@ -257,26 +250,30 @@ def filled(text: str, key: str, language: str, slots: Mapping[str, object]) -> I
 
 def pieces(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[d.Inline]:
     """The inlines of a template without emphasis."""
-    for literal, name, _, _ in Formatter().parse(text):
+    for literal, name, case, _ in Formatter().parse(text):
         yield d.Text(literal)
         if name is None:
             continue
         if name not in slots:
             raise d.DocumentError(f"phrase “{key}” needs a value for “{name}”")
-        yield from inlines_of(slots[name], language)
+        yield from inlines_of(slots[name], language, case or "")
 
 
-def inlines_of(value: object, language: str) -> d.Inlines:
-    """What stands in a place for a value."""
-    if isinstance(value, Node):
-        return (d.Math(value),)
-    if isinstance(value, INLINES):
-        return (value,)
+def inlines_of(value: object, language: str, case: str = "") -> d.Inlines:
+    """What stands in a place for a value, in the case that the place asks for ({body:gen})."""
     if isinstance(value, tuple) and value and all(isinstance(item, INLINES) for item in value):
-        return value
+        return declined(value, language, case)
     if isinstance(value, (list, tuple)):
-        return joined([inlines_of(item, language) for item in value], language)
-    return (d.Text(str(value)),)
+        return joined([inlines_of(item, language, case) for item in value], language)
+    node = d.Math(value) if isinstance(value, Node) else value
+    return declined((node if isinstance(node, INLINES) else d.Text(str(node)),), language, case)
+
+
+def declined(inlines: d.Inlines, language: str, case: str) -> d.Inlines:
+    """A noun phrase in a case; it begins with a formula where it begins with no text."""
+    is_text = isinstance(inlines[0], d.Text)
+    head = inlines[0].text if isinstance(inlines[0], d.Text) else ""
+    return (d.Text(grammar(language).declined(head, case)), *inlines[is_text:]) if case else inlines
 
 
 def joined(items: list[d.Inlines], language: str) -> d.Inlines:

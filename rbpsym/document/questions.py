@@ -10,6 +10,7 @@ from rbpsym.document.model import Inline, Inlines, Math, Text
 from rbpsym.document.phrases import merged, plain
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import RELATION_SIGNS, read_infix, read_relation
+from rbpsym.languages import worded
 from rbpsym.statement.letters import letters_of
 
 if TYPE_CHECKING:
@@ -21,8 +22,9 @@ MARK = "`"  # stands around the formulas of a question in another language
 
 def question(text: str, said: Words) -> Inlines:
     """The question in the language of the page if the file tells it so, else as it is asked."""
-    told = said.problem.questions.get(text, {}).get(said.language, "") if said.problem else ""
-    return merged(_marked(told, said)) if told else spoken(_with_articles(text, said), said)
+    told = said.problem.questions.get(text, {}).get(said.language) if said.problem else None
+    told = told or worded(text, said.language)
+    return merged(_marked(told, said)) if told != text else spoken(_with_articles(text, said), said)
 
 
 BEFORE = r"(?:^|(?<=^does )|(?<=^is )|(?<=which )|(?<=where )|(?<=when )|(?<=until )|(?<= of ))"

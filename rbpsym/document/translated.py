@@ -8,24 +8,23 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from pathlib import Path
 
-from rbpsym.document.phrases import phrases
+from rbpsym.languages import phrases
 
 TABLE = "sentence."
 Entry = tuple[re.Pattern[str], str]
 
 
-def translated(sentence: str, language: str, folder: Path | None = None) -> str:
-    """The sentence by the phrases of a folder (None: those of documents); as it is if that is English or it is not known.
+def translated(sentence: str, language: str, part: str = "notes") -> str:
+    """The sentence by the phrases of one part of a language; as it is if that is English or it is not known.
 
     >>> translated("it is not proved; “P” is negative: its magnitude is meant", "es")
     'no está demostrado; «P» es negativo: se pide su valor absoluto'
     """
-    for pattern, text in _catalogue(language, folder):
+    for pattern, told in _catalogue(language, part):
         found = pattern.fullmatch(sentence)
         if found:
-            return filled(text, {name: translated(part, language, folder) for name, part in found.groupdict().items()})
+            return filled(told, {name: translated(text, language, part) for name, text in found.groupdict().items()})
     return sentence
 
 
@@ -35,9 +34,9 @@ def filled(text: str, parts: dict[str, str]) -> str:
 
 
 @cache
-def _catalogue(language: str, folder: Path | None) -> tuple[Entry, ...]:
+def _catalogue(language: str, part: str) -> tuple[Entry, ...]:
     """Patterns of English sentences with their translations, those with the most words of their own first."""
-    table = phrases(language, folder)
+    table = phrases(language, part)
     keys = sorted((key for key in table if key.startswith(TABLE)), key=lambda key: -len(_PLACE.sub("", key)))
     return tuple((_pattern(key.removeprefix(TABLE)), table[key]) for key in keys)
 

@@ -6,12 +6,13 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from rbpsym.document.model import Inlines, Ref, Text
-from rbpsym.document.phrases import phrase, phrases, problem_notation, usual_notation
+from rbpsym.document.phrases import phrase, problem_notation, usual_notation
 from rbpsym.document.questions import question
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation, spaced
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field
+from rbpsym.languages import in_language, phrases, title_in, worded
 from rbpsym.proof.assertions import on_page
 from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import FULL, STANDARD, BodyRef, PhraseRef, QuestionRef, StepRef
@@ -126,11 +127,11 @@ class Words(Frozen):
 
     def title(self, titles: Mapping[str, str]) -> str:
         """A text given by language, English or any if there is none in this one."""
-        return titles.get(self.language) or titles.get("en") or next(iter(titles.values()), "")
+        return title_in(titles, self.language)
 
     def told(self, texts: Mapping[str, tuple[Any, ...]]) -> tuple[Any, ...]:
         """The author's paragraphs in this language, in English or in any if there are none in this one."""
-        return texts.get(self.language) or texts.get("en") or next(iter(texts.values()), ())
+        return in_language(texts, self.language, ())
 
     def body(self, name: str) -> str:
         """What a body is called: its meaning in this language, else its name."""
@@ -138,7 +139,7 @@ class Words(Frozen):
             return name.replace("_", " ")
         translated = self.problem.meanings.get(self.language, {}).get(name)
         own = self.problem.body(name).meaning if name in self.problem.body_names else ""
-        return translated or own or spaced(name)
+        return translated or worded(own or spaced(name), self.language)
 
     def the(self, name: str) -> Inlines:
         """The body with its article; one with a number or letter of its own has none."""
@@ -156,11 +157,11 @@ class Words(Frozen):
     def named(self, name: str) -> str:
         """What a point or phase is called: its name in this language, else the one in the file as words."""
         called = self.problem.names.get(self.language, {}) if self.problem else {}
-        return called.get(name) or spaced(name)
+        return called.get(name) or worded(spaced(name), self.language)
 
     def meaning(self, name: str, own: str) -> str:
         """What a quantity means, in this language if the author gave it."""
-        return (self.problem.meanings.get(self.language, {}).get(name) if self.problem else None) or own
+        return (self.problem.meanings.get(self.language, {}).get(name) if self.problem else None) or worded(own, self.language)
 
     def has(self, key: str) -> bool:
         """Whether there are words under a key (an empty phrase means: nothing is said)."""

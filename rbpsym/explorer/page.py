@@ -13,7 +13,7 @@ from typing import Any
 from markupsafe import Markup
 
 from rbpsym.document.files import data_folder
-from rbpsym.document.phrases import phrases, plain
+from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
@@ -25,6 +25,7 @@ from rbpsym.expr.glyphs import Notation
 from rbpsym.field import Scalar
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
+from rbpsym.languages import part_of
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of
@@ -204,7 +205,7 @@ def explorer(problems: tuple[Problem, ...], language: str = "en") -> str:
     that browsers do not have.
     """
     models = tuple(model(problem, language) for problem in problems)
-    words = _words(language)
+    words = part_of("explorer", language)
     return shell(
         "explorer.html",
         autoescape=True,
@@ -222,13 +223,6 @@ def explorer(problems: tuple[Problem, ...], language: str = "en") -> str:
 def _shown(place: int, found: Model) -> dict[str, object]:
     """What the shell says of a model."""
     return {"place": place, "title": found.data["title"], "partial": found.is_first_phase_only, "alt": found.alt}
-
-
-def _words(language: str) -> dict[str, str]:
-    """The phrases of the explorer, with places {…} that the script fills."""
-    return {
-        key.removeprefix("explorer."): text for key, text in phrases(language).items() if key.startswith("explorer.")
-    }
 
 
 def _colors() -> str:

@@ -13,6 +13,7 @@ from typing import Any
 from rbpsym.errors import Place, StatementError
 from rbpsym.expr.tree import ZERO, Node
 from rbpsym.frozen import Frozen, field, replace
+from rbpsym.languages import worded
 from rbpsym.quantities import TIME, Dimension, Quantity
 from rbpsym.showing import Shown
 
@@ -279,8 +280,11 @@ class Problem(Shown):
 
     def names_in(self, language: str) -> Mapping[str, str]:
         """What names are called in a language where that differs: its [names], else meanings of bodies that are one word."""
-        meant = self.meanings.get(language, {})
-        words = {name: meant[name] for name in self.body_names if meant.get(name, "").isalpha()}
+        own = {name: name for name in (element.name for element in self.elements)}
+        own |= {body.name: body.meaning or body.name for body in self.bodies}
+        meant = {name: worded(word, language) for name, word in own.items() if worded(word, language) != word}
+        meant |= {name: word for name, word in self.meanings.get(language, {}).items() if name in self.body_names}
+        words = {name: word for name, word in meant.items() if word.isalpha() and [*meant.values()].count(word) == 1}
         return words | dict(self.names.get(language, {}))
 
     @property

@@ -23,6 +23,7 @@ from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.field import Scalar
+from rbpsym.languages import title_in
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.step import Derivation
@@ -105,7 +106,7 @@ def gallery(language: str = "en") -> list[Answer]:
 def _card(name: str, path: Path, language: str) -> Answer:
     head = tomllib.loads(path.read_text(encoding="utf-8"))
     words = {key: head.get(key, "") for key in ("title", "topic", "level")}
-    told = {key: text.get(language) or text.get("en", "") if isinstance(text, dict) else text for key, text in words.items()}
+    told = {key: title_in(text if isinstance(text, dict) else {"en": text}, language) for key, text in words.items()}
     return {"name": name, **told, "topic": told["topic"] or path.parent.relative_to(library_folder()).name}
 
 

@@ -21,6 +21,7 @@ from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, field, replace
+from rbpsym.languages import phrases
 from rbpsym.proof.step import Derivation
 from rbpsym.statement.library import course_files, find_problem, not_found, problem_files, worksheet_files
 from rbpsym.statement.loader import load_problem, load_table
@@ -37,7 +38,6 @@ from rbpsym.teaching.situations import Scenery, Situation, scenery
 from rbpsym.teaching.targets import targets
 from rbpsym.teaching.tasks.registry import tasks
 from rbpsym.teaching.tasks.wish import Wish
-from rbpsym.teaching.wording import languages
 
 SPARE = 2  # tasks that are prepared beyond the number wanted, to draw from
 
@@ -107,8 +107,7 @@ class WorksheetPlan(Frozen):
 
     def _language(self, language: str) -> str:
         found = language or self.sheet.language
-        if found not in languages():
-            raise RbpsymError(f"there are no worksheets in “{found}”", instead=f"languages: {', '.join(languages())}.")
+        phrases(found)
         return found
 
     def _made(self, code: codes.FormCode, student: Student | None, secret: str) -> Worksheet:

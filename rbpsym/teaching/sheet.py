@@ -16,6 +16,7 @@ from rbpsym.document.needless import is_struck
 from rbpsym.errors import RbpsymError
 from rbpsym.field import names_in
 from rbpsym.frozen import Frozen, field
+from rbpsym.languages import languages
 from rbpsym.present.forms import present
 from rbpsym.proof.draft import length
 from rbpsym.quantities import LENGTH
@@ -30,7 +31,6 @@ from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, wanted
 from rbpsym.teaching.tasks.registry import TASKS, tasks
 from rbpsym.teaching.tasks.wish import Wish
-from rbpsym.teaching.wording import languages
 
 SHEET_KEYS = ("title", "language", "introduction", "problem")
 PROBLEM_KEYS = ("name", "file", "numbers", "task")

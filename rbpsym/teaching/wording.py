@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 from typing import Any
 
-from rbpsym.document import phrases
 from rbpsym.document.model import Inlines, Math, Text
+from rbpsym.document.phrases import phrase_of, text_of
 from rbpsym.document.words import Words
 from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.tree import Node
+from rbpsym.languages import phrases
 from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.model import Item, Slip, Worksheet
@@ -46,21 +46,6 @@ ASSERTIONS: Mapping[str, str] = {
     "solution.unit": "solving._check",
 }
 
-FOLDER = Path(__file__).with_name("phrases")
-
-
-def languages() -> tuple[str, ...]:
-    """The languages in which worksheets can be written."""
-    return phrases.languages(FOLDER)
-
-
-def teaching_phrases(language: str) -> Mapping[str, str]:
-    """All templates of a language by dotted key. Raises RbpsymError for a language that is not there."""
-    if language not in languages():
-        raise RbpsymError(f"there are no worksheets in “{language}”", instead=f"languages: {', '.join(languages())}.")
-    return phrases.phrases(language, FOLDER)
-
-
 def say(key: str, language: str = "en", problem: Problem | None = None, **slots: Any) -> Inlines:
     """A phrase with its places filled; `problem` tells what its bodies are called.
 
@@ -71,12 +56,12 @@ def say(key: str, language: str = "en", problem: Problem | None = None, **slots:
 
 def spoken(said: Words, key: str, **slots: Any) -> Inlines:
     """A phrase in the words of a problem."""
-    return phrases.phrase_of(FOLDER, key, said.language, said.slots(slots))
+    return phrase_of("worksheets", key, said.language, said.slots(slots))
 
 
 def plain_text(key: str, language: str = "en", **slots: Any) -> str:
     """A phrase that holds nothing but text, as a string."""
-    return phrases.text_of(say(key, language, **slots), key)
+    return text_of(say(key, language, **slots), key)
 
 
 # --- what exports say: feedback of slips, captions, and the sentences about what a format can't carry
@@ -84,7 +69,7 @@ def plain_text(key: str, language: str = "en", **slots: Any) -> str:
 
 def word(key: str, language: str) -> str:
     """A word in the language of a worksheet."""
-    return teaching_phrases(language)[f"exports.{key}"]
+    return phrases(language, "worksheets")[f"exports.{key}"]
 
 
 def say_slip(slip: Slip, language: str, problems: Iterable[Problem] = ()) -> Inlines:

@@ -5,7 +5,7 @@ import { address, forExplorer, packed, unpacked, wanted } from "./link.js";
 import { frameOf, listens, tells } from "./embed.js";
 import { Form } from "./form.js";
 import { Tutor } from "./tutor.js";
-import { dress, say, speak } from "./words.js";
+import { WORDS, dress, say, speak } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 const el = (tag, props = {}, ...inner) => { const one = Object.assign(document.createElement(tag), props); one.append(...inner); return one; };
@@ -273,7 +273,8 @@ function dressed() {
 }
 
 const keys = wanted(), only = keys.get("only");
-$("language").value = keys.get("lang") ?? (navigator.language.startsWith("es") ? "es" : "en");
+$("language").append(...Object.entries(WORDS).map(([code, { own }]) => new Option(own, code)));
+$("language").value = [keys.get("lang"), navigator.language.split("-")[0], "en"].find((code) => code in WORDS);
 if (keys.get("detail")) $("detail").value = keys.get("detail");
 if (only) document.body.classList.add("only");
 $("tabs").append(...TABS.map((key) => {

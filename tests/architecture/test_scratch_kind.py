@@ -12,10 +12,10 @@ import pytest
 from rbpsym.decide.verdict import PROVED
 from rbpsym.derive import derive
 from rbpsym.document.notes import notes
-from rbpsym.document.phrases import phrases
 from rbpsym.document.writers import writer
 from rbpsym.elements import constraints
 from rbpsym.elements.kinds import in_folders
+from rbpsym.languages import phrases
 from rbpsym.statement.loader import load_text
 
 FILES = {
@@ -125,8 +125,7 @@ def level(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     for registry in (constraints.CONSTRAINTS, importlib.import_module("rbpsym.statement.slots").ALL):
         monkeypatch.setitem(registry, "level", kinds["level"])  # what a new process finds by itself
     for language, text in PHRASES.items():
-        for table in (phrases(language), phrases(language, None)):
-            monkeypatch.setitem(table, "statement.level", text)
+        monkeypatch.setitem(phrases(language), "statement.level", text)
     yield
     for name in [name for name in sys.modules if name.startswith("rbpsym.elements.constraints.level")]:
         del sys.modules[name]

@@ -11,11 +11,11 @@ from rbpsym.document.chapters import repeated
 from rbpsym.document.model import Display, FigureBlock, Math, Paragraph, Ref, Text, numbered, parts
 from rbpsym.document.notes import DETAILS, course_notes, notes, shown_steps
 from rbpsym.document.notes_question import in_known_forms
-from rbpsym.document.phrases import languages
 from rbpsym.document.telling import known_key
 from rbpsym.document.words import Words
 from rbpsym.document.writers import files, writer
 from rbpsym.expr import tree as t
+from rbpsym.languages import languages
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, problem_files
 from rbpsym.statement.loader import load_text

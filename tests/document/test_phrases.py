@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 from string import Formatter
 
 import pytest
 
 from rbpsym.document.model import DocumentError, Emph, Math, Ref, Text
-from rbpsym.document.phrases import FOLDER, grammar, has_phrase, languages, phrase, phrases, plain, usual_notation
+from rbpsym.document.phrases import grammar, has_phrase, phrase, plain, usual_notation
+from rbpsym.document.words import Words
+from rbpsym.errors import RbpsymError
 from rbpsym.expr.tree import Fn, Sym
+from rbpsym.languages import FOLDER, languages, phrases
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.speech import to_speech
 
@@ -29,7 +35,7 @@ def table(monkeypatch: pytest.MonkeyPatch) -> None:
         "disk.feminine": "la {name}",
         "disk.masculine": "el {name}",
     }
-    monkeypatch.setattr("rbpsym.document.phrases.phrases", lambda language, folder=None: own)
+    monkeypatch.setattr("rbpsym.document.phrases.phrases", lambda language, part="notes": own)
 
 
 @pytest.mark.usefixtures("table")
@@ -87,7 +93,7 @@ def test_a_missing_key_variant_or_place_is_an_error(key: str, slots: dict, told:
 
 
 def test_an_unknown_language_is_told_with_the_known_ones() -> None:
-    with pytest.raises(DocumentError, match="xx") as error:
+    with pytest.raises(RbpsymError, match="xx") as error:
         phrase("list.last", "xx")
     assert "en" in str(error.value)
 
@@ -101,17 +107,22 @@ def test_no_formula_and_no_markup_stands_in_a_phrase(language: str) -> None:
         assert all(name != "" for _, name, _, _ in Formatter().parse(text)), key
 
 
-def test_a_further_language_is_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Grammar, functions, marks and spoken words come from the file alone; a document is written in it."""
-    for name in languages():
-        (tmp_path / f"{name}.toml").write_text((FOLDER / f"{name}.toml").read_text(encoding="utf-8"), encoding="utf-8")
-    own = (FOLDER / "en.toml").read_text(encoding="utf-8")
+def test_a_further_language_is_one_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Grammar, functions, marks and spoken words come from the folder alone, and what the library's authors said."""
+    shutil.copytree(FOLDER, tmp_path, dirs_exist_ok=True)
+    shutil.copytree(FOLDER / "en", tmp_path / "qfr")
+    own = (FOLDER / "en" / "notes.toml").read_text(encoding="utf-8")
     own = own.replace('decimal = "."', 'decimal = ","').replace('singular = "1"', 'singular = "0 1"')
     own = own.replace('statement = "The problem"', 'statement = "Le problème"').replace('sin = "sine"', 'sin = "sinus"')
     own += '\n[functions]\ntan = "tg"\n\n[grammar.contractions]\n"de le" = "du"\n'
-    (tmp_path / "qfr.toml").write_text(own, encoding="utf-8")
-    monkeypatch.setattr("rbpsym.document.phrases.FOLDER", tmp_path)
+    (tmp_path / "qfr" / "notes.toml").write_text(own, encoding="utf-8")
+    (tmp_path / "qfr" / "library.toml").write_text('"Sliding ladder" = "Échelle"\nladder = "échelle"\n', encoding="utf-8")
+    monkeypatch.setattr("rbpsym.languages.FOLDER", tmp_path)
     assert "qfr" in languages()
+    ladder = Words("qfr", load_problem(problem_files()["sliding-ladder"]))
+    assert ladder.title(ladder.problem.title) == "Échelle"
+    assert plain("body.the", "qfr", body=ladder.body("ladder")) == "the échelle"
+    assert phrases("qfr", "worksheets")["paper.key"] == "Key"
     known = usual_notation("qfr")
     assert to_latex(Fn("tan", THETA), known) == r"\operatorname{tg}\theta"
     assert to_speech(Fn("sin", THETA), known) == "sinus of theta"

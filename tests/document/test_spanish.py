@@ -9,14 +9,14 @@ import pytest
 
 from rbpsym.derive import derive
 from rbpsym.document.looks import looks, speak
-from rbpsym.document.model import DocumentError
 from rbpsym.document.notes import notes
-from rbpsym.document.phrases import grammar, part_of, phrases, plain
+from rbpsym.document.phrases import grammar, plain
 from rbpsym.document.writers import writer
+from rbpsym.errors import RbpsymError
 from rbpsym.expr.tree import Fn, Sym
+from rbpsym.languages import part_of, phrases
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
-from rbpsym.teaching.wording import teaching_phrases
 from rbpsym.typeset.speech import WORDS
 
 ENGLISH, SPANISH = phrases("en"), phrases("es")
@@ -79,12 +79,12 @@ def test_and_before_the_sound_i() -> None:
     "other", ["centro de masas", "centros de masas", "barra delgada", "“", "”", " de el ", " a el ", "  "]
 )
 def test_one_word_for_each_thing(other: str) -> None:
-    tables = {**SPANISH, **{key: text for key, text in teaching_phrases("es").items() if not key.startswith("sentence.")}}
+    tables = {**SPANISH, **{key: text for key, text in phrases("es", "worksheets").items() if not key.startswith("sentence.")}}
     assert not [key for key, text in tables.items() if other in text.strip()]
 
 
 def test_accents_that_are_often_forgotten_are_there() -> None:
-    words = re.findall(r"[a-záéíóúñü]+", " ".join([*SPANISH.values(), *teaching_phrases("es").values()]).lower())
+    words = re.findall(r"[a-záéíóúñü]+", " ".join([*SPANISH.values(), *phrases("es", "worksheets").values()]).lower())
     plain = {"angulo", "angulos", "friccion", "segun", "tambien", "despues", "ademas", "energia", "energias", "ecuacion",
              "posicion", "razon", "unico", "numero", "vertice", "circulo", "asi", "solucion", "articulacion"}  # fmt: skip
     assert not plain & set(words)
@@ -97,7 +97,7 @@ def test_values_show_themselves_in_the_language_that_was_chosen() -> None:
         shown = looks(load_problem(problem_files()["sliding-ladder"]))["text/plain"]
         assert "la escalera" in shown
         assert looks(Fn("sin", Sym("theta")))["text/plain"] == "sen θ"
-        with pytest.raises(DocumentError, match="xx"):
+        with pytest.raises(RbpsymError, match="xx"):
             speak("xx")
     finally:
         speak("en")

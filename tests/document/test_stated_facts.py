@@ -8,11 +8,11 @@ import pytest
 from rbpsym.document.model import Inlines, Math
 from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.notes_statement import _bodies, _phases
-from rbpsym.document.phrases import phrases
 from rbpsym.document.words import Words
 from rbpsym.document.writers.page import plain_text
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.expr import tree as t
+from rbpsym.languages import phrases
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.pose import DrawnPose

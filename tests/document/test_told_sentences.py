@@ -13,8 +13,8 @@ import pytest
 
 import rbpsym
 from rbpsym.ask.words import NAME, OF_IT, SAID
-from rbpsym.document.phrases import languages
 from rbpsym.document.translated import translated
+from rbpsym.languages import languages
 
 HOUSE = Path(rbpsym.__file__).parent
 ROOMS = ("ask", "chapters", "decide", "field", "proof", "quantity")

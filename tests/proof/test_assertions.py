@@ -12,9 +12,10 @@ from rbpsym.decide.verdict import UNDECIDED, Verdict
 from rbpsym.derive import derive
 from rbpsym.document.model import ItemList, Paragraph
 from rbpsym.document.notes import notes
-from rbpsym.document.phrases import has_phrase, languages, phrases
+from rbpsym.document.phrases import has_phrase
 from rbpsym.document.writers.page import plain_text
 from rbpsym.expr import tree as t
+from rbpsym.languages import languages, phrases
 from rbpsym.pictures.plots.following import leg
 from rbpsym.pictures.pose import DrawnPose
 from rbpsym.proof import assertions as a

@@ -8,8 +8,8 @@ from rbpsym.courses import derive_course
 from rbpsym.document.model import Display, Math, Paragraph
 from rbpsym.document.notes import course_notes
 from rbpsym.document.own_texts import asserting
-from rbpsym.document.phrases import languages, phrases
 from rbpsym.errors import RbpsymError
+from rbpsym.languages import languages, phrases
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
 from rbpsym.statement.own_text import OwnFormula, own_paragraphs

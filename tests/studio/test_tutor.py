@@ -14,10 +14,10 @@ from click.testing import CliRunner
 
 from rbpsym.claims.check import relations
 from rbpsym.cli import main
-from rbpsym.document.phrases import languages, phrases
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.expr.places import put, sites
+from rbpsym.languages import languages, phrases
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
 from rbpsym.studio.sheet import Sheet

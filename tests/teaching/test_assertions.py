@@ -8,12 +8,13 @@ from inspect import getsource
 
 import pytest
 
+from rbpsym.languages import phrases
 from rbpsym.teaching.distractors import pool
 from rbpsym.teaching.misconceptions.model import Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.misconceptions.told import TRUE_OF
 from rbpsym.teaching.targets import targets
-from rbpsym.teaching.wording import ASSERTIONS, MARKED, teaching_phrases
+from rbpsym.teaching.wording import ASSERTIONS, MARKED
 from tests.library.derived import unsimulated
 
 NARRATION = """lead ask.choose ask.number ask.formula ask.compare ask.place ask.fill-in ask.order ask.find-the-slip ask.signs
@@ -49,10 +50,10 @@ SAYS_WHAT_WAS_DONE = frozenset(WHAT_WAS_DONE.split())
 def test_there_is_no_third_kind() -> None:
     assert not set(ASSERTIONS) & set(NARRATION.split())
     for language in ("en", "es"):
-        assert not [key for key in teaching_phrases(language) if not _kind(key)]
+        assert not [key for key in phrases(language, "worksheets") if not _kind(key)]
     for told in (*ASSERTIONS, *NARRATION.split()):
-        assert any(f"{key}.".startswith(f"{told.replace('_', ' ')}.") for key in teaching_phrases("es")) or any(
-            f"{key}.".startswith(f"{told}.") for key in teaching_phrases("es")
+        assert any(f"{key}.".startswith(f"{told.replace('_', ' ')}.") for key in phrases("es", "worksheets")) or any(
+            f"{key}.".startswith(f"{told}.") for key in phrases("es", "worksheets")
         ), told
 
 

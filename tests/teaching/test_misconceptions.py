@@ -13,6 +13,7 @@ from rbpsym.decide.equal import equal, scalars_equal
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
+from rbpsym.languages import languages, phrases
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
@@ -21,7 +22,7 @@ from rbpsym.teaching.distractors import ANY, MOST, pool
 from rbpsym.teaching.misconceptions.registry import DESCRIBED, MISCONCEPTIONS, SOURCES
 from rbpsym.teaching.plan import bench_of
 from rbpsym.teaching.targets import KINDS
-from rbpsym.teaching.wording import languages, say, teaching_phrases
+from rbpsym.teaching.wording import say
 
 PENDULUM, BEARING = "rod-and-disk-fixed", "rod-and-disk-free"
 LADDER, SPRING, INCLINE = "sliding-ladder", "sliding-ladder-with-spring", "disk-on-incline"
@@ -136,7 +137,7 @@ def test_each_has_sources_kinds_and_words(name: str) -> None:
     assert DESCRIBED[own.name] and all(source in SOURCES for source in DESCRIBED[own.name])
     assert own.about and own.about <= {*KINDS, "axis-moment"}
     for language in languages():
-        keys = [key for key in teaching_phrases(language) if key.startswith(f"misconception.{name}.")]
+        keys = [key for key in phrases(language, "worksheets") if key.startswith(f"misconception.{name}.")]
         assert any(key.startswith(f"misconception.{name}.feedback") for key in keys)
         assert f"misconception.{name}.title" in keys
 
@@ -203,7 +204,7 @@ def shared(table: Mapping[str, str]) -> dict[str, str]:
 
 
 def test_languages_have_the_same_keys_and_places() -> None:
-    tables = [shared(teaching_phrases(language)) for language in languages()]
+    tables = [shared(phrases(language, "worksheets")) for language in languages()]
     assert len(tables) >= 2
     for table in tables[1:]:
         assert table.keys() == tables[0].keys()

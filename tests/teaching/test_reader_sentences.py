@@ -13,6 +13,7 @@ import rbpsym
 from rbpsym.decide.dimensions import a
 from rbpsym.document.phrases import usual_notation
 from rbpsym.document.writers.page import plain_text
+from rbpsym.languages import languages
 from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.library import problem_files
@@ -22,7 +23,7 @@ from rbpsym.teaching.grading.feedback import comment, translated
 from rbpsym.teaching.grading.ground import book
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.model import Slip
-from rbpsym.teaching.wording import languages, say_slip
+from rbpsym.teaching.wording import say_slip
 
 HOUSE = Path(rbpsym.__file__).parent
 READERS = (

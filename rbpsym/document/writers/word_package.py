@@ -12,6 +12,7 @@ from rbpsym.document.model import Document, ItemList, parts
 from rbpsym.document.pictures import Picture, pictures
 from rbpsym.document.writers.word_xml import UNPRINTABLE, W
 from rbpsym.frozen import Frozen
+from rbpsym.languages import phrases
 from rbpsym.typeset.omml import NAMESPACE
 
 LETTERS = "Cambria"
@@ -104,10 +105,7 @@ def of_all_scripts(style: Any) -> None:
 def set_language(file: Any, language: str) -> None:
     """The language of all words, for spelling and for readers aloud."""
     for found in file.styles.element.iter(f"{{{W}}}lang"):
-        found.set(f"{{{W}}}val", TAGS.get(language, language))
-
-
-TAGS = {"en": "en-GB", "es": "es-ES"}
+        found.set(f"{{{W}}}val", phrases(language)["word.tag"])
 
 
 def put_pictures(file: Any, document: Document) -> dict[str, str]:

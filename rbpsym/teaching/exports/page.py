@@ -21,14 +21,11 @@ from rbpsym.expr.glyphs import Notation
 from rbpsym.expr.tree import Node
 from rbpsym.pictures.figures.scene import Scene
 from rbpsym.teaching.model import BLANK
+from rbpsym.teaching.wording import word
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.mathml import to_mathml
 
 SQUARE = r"\square "
-ELSEWHERE = (
-    "a step of the derivation",
-    "un paso de la deducción",
-)  # what is not in the question, in English and Spanish
 SetFormula = Callable[[Node, Notation, bool], str]
 PictureTag = Callable[[str, str], str]
 
@@ -68,7 +65,7 @@ def table(formula: SetFormula, picture: Callable[[d.FigureBlock], str], marks: M
         d.Text: lambda inline, page: str(escape(inline.text)),
         d.Math: lambda inline, page: formula(inline.node, page.notation, False),
         d.Ref: lambda inline, page: str(
-            escape(marks.get(inline.label) or inline.mark or ELSEWHERE[page.language == "es"])
+            escape(marks.get(inline.label) or inline.mark or word("elsewhere", page.language))
         ),
         d.Display: lambda block, page: _display(block, page, formula),
         d.Table: _table_html,

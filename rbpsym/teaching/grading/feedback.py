@@ -19,12 +19,13 @@ from rbpsym.document.writers.page import plain_text, shell
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.glyphs import renamed
 from rbpsym.expr.tree import Node
+from rbpsym.languages import part_of
 from rbpsym.teaching.grading.desk import Mark
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status, sentence
 from rbpsym.teaching.model import Slip, Worksheet
 from rbpsym.teaching.papers.layout import own
 from rbpsym.teaching.ranges import number_text
-from rbpsym.teaching.wording import FOLDER, say_slip, teaching_phrases
+from rbpsym.teaching.wording import say_slip
 from rbpsym.typeset.mathml import to_mathml
 
 # --- what the readers say of an answer that can't be read, in the language of the worksheet
@@ -36,7 +37,7 @@ def translated(sentence: str, language: str) -> str:
     >>> translated("unknown symbol “v”", "es")
     'el símbolo «v» no se conoce'
     """
-    return document_translated(sentence, language, FOLDER)
+    return document_translated(sentence, language, "worksheets")
 
 
 def reason(error: RbpsymError, language: str) -> str:
@@ -58,7 +59,7 @@ def said(remark: Remark, language: str, say_slip: SaySlip, called: Mapping[str, 
     """A remark as a sentence; `called` is what bodies are called in the language."""
     slots = _in_language(remark.slots, language, called)
     told = {name: tuple(_inlines(value, language, say_slip)) for name, value in slots.items()}
-    return phrase_of(FOLDER, f"remark.{remark.key}", language, told)
+    return phrase_of("worksheets", f"remark.{remark.key}", language, told)
 
 
 def _in_language(slots: Mapping[str, Any], language: str, called: Mapping[str, str]) -> dict[str, Any]:
@@ -97,15 +98,9 @@ def comment(judgement: Judgement, language: str, say_slip: SaySlip, called: Mapp
 LONGEST_ANSWER = 400
 
 
-def feedback_words(language: str) -> dict[str, str]:
-    """The words of the page: [feedback] of the phrases."""
-    table = teaching_phrases(language)
-    return {key.removeprefix("feedback."): text for key, text in table.items() if key.startswith("feedback.")}
-
-
 def remarks_of(mark: Mark, worksheet: Worksheet) -> Inlines:
     """The remarks of a mark in the language of the worksheet; a word of praise where all is right."""
-    words = feedback_words(worksheet.language)
+    words = part_of("feedback", worksheet.language, "worksheets")
     problem = worksheet.problems.get(worksheet.part_of(mark.item).problem) if mark.item else None
     speaker = partial(say_slip, problems=() if problem is None else (problem,))
     called = problem.names_in(worksheet.language) if problem else {}
@@ -123,7 +118,7 @@ def remarks_text(mark: Mark, worksheet: Worksheet) -> str:
 
 def feedback_page(worksheet: Worksheet, marks: tuple[Mark, ...], student: str) -> str:
     """The page of one student as HTML."""
-    words = feedback_words(worksheet.language)
+    words = part_of("feedback", worksheet.language, "worksheets")
     return shell(
         "feedback.html",
         autoescape=True,
