@@ -18,6 +18,8 @@ from rbpsym.proof.step import BodyRef, Derivation
 from rbpsym.quantities import NUMBER, Quantity
 from rbpsym.statement.model import Body, Coordinate, Element, Phase, PlacedShape, Problem
 
+REST = (None, t.ZERO)
+
 # --- the table of symbols: parameters, coordinates, their rates and their values at the start
 
 
@@ -170,10 +172,9 @@ def _start(problem: Problem, said: Words, ground: Said) -> Iterator[Inlines]:
     """Where it starts, and how fast."""
     begun = [c for c in problem.coordinates if c.start is not None]
     places = [t.equation(t.Sym(c.name), c.start) for c in begun if c.start is not None]
-    independent = ground.study.system.independent if ground.study else ()
-    free = [c for c in begun if c.speed is not None or c.name in independent]
-    speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed or t.ZERO) for c in free]
-    is_moving = any(c.speed not in (None, t.ZERO) for c in free)
+    tied = ground.study.system.dependent if ground.study else {}  # their speeds are told where they are stated (and agree)
+    speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed or t.ZERO) for c in begun if c.name not in tied or c.speed not in REST]
+    is_moving = any(c.speed not in REST for c in begun)
     beside = said.say("statement.with", speed=speeds) if speeds else ()
     if places:
         key = "statement.moving" if is_moving else "statement.rest"

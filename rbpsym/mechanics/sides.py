@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rbpsym.decide.assumptions import Assumptions
-from rbpsym.field import Scalar
+from rbpsym.field import Scalar, depends_on
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Losses, pushes
 from rbpsym.mechanics.friction import FrictionNeed
-from rbpsym.statement.model import Element
+from rbpsym.mechanics.system import System
 
 LARGEST = 400  # terms: conditions on what is longer are left as they stand
 
@@ -27,23 +27,26 @@ class Side(Frozen):
     valid: tuple[Demand, ...] = ()
 
 
-def sides(constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions) -> tuple[Side, ...]:
+def sides(system: System, known: Mapping[str, Scalar], ended: Losses, given: Assumptions) -> tuple[Side, ...]:
     """All one-sided forces, from their values along the motion as far as these are known; each loss is a case of its own."""
+    constraints = system.problem.constraints
     names = [name for element in constraints for name in pushes(element) if name in known]
     slips = any(element.values.get("limit") is not None for element in constraints)
     lost = {name: [loss for loss in ended.found if loss.force == name] for name in names}
     each = {name: [Side(name, known[name], "lost", "", loss.valid) for loss in losses] for name, losses in lost.items()}
-    return tuple(side for name in names for side in each[name] or [_lasting(name, known[name], ended, given, slips)])
+    return tuple(side for name in names for side in each[name] or [_lasting(name, known[name], ended, given, slips, system)])
 
 
-def _lasting(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bool) -> Side:
-    """`slips`: a force that is nowhere lost may be so because something slips before."""
+def _lasting(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bool, system: System) -> Side:
+    """`slips`: a force that is nowhere lost may be so because something slips before. What is asked of the parameters alone is
+    asked at the start already."""
     asked = (Demand(value, ">="),)
     if len(value.num) * len(value.den) <= LARGEST:
         asked = asked if (left := settle(asked, given)) is None else left
     if not asked:
         return Side(name, value, "kept")
-    if ended.complete is True and (ended.found or not slips):
+    moving = any(depends_on(demand.value, q) for demand in asked for q in (*system.coordinates, *system.speeds, "t"))
+    if ended.complete is True and (ended.found or not slips) and moving:
         return Side(name, value, "kept", next((loss.force for loss in ended.found), ""))
     return Side(name, value, "open" if any(loss.force == name for loss in ended.open_) else "asked", "", asked)
 

@@ -271,7 +271,7 @@ class Study(Frozen):
     def sides(self) -> tuple[sides.Side, ...]:
         """What becomes of each one-sided force."""
         known = self.reactions_along_motion or self.dynamics.reactions
-        return sides.sides(self.problem.constraints, known, self.ended, self.assumptions)
+        return sides.sides(self.system, known, self.ended, self.assumptions)
 
     @kept
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:

@@ -7,7 +7,7 @@ import pytest
 
 from rbpsym.document.model import Inlines, Math
 from rbpsym.document.notes_sentences import element_sentences
-from rbpsym.document.notes_statement import _bodies, _phases
+from rbpsym.document.notes_statement import _bodies, _phases, _start
 from rbpsym.document.words import Words
 from rbpsym.document.writers.page import plain_text
 from rbpsym.elements.impulses import IMPULSES
@@ -125,3 +125,12 @@ def test_short_notes_say_under_which_condition_it_sets_out() -> None:
     """A roller with rolling resistance leaves its place of rest on a slope that is steep enough only."""
     found = derived("cylinder-with-rolling-resistance")
     assert "It moves that way only as long as this is positive" in said_in(found, "standard")
+
+
+def test_what_is_tied_has_no_speed_of_its_own_at_the_start() -> None:
+    """The start of a weight on a string was told with z_dot = 0, where the block on its other end moves."""
+    path = EXAMPLES / "constraints" / "string.toml"
+    changed = path.read_text().replace('start = "0"', 'start = "0"\nspeed = "v_0"', 1)
+    study = study_of(load_text(changed))
+    begins = next(_start(study.problem, Words("en", study.problem), Said(study)))
+    assert text(begins).endswith("with ẏ = v₀.")

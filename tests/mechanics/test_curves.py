@@ -16,6 +16,7 @@ from rbpsym.field.normal import same
 from rbpsym.field.scalar import symbol
 from rbpsym.field.vector import cartesian
 from rbpsym.mechanics.contacts import meeting
+from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import Problem
@@ -94,6 +95,14 @@ def test_a_circle_and_a_line_are_curves(curve: Problem, other: Problem, side: in
     force = scalars_equal(one.dynamics.reactions["N"], two.dynamics.reactions["N"] * side, one.assumptions)
     moved = scalars_equal(one.dynamics.accelerations["q_ddot"], two.dynamics.accelerations["q_ddot"], one.assumptions)
     assert force.is_proved and moved.is_proved
+
+
+def test_a_condition_of_the_parameters_alone_is_asked_and_not_promised() -> None:
+    """Over a hump it is the start that tells whether the bead stays on it, or never is (N > 0 was said, and undecided)."""
+    hump = 'curve = "y = -x**2/(2*p)"\nside = "positive"'
+    study = Study(led('"q", "-q**2/(2*p)"', hump, "contact", more='speed = "v_0"'))
+    [side] = study.sides
+    assert side.state == "asked" and side.valid == begins(study) != ()
 
 
 WRONG = [
