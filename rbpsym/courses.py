@@ -26,7 +26,7 @@ from rbpsym.statement.source import did_you_mean
 
 
 Formulas = Mapping[tuple[str, str], t.Node]
-RELATIONS = (t.Chain, t.System)
+RELATIONS = (t.Chain, t.Relations)
 
 
 def decided(course: Course, derivations: Mapping[str, Derivation]) -> Formulas:

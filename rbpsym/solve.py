@@ -23,9 +23,9 @@ from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
 from rbpsym.mechanics.phases import Stage
 from rbpsym.mechanics.pushing import begins, kept_sense, ways_kept
-from rbpsym.mechanics.rest import Balance, Rest
+from rbpsym.mechanics.rest import AtRest, Rest
 from rbpsym.mechanics.sides import grips, lasting
-from rbpsym.mechanics.solutions import Course, courses, given
+from rbpsym.mechanics.solutions import InTime, courses, given
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.present.style import PLAIN
@@ -166,7 +166,7 @@ def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
     return {name: [_course(one, study) for one in courses(item)] for name, item in known if item is not None}
 
 
-def _course(one: Course, study: Study) -> dict[str, Any]:
+def _course(one: InTime, study: Study) -> dict[str, Any]:
     exists = (item for item in existence(one.whole) if not sign(item.value, study.assumptions).is_nonnegative)
     valid = (*one.valid, *lasting(study.sides, study.friction_needs, study.assumptions), *exists)
     told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
@@ -340,7 +340,7 @@ def _balance(study: Study) -> dict[str, Any] | None:
     }
 
 
-def _there(item: Balance) -> Scalar | None:
+def _there(item: AtRest) -> Scalar | None:
     """The square of the frequency, in the coordinate of the place."""
     square = item.frequency_squared
     return None if square is None else substitute(square, {item.place: symbol(item.name)})

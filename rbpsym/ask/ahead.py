@@ -12,7 +12,7 @@ from rbpsym.ask import critical, optima, yesno
 from rbpsym.ask.conditions import COEFFICIENT, wanted
 from rbpsym.ask.critical import KEPT, SUPERLATIVES, region_of
 from rbpsym.ask.finding import Finding, together
-from rbpsym.ask.seen import Scene, never_told, parameter, parts_seen
+from rbpsym.ask.seen import AskedPhase, never_told, parameter, parts_seen
 from rbpsym.ask.sliding import of_contact
 from rbpsym.ask.wanted import Wanted
 from rbpsym.errors import RbpsymError, StatementError
@@ -24,7 +24,7 @@ EVENT = r"(?:begin to |start to |begins to |starts to )?(slip|tip)s?(?: over)?"
 ORDER = re.compile(rf"(?:the )?\w+ {EVENT} before (?:the )?\w+ {EVENT}(?: as (\w+) (?:grows|increases))?")
 
 
-def which(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
+def which(world: AskedPhase, superlative: str | None, name: str, text: str) -> Finding:
     """SYMBOL for which a condition is met (see `critical.which`), or one limit comes before another."""
     if superlative and name not in {*_free(world), *world.coordinates, COEFFICIENT} and _is_quantity(world, name):
         return bounded(world, superlative, name, text)
@@ -34,13 +34,13 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     return _resting(world, region_of(world, name, first[0], text, SUPERLATIVES.get(superlative or "", 0)), first[1], text)
 
 
-def _is_quantity(world: Scene, name: str) -> bool:
+def _is_quantity(world: AskedPhase, name: str) -> bool:
     with suppress(RbpsymError):
         return bool(parts_seen(world.afresh(), name))
     return False
 
 
-def comes_first(world: Scene, text: str) -> Finding:
+def comes_first(world: AskedPhase, text: str) -> Finding:
     """Whether one limit comes before another."""
     first = _first_of_two(world, "", text)
     if first is None:
@@ -48,12 +48,12 @@ def comes_first(world: Scene, text: str) -> Finding:
     return _resting(world, yesno.does(world, text, condition=first[0]), first[1], text)
 
 
-def _resting(world: Scene, found: Finding, limits: Finding, text: str) -> Finding:
+def _resting(world: AskedPhase, found: Finding, limits: Finding, text: str) -> Finding:
     valid = possible((*found.valid, *limits.valid), world.motion.assumptions, never_told(text))
     return replace(found, **together(found, limits), valid=valid)
 
 
-def _first_of_two(world: Scene, name: str, text: str) -> tuple[Wanted, Finding] | None:
+def _first_of_two(world: AskedPhase, name: str, text: str) -> tuple[Wanted, Finding] | None:
     """That one limit comes before the other as a load grows, with what finds the two; None for another condition.
 
     Raises StatementError where no parameter takes it to both, or it depends on which one does.
@@ -75,11 +75,11 @@ def _first_of_two(world: Scene, name: str, text: str) -> tuple[Wanted, Finding] 
     raise StatementError(what, instead=f"say which: “… {said[1]}s before it {said[2]}s as {next(iter(found), 'P')} grows”.")
 
 
-def _free(world: Scene, name: str = "") -> list[str]:
+def _free(world: AskedPhase, name: str = "") -> list[str]:
     return [quantity.name for quantity in world.study.problem.parameters if quantity.name != name]
 
 
-def _limit(world: Scene, load: str, text: str, name: str = "") -> tuple[Scalar, Finding]:
+def _limit(world: AskedPhase, load: str, text: str, name: str = "") -> tuple[Scalar, Finding]:
     """The greatest value of a parameter for which a condition holds, whatever else happens before. Raises StatementError."""
     alone = world.afresh()
     found = region_of(alone, parameter(world, load), replace(wanted(alone, text, name), beside=()), text, 1)
@@ -88,7 +88,7 @@ def _limit(world: Scene, load: str, text: str, name: str = "") -> tuple[Scalar, 
     return found.values[0], found
 
 
-def bounded(world: Scene, superlative: str, phrase: str, text: str) -> Finding:
+def bounded(world: AskedPhase, superlative: str, phrase: str, text: str) -> Finding:
     """The greatest (least) value of a quantity for which a condition holds, where that is the same whichever parameter takes it
     there. Raises StatementError where it depends on that, or none does."""
     found = [*_bounds(world, superlative, phrase, of_contact(world, text))]
@@ -104,7 +104,7 @@ def bounded(world: Scene, superlative: str, phrase: str, text: str) -> Finding:
     return replace(first, place=None) if others else first
 
 
-def _bounds(world: Scene, superlative: str, phrase: str, text: str) -> Iterator[tuple[Finding, str]]:
+def _bounds(world: AskedPhase, superlative: str, phrase: str, text: str) -> Iterator[tuple[Finding, str]]:
     """What a quantity is at most where a parameter that changes it meets a condition, for each that bounds it."""
     for name in _free(world):
         with suppress(RbpsymError):

@@ -9,7 +9,7 @@ from rbpsym.ask.concluded import concluded
 from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.seen import Scene
+from rbpsym.ask.seen import AskedPhase
 from rbpsym.ask.senses import narrowed, of_sense
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import all_of, undecided
@@ -18,11 +18,11 @@ from rbpsym.mechanics.pushing import asked as asked_of_start
 from rbpsym.mechanics.roots import zeros
 from rbpsym.present.forms import present
 
-Part = tuple[Scene, Finding]
+Part = tuple[AskedPhase, Finding]
 ONE_SENSE = "in the motion of the other sense it may be otherwise"
 
 
-def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
+def beyond(world: AskedPhase, name: str) -> tuple[Asked, int] | None:
     """The problem with the parameter where what slips at the start does so the other way, or where the motion sets out
     otherwise, which it does for greater (1) or lesser (-1) values; None where that does not depend on it, or is declared."""
     problem, given = world.asked.problem, world.asked.first.assumptions

@@ -192,7 +192,7 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> S
         said = [row[-1] for row in t.relations(draft.context.steps[data["told"][0]].statement)]
         told = next((node for node in said if _is_same(draft, draft.context.value(node), found.values[0])), None)
         rows = rows if told is None or _letters(told, found.values[0]) else [t.equation(t.Sym(letters[0]), told)]
-    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    statement = rows[0] if len(rows) == 1 else t.Relations(tuple(rows))
     told = [step.id for step in draft.steps if step.rule in TOLD]
     if found.study.at_start:
         held = {name for value in found.named for name in names_in(value)}
@@ -307,7 +307,7 @@ def _letters(node: t.Node, value: Scalar) -> set[str]:
 
 
 def _rows(statement: t.Node) -> tuple[t.Chain, ...]:
-    return statement.rows if isinstance(statement, t.System) else (statement,)
+    return statement.rows if isinstance(statement, t.Relations) else (statement,)
 
 
 def _valid(

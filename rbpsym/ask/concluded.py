@@ -9,7 +9,7 @@ from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.question import Question
-from rbpsym.ask.seen import Scene, never_told
+from rbpsym.ask.seen import AskedPhase, never_told
 from rbpsym.ask.special import left_open
 from rbpsym.ask.words import doubts
 from rbpsym.decide.assumptions import Assumptions
@@ -26,7 +26,7 @@ from rbpsym.proof.step import Certificate, Step
 OPS = ("=", "<", ">", "<=", ">=")
 
 
-def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> Answer:
+def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER) -> Answer:
     """The answer, called by the letter if it is no parameter: PROVED if what was found is, and the quantities in it are
     what is said of them."""
     draft, used = Draft(world.study), {(q.text, q.phase): (q, one) for q, one in world.used}
@@ -119,7 +119,7 @@ def _last(draft: Draft, found: Finding, nodes: tuple[t.Node, ...], name: str, le
     if found.form is not None:
         draft.define(letter.name, found.values[0])
         rows = [t.equation(letter, t.renamed(found.form, letters), nodes[0])]
-    statement = t.ZERO if not rows else rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    statement = t.ZERO if not rows else rows[0] if len(rows) == 1 else t.Relations(tuple(rows))
     verdict = all_of([*([found.verdict] if found.verdict else []), *_verdicts(draft.context, found, rows), *doubts(found)])
     step = ground(found.grounds[0] if found.grounds else ("identity", {}), statement)
     checks = tuple(dict.fromkeys(check.__name__ for rule, _ in found.grounds for check in RULES[rule]))

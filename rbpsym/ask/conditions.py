@@ -16,7 +16,7 @@ from rbpsym.ask.moments import NoClosedForm
 from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import (
     PLACE,
-    Scene,
+    AskedPhase,
     going_on,
     moving,
     place_in,
@@ -47,7 +47,7 @@ from rbpsym.proof.step import Step
 from rbpsym.statement.source import did_you_mean
 
 
-def wanted(world: Scene, text: str, name: str = "") -> Wanted:
+def wanted(world: AskedPhase, text: str, name: str = "") -> Wanted:
     """What a condition asks for; `name`: of which symbol. Raises StatementError for one that means nothing here."""
     for pattern, find in WANTED:
         if found := re.fullmatch(pattern, text):
@@ -55,7 +55,7 @@ def wanted(world: Scene, text: str, name: str = "") -> Wanted:
     return _compared(world, text)
 
 
-def _reaches(world: Scene, name: str, text: str) -> Wanted:
+def _reaches(world: AskedPhase, name: str, text: str) -> Wanted:
     """Up to the place the speed does not vanish, and nothing lets go or slips."""
     name, end = free_place(world, name, text)
     way, given = way_to(world, name, end, world.motion.assumptions)
@@ -64,7 +64,7 @@ def _reaches(world: Scene, name: str, text: str) -> Wanted:
     return Wanted(going_on(world, way, given), given, name, end=end, asked=way.asked, others=others)
 
 
-def _check_phase(world: Scene, way: Way, end: Scalar) -> None:
+def _check_phase(world: AskedPhase, way: Way, end: Scalar) -> None:
     """Raise StatementError where it is not sure that the phase still goes on there, and none is named."""
     if world.is_named or world.place + 1 == len(world.asked.names):
         return
@@ -79,26 +79,26 @@ def _check_phase(world: Scene, way: Way, end: Scalar) -> None:
     )
 
 
-def _stays(world: Scene, phrase: str, sign: str, until: str | None, text: str | None) -> Wanted:
+def _stays(world: AskedPhase, phrase: str, sign: str, until: str | None, text: str | None) -> Wanted:
     """A quantity has one sign on the way."""
     value = seen(world, phrase) * (-1 if sign == "negative" else 1)
     return on_way(world, (value,), phrase, until, text, world.motion.assumptions)
 
 
-def _beyond(world: Scene, phrase: str, side: str, value: str, until: str | None, text: str | None) -> Wanted:
+def _beyond(world: AskedPhase, phrase: str, side: str, value: str, until: str | None, text: str | None) -> Wanted:
     """A quantity stays on one side of a value on the way; of a coordinate, see `critical.NEVER`."""
     gap = _equal(world, phrase, value).values[0] * (1 if side == "above" else -1)
     return on_way(world, (gap,), phrase, until, text, world.motion.assumptions)
 
 
-def _keeps(world: Scene, phrase: str, until: str | None, text: str | None) -> Wanted:
+def _keeps(world: AskedPhase, phrase: str, until: str | None, text: str | None) -> Wanted:
     return _stays(world, phrase, "positive", until, text)
 
 
 COEFFICIENT = "mu"  # may be asked for where the problem declares none
 
 
-def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None, name: str = "", there: str = "") -> Wanted:
+def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | None, name: str = "", there: str = "") -> Wanted:
     """Static friction stays below its limit, at one contact or at all (“it”), on the way or at one moment (`there`)."""
     needs = {need.constraint: need for need in world.study.friction_needs}
     found = None if there else _held_then(world, contact, None, name)
@@ -136,11 +136,11 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
     return replace(found, beside=beside, there="there a contact is lost")
 
 
-def _holds_there(world: Scene, contact: str, there: str, name: str = "") -> Wanted:
+def _holds_there(world: AskedPhase, contact: str, there: str, name: str = "") -> Wanted:
     return _holds_fast(world, contact, None, None, name, there)
 
 
-def _held_then(world: Scene, contact: str, phase: str | None, name: str = "") -> Wanted | None:
+def _held_then(world: AskedPhase, contact: str, phase: str | None, name: str = "") -> Wanted | None:
     """The impulse of friction stays below its limit in a blow (when a phase begins); None where friction holds in none."""
     given, values = world.motion.assumptions, []
     for number in range(1, len(world.asked.names)):
@@ -156,7 +156,7 @@ def _held_then(world: Scene, contact: str, phase: str | None, name: str = "") ->
     return Wanted(tuple(values), given) if values else None
 
 
-def _holds_then(world: Scene, contact: str, phase: str, name: str = "") -> Wanted:
+def _holds_then(world: AskedPhase, contact: str, phase: str, name: str = "") -> Wanted:
     found = _held_then(world, contact, phase, name)
     if found is None:
         raise StatementError(
@@ -165,7 +165,7 @@ def _holds_then(world: Scene, contact: str, phase: str, name: str = "") -> Wante
     return found
 
 
-def _touches(world: Scene, until: str | None = None, text: str | None = None) -> Wanted:
+def _touches(world: AskedPhase, until: str | None = None, text: str | None = None) -> Wanted:
     """All one-sided forces stay positive; beside that, what sticks or rolls does not slip before."""
     constraints = world.study.problem.constraints
     names = [name for element in constraints for name in pushes(element)]
@@ -178,7 +178,7 @@ def _touches(world: Scene, until: str | None = None, text: str | None = None) ->
     return replace(found, beside=beside, there="there it slips")
 
 
-def _stays_put(world: Scene, name: str = "") -> Wanted:
+def _stays_put(world: AskedPhase, name: str = "") -> Wanted:
     """Neither static friction gives way nor a contact."""
     lets_go = any(pushes(element) for element in world.study.problem.constraints)
     if not world.study.friction_needs and lets_go:
@@ -189,7 +189,7 @@ def _stays_put(world: Scene, name: str = "") -> Wanted:
     return replace(held, values=(*held.values, *(_touches(world).values if lets_go else ())), beside=())
 
 
-def _at_rest(world: Scene, name: str = "") -> Wanted:
+def _at_rest(world: AskedPhase, name: str = "") -> Wanted:
     """The same of what nothing but friction and contacts lets move."""
     if world.study.system.independent:
         raise StatementError(
@@ -202,7 +202,7 @@ def _at_rest(world: Scene, name: str = "") -> Wanted:
 OF_FRICTION = (_holds_fast, _holds_then, _holds_there, _stays_put, _at_rest)
 
 
-def rest_at(world: Scene, name: str, text: str | None) -> tuple[int, Equilibrium]:
+def rest_at(world: AskedPhase, name: str, text: str | None) -> tuple[int, Equilibrium]:
     """The place of rest there, or the only one, and its number, from 1. Raises StatementError if there is none."""
     found = [(number, item) for number, item in enumerate(world.study.equilibria, 1) if name in item.at]
     if text is not None:
@@ -213,7 +213,7 @@ def rest_at(world: Scene, name: str, text: str | None) -> tuple[int, Equilibrium
     return found[0]
 
 
-def _stable(world: Scene, name: str, text: str | None, opposite: str | None) -> Wanted:
+def _stable(world: AskedPhase, name: str, text: str | None, opposite: str | None) -> Wanted:
     """What is positive where a place of rest is stable."""
     place, item = rest_at(world, name, text)
     where = item.where if item.stable is None else lift(1 if item.stable else -1)
@@ -224,14 +224,14 @@ def _stable(world: Scene, name: str, text: str | None, opposite: str | None) -> 
     return Wanted((-where if opposite else where,), given, closed=False, asked=item.valid, steps=steps)
 
 
-def of_chapter(world: Scene, write: Callable[[Draft], None], id: str) -> tuple[Step, ...]:
+def of_chapter(world: AskedPhase, write: Callable[[Draft], None], id: str) -> tuple[Step, ...]:
     """The step of a chapter that says so, behind those from which it follows."""
     draft = Draft(world.study)
     write(draft)
     return needed(draft.steps, id)
 
 
-def _damped(world: Scene, name: str, kind: str) -> Wanted:
+def _damped(world: AskedPhase, name: str, kind: str) -> Wanted:
     """Whether what is left to itself swings: γ² against ϑ², of small oscillations or of a linear motion that is driven."""
     try:
         decay, square = seen(world, f"decay rate of {name}"), seen(world, f"undamped frequency of {name}") ** 2
@@ -246,14 +246,14 @@ def _damped(world: Scene, name: str, kind: str) -> Wanted:
     return Wanted((gap * way,), world.motion.assumptions, equal=is_equal, closed=False)
 
 
-def _rests_at(world: Scene, name: str, place: str) -> Wanted:
+def _rests_at(world: AskedPhase, name: str, place: str) -> Wanted:
     """It comes to rest at a place: where that is known, else its speed vanishes there."""
     with suppress(NoClosedForm):
         return _equal(world, f"{name} where {name} comes to rest", place)
     return _equal(world, f"speed of {name} where {name} = {place}", "0")
 
 
-def _equilibrium(world: Scene, name: str, text: str) -> Wanted:
+def _equilibrium(world: AskedPhase, name: str, text: str) -> Wanted:
     """At rest at a place, it stays there."""
     value, study = place_in(world, name, text), world.study
     gained = seen(world, f"acceleration of {name} as a function of the state")
@@ -261,11 +261,11 @@ def _equilibrium(world: Scene, name: str, text: str) -> Wanted:
     return Wanted((substitute(gained, {**still, name: value}),), world.motion.assumptions, equal=True)
 
 
-def _vanishes(world: Scene, phrase: str, place: str | None) -> Wanted:
+def _vanishes(world: AskedPhase, phrase: str, place: str | None) -> Wanted:
     return _equal(world, phrase + (place or ""), "0")
 
 
-def _equal(world: Scene, left: str, right: str) -> Wanted:
+def _equal(world: AskedPhase, left: str, right: str) -> Wanted:
     sides = [value_of(world, side, of_vectors=True) for side in (left, right)]
     require_same(world, *sides, (left, right))
     return Wanted((sides[0] - sides[1],), world.motion.assumptions, equal=True)
@@ -277,7 +277,7 @@ WORDS = {"equals": "=", "is": "=", "is at least": ">=", "is at most": "<=", "is 
 WORDS |= dict.fromkeys(("exceeds", "is greater than", "is more than"), ">")
 
 
-def _sides(world: Scene, left: str, right: str) -> Iterator[tuple[str, str]]:
+def _sides(world: AskedPhase, left: str, right: str) -> Iterator[tuple[str, str]]:
     """The ways to read the two sides, the likeliest first: a place that follows a formula is that of the first side; one that
     follows a quantity is that of both, unless the first has its own or it is a moment of the second alone (“at the start”)."""
     place = PLACE.fullmatch(right)
@@ -288,13 +288,13 @@ def _sides(world: Scene, left: str, right: str) -> Iterator[tuple[str, str]]:
     yield left, right
 
 
-def _is_formula(world: Scene, text: str) -> bool:
+def _is_formula(world: AskedPhase, text: str) -> bool:
     with suppress(RbpsymError):
         return t.names(read_infix(text, world.names)) <= {*world.study.problem.dimensions, "pi"}
     return False
 
 
-def _compared(world: Scene, text: str) -> Wanted:
+def _compared(world: AskedPhase, text: str) -> Wanted:
     """Two quantities with a relation between; a place may follow the second: “N = m*g where theta = 0”."""
     refused: list[RbpsymError] = []
     for cut in RELATION.finditer(text):

@@ -11,7 +11,7 @@ from rbpsym.ask.conditions import wanted
 from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
-from rbpsym.ask.seen import Scene, moving, never_told, parameter, seen, told, way_to
+from rbpsym.ask.seen import AskedPhase, moving, never_told, parameter, seen, told, way_to
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
 from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises, unsaid
 from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
@@ -36,7 +36,7 @@ VANISHES = re.compile(rf"(\w+) vanishes{_BEFORE}")
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
 
-def which(world: Scene, superlative: str | None, name: str, text: str, opposite: str = "") -> Finding:
+def which(world: AskedPhase, superlative: str | None, name: str, text: str, opposite: str = "") -> Finding:
     """SYMBOL for which a condition is met, or its opposite (as it was asked for); the smallest or largest of them."""
     text = of_contact(world, text)
     turned = OPPOSITE.fullmatch(text)
@@ -65,7 +65,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str, opposite:
     return replace(found, valid=possible((*found.valid, *asked, *whole), world.motion.assumptions, never_told(text)))
 
 
-def _opposite(world: Scene, superlative: str | None, name: str, text: str, other: str) -> Finding:
+def _opposite(world: AskedPhase, superlative: str | None, name: str, text: str, other: str) -> Finding:
     """The same for the opposite of another condition."""
     turned = superlative and ("largest" if SUPERLATIVES[superlative] < 0 else "smallest")
     found = which(world, turned, name, other, text)
@@ -80,7 +80,7 @@ def _opposite(world: Scene, superlative: str | None, name: str, text: str, other
 # --- equalities
 
 
-def equal_for(world: Scene, superlative: str | None, name: str, condition: Wanted, text: str) -> Finding:
+def equal_for(world: AskedPhase, superlative: str | None, name: str, condition: Wanted, text: str) -> Finding:
     """SYMBOL for which a value vanishes."""
     [value], given, asked = condition.values, condition.given, ()
     if name in world.coordinates:
@@ -132,7 +132,7 @@ def _crossing(name: str, crossings: Sequence[Crossing], given: Assumptions, *, i
     return Finding(**said, symbol=name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
 
 
-def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:
+def _met(world: AskedPhase, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:
     """What a zero asks for, so that the moments come about at which the quantities are taken; None if they never do."""
     limits = (replace(demand, op=">=") for demand in world.standing if demand.op == ">")  # where it just begins no more
     wanted, lasts = (*world.demands, *(demand for demand in world.standing if demand.op != ">"), *limits), ()
@@ -156,7 +156,7 @@ def _there(demands: Iterable[Demand], name: str, place: Scalar) -> list[Demand]:
         raise StatementError(what) from None
 
 
-def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: str) -> Finding:
+def _without(world: AskedPhase, name: str, value: Scalar, given: Assumptions, text: str) -> Finding:
     """What does not depend on the symbol."""
     if is_zero(value):
         said = checked("no_change", value=value, names=(name,), best=NOTHING, given=given)
@@ -164,7 +164,7 @@ def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: s
     raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, value))
 
 
-def region_of(world: Scene, name: str, condition: Wanted, text: str, sense: int, opposite: str = "") -> Finding:
+def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense: int, opposite: str = "") -> Finding:
     """For which values of a parameter what is wanted is positive; `sense`: of which bound it is asked; `opposite`: the text of
     what is asked for instead, where that is the contrary."""
     along = condition.along
@@ -222,7 +222,7 @@ def _never(
     return Finding(symbol=name, says=says, valid=(*found.asked, *own), **together(*(Finding(**one) for one in said)))
 
 
-def _own_demands(world: Scene, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:
+def _own_demands(world: AskedPhase, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:
     """What is asked of the symbol itself, what is known without that, and with it: it is a premise of the rest only."""
     asked = [*condition.asked, *unsaid((demand for demand in world.demands if demand.op != "!="), condition)]
     own, firm = ([demand for demand in asked if depends_on(demand.value, name) is is_own] for is_own in (True, False))
@@ -235,7 +235,7 @@ def _own_demands(world: Scene, name: str, condition: Wanted) -> tuple[list[Deman
 
 
 def _for_all(
-    world: Scene, name: str, condition: Wanted, values: tuple[Scalar, ...], given: Assumptions, text: str
+    world: AskedPhase, name: str, condition: Wanted, values: tuple[Scalar, ...], given: Assumptions, text: str
 ) -> Finding:
     """What holds for all values, or none, since it does not depend on the symbol. Raises StatementError where it depends on
     others which of both."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 from rbpsym.ask.limits import leading
-from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_met
+from rbpsym.ask.zeros import Crossing, SignTable, settled_sign, sign_table, where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.rooted import neat, over_growth
@@ -31,7 +31,7 @@ class Extreme(Frozen):
     value: Scalar | None
     where: str = ""
     asked: tuple[Demand, ...] = ()
-    table: Table | None = None
+    table: SignTable | None = None
     beside: int = 0
     crossing: Crossing | None = None
 
@@ -107,7 +107,7 @@ def _by_linear(value: Scalar, along: str, given: Assumptions) -> Iterator[Scalar
 
 
 def _near(
-    value: Scalar, name: str, at: tuple[Scalar | None, int], where: str, given: Assumptions, table: Table
+    value: Scalar, name: str, at: tuple[Scalar | None, int], where: str, given: Assumptions, table: SignTable
 ) -> Extreme | None:
     place, side = at
     if place is not None:

@@ -21,10 +21,10 @@ from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import State, uniform_motion
-from rbpsym.mechanics.forms import Form
+from rbpsym.mechanics.endings import ArrivalState, uniform_motion
+from rbpsym.mechanics.forms import AccelerationForm
 from rbpsym.mechanics.orbit import quarters_to, swing_of
-from rbpsym.mechanics.solutions import Course
+from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.solved import time_to, without_logarithms
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.draft import Draft
@@ -66,7 +66,7 @@ def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solv
     places = {name: without_logarithms(substitute(one.whole, at)) for name, one in found.items()}
     speeds = {name: without_logarithms(substitute(one.speed, at)) for name, one in found.items()}
     is_small = solutions.SMALL in manner  # near a place of rest, which lies in the range
-    state = State(time, places, speeds, (*_valid(found, time), *(() if is_small else _within(study, places))))
+    state = ArrivalState(time, places, speeds, (*_valid(found, time), *(() if is_small else _within(study, places))))
     return Moment(place, state, "time", courses=found, is_small=is_small)
 
 
@@ -78,7 +78,7 @@ def _within(study: Study, places: Mapping[str, Scalar]) -> Iterator[Demand]:
                 yield Demand(short((place - end) * side), ">=")
 
 
-def _valid(found: Mapping[str, Course], time: Scalar) -> tuple[Demand, ...]:
+def _valid(found: Mapping[str, InTime], time: Scalar) -> tuple[Demand, ...]:
     """What the solutions ask at a time."""
     demands = dict.fromkeys(demand for one in found.values() for demand in one.valid)
     return tuple(Demand(short(substitute(demand.value, {"t": time})), demand.op) for demand in demands)
@@ -115,15 +115,15 @@ def _by_speed(study: Study, place: int, name: str, value: Scalar) -> Moment | No
     asked_for = Demand(short((value - known.speed) * gained)), Demand(short(begun / gained)), Demand(value * known.speed, ">=")
     never = StatementError(f"“{name}_dot” does not come to this value in this motion")
     valid = possible(asked_for, study.assumptions, never)
-    state = State(time, {name: there}, {name: value}, valid)
+    state = ArrivalState(time, {name: there}, {name: value}, valid)
     return Moment(place, state, "time", watched=(f"{name}_dot", value, time))
 
 
-def _letters(found: Mapping[str, Course]) -> dict[str, Scalar]:
+def _letters(found: Mapping[str, InTime]) -> dict[str, Scalar]:
     return {letter: value for one in found.values() for letter, value in one.letters.items()}
 
 
-def first_time(study: Study, subject: str, value: Scalar, found: Mapping[str, Course]) -> tuple[Scalar, tuple[Demand, ...]]:
+def first_time(study: Study, subject: str, value: Scalar, found: Mapping[str, InTime]) -> tuple[Scalar, tuple[Demand, ...]]:
     """When, in the letters of the courses, a coordinate, a speed or an unknown force first has a value, and where it does.
     Raises NotApplicable where no formula gives it, StatementError where it never does."""
     name = subject.removesuffix("_dot")
@@ -132,7 +132,7 @@ def first_time(study: Study, subject: str, value: Scalar, found: Mapping[str, Co
     at = {n: one.place for n, one in found.items()} | {f"{n}_dot": derivative(one.place, "t") for n, one in found.items()}
     letters = _letters(found)
     gap = short(substitute(moving - substitute(value, study.system.dependent), at))
-    known = solutions.Given(Form(NOTHING), NOTHING, NOTHING, study, "")  # signs are all that is asked of it
+    known = solutions.Given(AccelerationForm(NOTHING), NOTHING, NOTHING, study, "")  # signs are all that is asked of it
     # the end of a declared range may be where the motion is to come
     if sign(substitute(gap, letters), study.assumptions.without(*study.system.coordinates)).is_nonzero:
         raise StatementError(f"“{subject}” never has this value in this motion, though it may come ever closer to it")

@@ -17,13 +17,13 @@ from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time, va
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import State, at_start, uniform_motion, value_reached
+from rbpsym.mechanics.endings import ArrivalState, at_start, uniform_motion, value_reached
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
-from rbpsym.mechanics.solutions import Course
+from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.ways import taken
 from rbpsym.present.forms import present
@@ -49,7 +49,7 @@ def contacts_last(study: Study, places: Mapping[str, Scalar]) -> Iterator[tuple[
             yield loss.force, Demand((there - places[name]) * way, ">=")
 
 
-def clear(study: Study, state: State) -> State:
+def clear(study: Study, state: ArrivalState) -> ArrivalState:
     """The state, if no contact is lost on the way to it; what that asks of the parameters is a condition."""
     asked = list(contacts_last(study, state.places))
     for force, demand in asked:
@@ -63,17 +63,17 @@ def _ends_before(force: str) -> StatementError:
     return StatementError(f"“{force}” vanishes before, and with it the motion that is stated ends")
 
 
-def coming(study: Study, name: str, place: Scalar) -> tuple[State, bool]:
+def coming(study: Study, name: str, place: Scalar) -> tuple[ArrivalState, bool]:
     """A place to which the motion may come, with what its speed asks for where that is least on the way, and whether that is
     known; else with what it asks for there alone."""
-    from rbpsym.ask.seen import Scene, way_to
+    from rbpsym.ask.seen import AskedPhase, way_to
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
     state, square, lows = state_at(study, name, place), study.squares[name], None
     with suppress(Undecided, StatementError):
-        way, within = way_to(Scene(study), name, place, study.assumptions)
-        lows = [*way.asked, *least_values(Scene(study), Wanted((square,), within, name, end=place, asked=way.asked))]
+        way, within = way_to(AskedPhase(study), name, place, study.assumptions)
+        lows = [*way.asked, *least_values(AskedPhase(study), Wanted((square,), within, name, end=place, asked=way.asked))]
     never = StatementError(f"“{name}” does not come to this value in this motion: its speed vanishes before")
     asked = [Demand(substitute(square, {name: place}), ">=")] if lows is None else lows
     state = replace(state, valid=possible(asked, study.assumptions, never))
@@ -123,7 +123,7 @@ def regime(study: Study) -> list[Demand]:
     return [demand for demand in held(study) if not names_in(demand.value) & moving]
 
 
-def slipping(study: Study, state: State) -> Iterator[Demand]:
+def slipping(study: Study, state: ArrivalState) -> Iterator[Demand]:
     """What slips has not changed its sense up to a state."""
     for slip in slips(study.system).values():
         there = neat(short(substitute(slip, state.image)), study.assumptions)
@@ -228,7 +228,7 @@ def _goes_on(study: Study, name: str, value: Scalar) -> bool:
     return is_uniform and sign(first * value, study.assumptions).is_nonnegative
 
 
-def never_lost(study: Study, state: State, courses: Mapping[str, Course]) -> Iterator[Demand]:
+def never_lost(study: Study, state: ArrivalState, courses: Mapping[str, InTime]) -> Iterator[Demand]:
     """No contact is lost on the whole motion where that depends on one condition; else not up to the time of a state, as far as
     `courses` tell that: before it comes to the place, or as long as its force pushes."""
     from rbpsym.ask.in_time import first_time
@@ -263,7 +263,7 @@ def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...
 
 
 def _on_way(
-    study: Study, places: Mapping[str, Scalar] | None, time: Scalar | None = None, courses: Mapping[str, Course] | None = None
+    study: Study, places: Mapping[str, Scalar] | None, time: Scalar | None = None, courses: Mapping[str, InTime] | None = None
 ) -> Iterator[Demand]:
     """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what `courses`
     tell, up to a time). Raises Undecided, StatementError."""
@@ -291,9 +291,9 @@ def _on_way(
         yield from found
 
 
-def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, Course]) -> list[Demand]:
+def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime]) -> list[Demand]:
     """What is asked for a value not to become negative up to a time (None: ever), as the courses tell it. Raises Undecided."""
-    from rbpsym.ask.seen import Scene, one_period
+    from rbpsym.ask.seen import AskedPhase, one_period
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
@@ -308,7 +308,7 @@ def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Map
         return [Demand(told, demand.op)]
     given = one_period(told, given) if time is None else given.with_range("t", NOTHING, time)
     try:
-        return [] if sign(told, given).is_nonnegative else [*least_values(Scene(study), Wanted((told,), given, "t"))]
+        return [] if sign(told, given).is_nonnegative else [*least_values(AskedPhase(study), Wanted((told,), given, "t"))]
     except RbpsymError as error:
         raise Undecided(error.what) from None
 
@@ -336,11 +336,11 @@ def _driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tup
 
 
 def _least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
-    from rbpsym.ask.seen import Scene, to_and_fro, way_to
+    from rbpsym.ask.seen import AskedPhase, to_and_fro, way_to
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
-    world, given = Scene(study), study.assumptions
+    world, given = AskedPhase(study), study.assumptions
     try:
         driven = None if name in study.squares else _driven(study, name, places)
         ways = [driven or way_to(world, name, places[name], given)] if driven or places else to_and_fro(world, name, given)

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.seen import PLACE, Scene, moving, never_told, parts_seen, seen
+from rbpsym.ask.seen import PLACE, AskedPhase, moving, never_told, parts_seen, seen
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import Scalar, Scope
+from rbpsym.field import Meanings, Scalar
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.demands import existence, possible
 from rbpsym.mechanics.elimination import short
@@ -20,11 +20,11 @@ from rbpsym.mechanics.elimination import short
 WHEN = re.compile(r" (?:where|when|at|until|up to|during|(?:just|right) (?:after|before|when|where)|from|begins)\b")
 
 
-def _times(world: Scene, factor: str, text: str) -> t.Node:
+def _times(world: AskedPhase, factor: str, text: str) -> t.Node:
     return t.mul(read_infix(factor, world.names), form_of(world, text))
 
 
-def _ratio(world: Scene, above: str, below: str) -> t.Node:
+def _ratio(world: AskedPhase, above: str, below: str) -> t.Node:
     if above == below:
         raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     place = PLACE.fullmatch(below)
@@ -39,7 +39,7 @@ def _ratio(world: Scene, above: str, below: str) -> t.Node:
     return found
 
 
-def _pendulum(world: Scene, name: str | None) -> t.Node:
+def _pendulum(world: AskedPhase, name: str | None) -> t.Node:
     """The length g/ϑ² of the simple pendulum with the same period."""
     [gravity, *more] = {element["g"] for element in world.study.problem.interactions if element.kind == "gravity"} or (None,)
     if gravity is None or more:
@@ -47,7 +47,7 @@ def _pendulum(world: Scene, name: str | None) -> t.Node:
     return t.Div(gravity, t.Pow(_leaf(world, f"frequency of {name or world.study.system.independent[0]}"), t.TWO))
 
 
-def _magnitude(world: Scene, force: str, when: str) -> t.Node:
+def _magnitude(world: AskedPhase, force: str, when: str) -> t.Node:
     if len(parts_seen(world.afresh(), f"impulse of {force}{when}")) == 1:
         return t.Abs(_leaf(world, f"impulse of {force}{when}"))
     return t.Sqrt(t.add(*(t.Pow(_leaf(world, f"impulse of {force}_{axis}{when}"), t.TWO) for axis in "xy")))
@@ -79,7 +79,7 @@ def _may_cut(first: str, second: str, sign_: str) -> bool:
     return not in_value and (sign_ in "+-" or not any(" - " in part or " + " in part for part in (first, second)))
 
 
-def form_of(world: Scene, text: str, *, of_vectors: bool = False) -> t.Node:
+def form_of(world: AskedPhase, text: str, *, of_vectors: bool = False) -> t.Node:
     """How a quantity is made of others, each of which stands in it under the text of its question; one alone as itself, or
     as its magnitude where it is that `of_vectors`. Raises StatementError or ReadError for what means nothing."""
     used, refused = len(world.used), None
@@ -104,26 +104,26 @@ def form_of(world: Scene, text: str, *, of_vectors: bool = False) -> t.Node:
     raise refused
 
 
-def _leaf(world: Scene, phrase: str) -> t.Sym:
+def _leaf(world: AskedPhase, phrase: str) -> t.Sym:
     seen(world, phrase)
     return t.Sym(world.used[-1][0].text)
 
 
-def value_of(world: Scene, text: str, *, of_vectors: bool = False) -> Scalar:
+def value_of(world: AskedPhase, text: str, *, of_vectors: bool = False) -> Scalar:
     """The value of such a quantity. Raises as `form_of`, and StatementError where something is divided by zero."""
     return _valued(world, form_of(world, text, of_vectors=of_vectors), text)
 
 
-def _valued(world: Scene, form: t.Node, text: str) -> Scalar:
+def _valued(world: AskedPhase, form: t.Node, text: str) -> Scalar:
     said = {question.text: neat(found.values[0], world.motion.assumptions) for question, found in world.used}
     try:
-        found = scalar(form, Scope(said))
+        found = scalar(form, Meanings(said))
     except ZeroDivisionError:
         raise StatementError(f"“{text}” has no value: something is divided by zero") from None
     return found if isinstance(form, t.Sym) else short(found)
 
 
-def of_mode(world: Scene, first: str, second: str, mode: str) -> Finding:
+def of_mode(world: AskedPhase, first: str, second: str, mode: str) -> Finding:
     """The ratio of two amplitudes in a mode by those to a third one, relative to which the shape of the mode is told.
     Raises StatementError."""
     refused = None
@@ -136,7 +136,7 @@ def of_mode(world: Scene, first: str, second: str, mode: str) -> Finding:
     raise refused or StatementError(f"nothing ties {first} and {second}")
 
 
-def made(world: Scene, text: str, form: t.Node | None = None) -> Finding:
+def made(world: AskedPhase, text: str, form: t.Node | None = None) -> Finding:
     """What is found for such a quantity: it is what the others in it are said to be."""
     form = form or form_of(world, text)
     value = neat(_valued(world, form, text), world.motion.assumptions)

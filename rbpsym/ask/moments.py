@@ -24,13 +24,13 @@ from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import assuming
-from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to_rest, force_taken, is_before
+from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, ArrivalState, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.instant import has_start
 from rbpsym.mechanics.orbit import orbits
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.pushing import check_start
-from rbpsym.mechanics.solutions import Course
+from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.quantity.problem import ProblemWorld
@@ -54,10 +54,10 @@ class Moment(Frozen):
     the motion comes there; what is `watched` there, its value, and the time in letters."""
 
     place: int
-    state: State
+    state: ArrivalState
     how: str = "start"
     phase: Phase | None = None
-    courses: Mapping[str, Course] = field(default_factory=dict)
+    courses: Mapping[str, InTime] = field(default_factory=dict)
     is_small: bool = False
     is_open: bool = False
     watched: tuple[str, Scalar, Scalar] | None = None
@@ -253,7 +253,7 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
     raise _told(refused, event, subject)
 
 
-def _comes_before(asked: Asked, number: int, state: State) -> bool:
+def _comes_before(asked: Asked, number: int, state: ArrivalState) -> bool:
     """Whether a state comes before the end of its phase, at the sample numbers."""
     try:
         return is_before(asked.study(number), state, asked.stage(number + 1).began.before)
@@ -261,7 +261,7 @@ def _comes_before(asked: Asked, number: int, state: State) -> bool:
         return True
 
 
-def _is_begun(study: Study, state: State) -> bool:
+def _is_begun(study: Study, state: ArrivalState) -> bool:
     begun = at_start(study)
     return state.time == NOTHING or (state.time is None and all(is_zero(q - begun.places[n]) for n, q in state.places.items()))
 
@@ -363,7 +363,7 @@ def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
         if len(found) > 1:
             raise StatementError(f"there are {len(found)} such equilibria", instead='write “where theta = …”.')
         still = dict.fromkeys(study.system.independent, NOTHING)
-        return Moment(asked.meant(place), State(None, dict(found[0].at), still, found[0].valid), "rest")
+        return Moment(asked.meant(place), ArrivalState(None, dict(found[0].at), still, found[0].valid), "rest")
 
     return find
 
@@ -376,12 +376,12 @@ def _steady(study: Study, place: int) -> Moment:
     if not there:
         raise StatementError("no stable equilibrium is known")
     valid = tuple(demand for one in there.values() for demand in one.valid)
-    state = State(None, {name: one.place for name, one in there.items()}, dict.fromkeys(there, NOTHING), valid)
+    state = ArrivalState(None, {name: one.place for name, one in there.items()}, dict.fromkeys(there, NOTHING), valid)
     return Moment(place, state, "rest")
 
 
 BY_NUMBERS = "ask for it with numbers: --with “M = 1 kg, …”."
-FINDERS: Mapping[str, Callable[[Study, Phase], State]] = {**ENDINGS, "rests": comes_to_rest, "takes": force_taken}
+FINDERS: Mapping[str, Callable[[Study, Phase], ArrivalState]] = {**ENDINGS, "rests": comes_to_rest, "takes": force_taken}
 MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
     "start": lambda asked, when, place: Moment(place or 0, at_start(asked.study(place or 0))),
     "begins": _begins,

@@ -33,7 +33,7 @@ STEPS, MOST = 10, 1000  # places of a range without a step, and at most
 NEAR, LEAST = 1e-9, 3
 
 
-class Given(Frozen):
+class GivenNumbers(Frozen):
     """Numbers in SI units by name, one or more of each; to how many significant figures they are given at least."""
 
     values: Mapping[str, tuple[float, ...]]
@@ -44,10 +44,10 @@ class Given(Frozen):
         """The names with several values."""
         return [name for name, values in self.values.items() if len(values) > 1]
 
-    def beside(self, problem: Problem, more: Mapping[str, str]) -> Given:
+    def beside(self, problem: Problem, more: Mapping[str, str]) -> GivenNumbers:
         """With what a question itself gives for its letters."""
         own = read_numbers(", ".join(f"{name} = {value}" for name, value in more.items()), problem) if more else self
-        return Given({**self.values, **own.values}, self.digits)
+        return GivenNumbers({**self.values, **own.values}, self.digits)
 
     def rows(self) -> list[dict[str, float]]:
         """One set of numbers for each place of the range; the ranges go on together."""
@@ -55,7 +55,7 @@ class Given(Frozen):
         return [{n: v[k] if len(v) > 1 else v[0] for n, v in self.values.items()} for k in range(count)]
 
 
-def read_numbers(text: str, problem: Problem) -> Given:
+def read_numbers(text: str, problem: Problem) -> GivenNumbers:
     """The numbers of “M = 10 kg, theta = 10..60 deg step 5 deg”; “example” stands for those of the problem. Raises
     ReadError for what can't be read, StatementError for what contradicts the declared signs and ranges."""
     known = {**dimensions_with_unknowns(problem), "t": TIME}
@@ -79,7 +79,7 @@ def read_numbers(text: str, problem: Problem) -> Given:
             digits += [_digits(number) for number in re.findall(_NUMBER, str(value)[:40])[:1] if exact is None]
     if len({len(values) for values in found.values() if len(values) > 1}) > 1:
         raise ReadError("two ranges have different numbers of places", instead="give both the same number of steps.")
-    given = Given(found, max(min(digits, default=LEAST), LEAST))
+    given = GivenNumbers(found, max(min(digits, default=LEAST), LEAST))
     for row in given.rows():
         _check_declared(problem, row)
     return given

@@ -14,7 +14,7 @@ from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.limits import leading
 from rbpsym.ask.regions import region
 from rbpsym.ask.seen import (
-    Scene,
+    AskedPhase,
     comes_back,
     fits,
     moving,
@@ -42,7 +42,7 @@ from rbpsym.mechanics.roots import period
 
 
 def extremum(
-    world: Scene,
+    world: AskedPhase,
     superlative: str,
     phrase: str,
     over: str | None,
@@ -90,7 +90,7 @@ def extremum(
 
 
 def _subject(
-    world: Scene, superlative: str, phrase: str, over: str | None, *, is_whole: bool, by_place: bool
+    world: AskedPhase, superlative: str, phrase: str, over: str | None, *, is_whole: bool, by_place: bool
 ) -> tuple[str, Scalar, Finding]:
     """The quantity with its value, which depends on one name at most, or on that over which it is asked; and what found the
     greatest or least value of another one, which it is. Raises StatementError for what has no extremum of one name."""
@@ -135,7 +135,7 @@ def _only(found: Finding, phrase: str) -> Scalar:
     return found.values[0]
 
 
-def _ranges(world: Scene, name: str, value: Scalar) -> Assumptions:
+def _ranges(world: AskedPhase, name: str, value: Scalar) -> Assumptions:
     """What is known where the quantity has that value: of a parameter, also in which range its conditions are met."""
     given = where_met(world.motion.assumptions, [demand for demand in world.demands if not depends_on(demand.value, name)])
     if name in world.coordinates or _turns(name, value):
@@ -156,7 +156,7 @@ Ways = list[tuple[tuple[Demand, ...], Assumptions, Way | None]]
 
 
 def _ways(
-    world: Scene, name: str, value: Scalar, given: Assumptions, between: tuple[str | None, str | None], *, is_over: bool
+    world: AskedPhase, name: str, value: Scalar, given: Assumptions, between: tuple[str | None, str | None], *, is_over: bool
 ) -> Ways | None:
     """The ranges in which it is looked for, each with what it asks for and the way through it; None where that is not decided."""
     low, high = between
@@ -178,13 +178,13 @@ def _ways(
     return [((), given, None)]
 
 
-def _all_along(world: Scene, given: Assumptions) -> tuple[Demand | None, ...]:
+def _all_along(world: AskedPhase, given: Assumptions) -> tuple[Demand | None, ...]:
     """What is asked of the whole time, where it is least; None for what is not known to have a least value."""
     lows = ((d, extreme(d.value, "t", given, -1)) for d in (*world.demands, *world.standing) if depends_on(d.value, "t"))
     return tuple(None if low is None or low.value is None else Demand(low.value, d.op) for d, low in lows)
 
 
-def _on_way_back(world: Scene, name: str, value: Scalar, given: Assumptions) -> tuple[Scalar, ...]:
+def _on_way_back(world: AskedPhase, name: str, value: Scalar, given: Assumptions) -> tuple[Scalar, ...]:
     """What it is where the coordinate passes its places again in the opposite sense, if that is something else."""
     found = world.used[-1][1]
     if not found.ways or name not in world.motion.squares or found.of != "position":
@@ -216,7 +216,7 @@ def _best(parts: list[Finding], sense: int, given: Assumptions, *, by_place: boo
 HIGH = re.compile("height of ")
 
 
-def sized(world: Scene, phrase: str) -> tuple[str, Scalar]:
+def sized(world: AskedPhase, phrase: str) -> tuple[str, Scalar]:
     """A quantity with its value; of a vector its magnitude."""
     count = len(world.used)
     if len(values := parts_seen(world, phrase)) == 1:
@@ -225,7 +225,7 @@ def sized(world: Scene, phrase: str) -> tuple[str, Scalar]:
     return f"magnitude of {phrase}", seen(world, f"magnitude of {phrase}")
 
 
-def _lasting(world: Scene, name: str, found: Finding) -> Finding:
+def _lasting(world: AskedPhase, name: str, found: Finding) -> Finding:
     """With what contacts, friction and slips ask for on the way to the place where it lies, or for that value."""
     if found.place is None or found.place[1] is None:
         return found
@@ -287,7 +287,7 @@ def _end(found: Extreme) -> str:
 PLURALS = {"periods": "period", "frequencies": "frequency"}
 
 
-def with_equal(world: Scene, first: str, second: str, phrase: str) -> Finding:
+def with_equal(world: AskedPhase, first: str, second: str, phrase: str) -> Finding:
     """Two different values of one parameter with the same value of a quantity: the second as a function of the first."""
     parameter(world, first)
     phrase = PLURALS.get(phrase, phrase)

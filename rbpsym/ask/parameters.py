@@ -13,7 +13,7 @@ from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding, together
 from rbpsym.ask.moments import Asked, NotMet
 from rbpsym.ask.question import ASKED, PHASE
-from rbpsym.ask.seen import NeverThere, Scene, number_in, require_same, scene
+from rbpsym.ask.seen import AskedPhase, NeverThere, number_in, require_same, scene
 from rbpsym.ask.senses import turned
 from rbpsym.ask.wanted import Wanted
 from rbpsym.decide.rooted import neat
@@ -32,7 +32,7 @@ _WAY = rf"(?:(?:from (?:the )?{_START} )?(?:until|up to|to)|between (?:the )?{_S
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
 
 
-def _over_there(world: Scene, best: str, phrase: str, name: str, place: str) -> Finding:
+def _over_there(world: AskedPhase, best: str, phrase: str, name: str, place: str) -> Finding:
     return through.extremum(world, best, f"{phrase} {place}", name, None, None)
 
 
@@ -76,7 +76,7 @@ ROWS: Rows = (
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
 
-def _extreme_is(world: Scene, name: str, text: str, best: str, to: str) -> Finding:
+def _extreme_is(world: AskedPhase, name: str, text: str, best: str, to: str) -> Finding:
     """SYMBOL for which a greatest or least value is a given one, or vanishes. Raises StatementError without one such value."""
     phase = f" in phase {world.asked.names[world.place]}" if world.is_named else ""
     other, found = finding(world.asked, text + phase)
@@ -104,7 +104,7 @@ AFTER = re.compile(rf"(?:the )?({_BEST} .+) after (?:the )?(\w+)")
 WITH = re.compile(r"(?:the )?(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
 
 
-def _mover(world: Scene) -> str:
+def _mover(world: AskedPhase) -> str:
     """The one coordinate that moves. Raises StatementError where there are several, or none is known."""
     name = mover(world.study)
     if name is None:
@@ -140,7 +140,7 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
     return concluded(found[0], text, found[1], letter)
 
 
-def _at_rest(asked: Asked, world: Scene, found: Finding) -> tuple[Scene, Finding] | None:
+def _at_rest(asked: Asked, world: AskedPhase, found: Finding) -> tuple[AskedPhase, Finding] | None:
     """For what vanishes with the speeds: the values for which the motion just comes to rest at the place at which it is taken;
     None where there are none."""
     places = {question.when.words for question, _ in world.used if question.when and question.when.kind == "reaches"}
@@ -166,7 +166,7 @@ def resorted(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:
     return None
 
 
-def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding] | None:
+def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[AskedPhase, Finding] | None:
     """What is found for a question about parameters, not concluded yet. Raises as `of_parameters`."""
     rest = ASKED.sub("", text, count=1) if ASKED.match(text) else text
     if said := AFTER.fullmatch(rest):
@@ -193,12 +193,12 @@ def _is_found(text: str) -> bool:
     return any(re.fullmatch(pattern, text) for pattern, _ in (*ROWS[:-1], *made.MADE))
 
 
-def _found(asked: Asked, place: int | None, find: Callable[[Scene], Finding]) -> tuple[Scene, Finding]:
+def _found(asked: Asked, place: int | None, find: Callable[[AskedPhase], Finding]) -> tuple[AskedPhase, Finding]:
     """What is found in the phase that is named, else in the first in which the motion comes to the place that is asked for."""
     world, refused = scene(asked, place), None
     for number in range(world.place, world.place + 1 if world.is_named else len(asked.names)):
         try:
-            world = world if number == world.place else Scene(asked.study(number), asked=asked, place=number)
+            world = world if number == world.place else AskedPhase(asked.study(number), asked=asked, place=number)
             return world, find(world)
         except NeverThere as error:
             refused = refused or error

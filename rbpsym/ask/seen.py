@@ -44,7 +44,7 @@ def never_told(text: str) -> StatementError:
     return StatementError(f"“{text}” never comes about: what it asks for is never met", instead="change the statement.")
 
 
-class Scene(ProblemWorld):
+class AskedPhase(ProblemWorld):
     """One phase of the motion of a problem that is asked, and what was found for the quantities that a question names.
 
     demands: under what conditions they have the values that were found; lasting: those of contacts, friction and declared
@@ -61,7 +61,7 @@ class Scene(ProblemWorld):
     standing: list[Demand] = field(default_factory=list)
     senses: list[Demand] = field(default_factory=list)
 
-    def afresh(self) -> Scene:
+    def afresh(self) -> AskedPhase:
         """The same phase of which nothing is asked yet."""
         return replace(self, used=[], lasting=[], doubts=[], standing=[], senses=[])
 
@@ -73,13 +73,13 @@ class Scene(ProblemWorld):
         return tuple(dict.fromkeys(d for part in (*moments, *asked, self.lasting) for d in part))
 
 
-def scene(asked: Asked, place: int | None = None) -> Scene:
+def scene(asked: Asked, place: int | None = None) -> AskedPhase:
     """The phase of that place; the first one that does not end at once."""
     meant = asked.meant(place)
-    return Scene(asked.study(meant), asked=asked, place=meant, is_named=place is not None)
+    return AskedPhase(asked.study(meant), asked=asked, place=meant, is_named=place is not None)
 
 
-def seen(world: Scene, phrase: str) -> Scalar:
+def seen(world: AskedPhase, phrase: str) -> Scalar:
     """A quantity at a moment, or on the motion with its speeds as functions of the place as far as they are known.
 
     Raises StatementError or ReadError for what means nothing, and for a vector.
@@ -90,7 +90,7 @@ def seen(world: Scene, phrase: str) -> Scalar:
     return values[0]
 
 
-def parts_seen(world: Scene, phrase: str) -> tuple[Scalar, ...]:
+def parts_seen(world: AskedPhase, phrase: str) -> tuple[Scalar, ...]:
     """The same of a vector too, its components."""
     question = read_question(phrase)
     if (world.place or world.is_named) and question.when is None and not question.phase and not is_jump(question.quantity):
@@ -113,13 +113,13 @@ def told(value: Scalar) -> str:
     return to_text(present(value))
 
 
-def moving(world: Scene, values: Iterable[Scalar]) -> list[str]:
+def moving(world: AskedPhase, values: Iterable[Scalar]) -> list[str]:
     """The coordinates, speeds and the time on which values depend."""
     names = (*world.motion.scope.rates, *world.motion.speeds, *world.motion.unsettled, "t")
     return [name for name in dict.fromkeys(names) if any(depends_on(value, name) for value in values)]
 
 
-def parameter(world: Scene, name: str) -> str:
+def parameter(world: AskedPhase, name: str) -> str:
     """The name of a parameter. Raises StatementError for a name that is none."""
     problem = world.study.problem
     known = [quantity.name for quantity in problem.parameters]
@@ -129,12 +129,12 @@ def parameter(world: Scene, name: str) -> str:
     return name
 
 
-def number_in(world: Scene, text: str) -> Scalar:
+def number_in(world: AskedPhase, text: str) -> Scalar:
     """The value of an expression in parameters. Raises ReadError."""
     return scalar(read_infix(text, world.names))
 
 
-def place_in(world: Scene, name: str, text: str) -> Scalar:
+def place_in(world: AskedPhase, name: str, text: str) -> Scalar:
     """The value of a coordinate or parameter, within its range. Raises DimensionError or StatementError."""
     value, limits = number_in(world, text), of_symbol(name, world.motion.assumptions)
     require_same(world, symbol(name), value, (name, text))
@@ -147,7 +147,7 @@ def place_in(world: Scene, name: str, text: str) -> Scalar:
     return value
 
 
-def require_same(world: Scene, first: Scalar, second: Scalar, texts: tuple[str, str]) -> None:
+def require_same(world: AskedPhase, first: Scalar, second: Scalar, texts: tuple[str, str]) -> None:
     """Raise DimensionError where two values have different dimensions."""
     known = world.dimensions
     if first and second:
@@ -156,7 +156,7 @@ def require_same(world: Scene, first: Scalar, second: Scalar, texts: tuple[str, 
             raise DimensionError(f"“{texts[0]}” is {a(dimensions[0])}, but “{texts[1]}” is {a(dimensions[1])}")
 
 
-def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> tuple[Way, Assumptions]:
+def way_to(world: AskedPhase, name: str, end: Scalar | None, given: Assumptions) -> tuple[Way, Assumptions]:
     """How a coordinate moves from its start, and its range on the way to a place (None: to where it first comes to rest, or
     to the end of its range).
 
@@ -169,7 +169,7 @@ def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> t
     return found[0] if len(found) == 1 else next(fits, found[0])
 
 
-def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+def whole_ways(world: AskedPhase, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """How far a coordinate goes as is told, in each sense in which it may set out: to where it first comes to rest, where a
     contact is lost, or to the end of its range. Raises StatementError where that depends on parameters."""
     whole = []
@@ -180,7 +180,7 @@ def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, A
     return [(way, _until_next(world, way, range_)) for way, range_ in whole]
 
 
-def _lost(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar | None, tuple[Demand, ...]]:
+def _lost(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Scalar | None, tuple[Demand, ...]]:
     """Where on its way a contact is lost, or None, with the condition for the one or the other, as it is at the sample
     numbers. Raises StatementError where that is not known."""
     ended = world.study.ended
@@ -193,13 +193,13 @@ def _lost(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar | None, tu
     return (happen[0][0].at[way.name] if happens else None), left
 
 
-def fits(world: Scene, asked: Iterable[Demand]) -> bool:
+def fits(world: AskedPhase, asked: Iterable[Demand]) -> bool:
     """Whether all that is asked is met by the example, or the sample numbers."""
     numbers = sample(world.study.problem, world.study.problem.example)
     return all(floating(demand.value, numbers) >= 0 for demand in asked)
 
 
-def _case(world: Scene, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, ...]] | None:
+def _case(world: AskedPhase, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, ...]] | None:
     """Whether all that is asked is met as `fits` says, and that, or its opposite, as a condition; None where the opposite is
     more than one condition."""
     if fits(world, asked):
@@ -207,7 +207,7 @@ def _case(world: Scene, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, 
     return (False, (Demand(-asked[0].value, ">=" if asked[0].op == ">" else ">"),)) if len(asked) == 1 else None
 
 
-def _kept_on(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
+def _kept_on(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, ...]:
     """Under what condition nothing lets go on the whole way, where it `fits`. Raises StatementError where that
     is not decided, or something does."""
     from rbpsym.ask.wanted import Wanted
@@ -225,7 +225,7 @@ def _kept_on(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
     )
 
 
-def _until_next(world: Scene, way: Way, given: Assumptions) -> Assumptions:
+def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> Assumptions:
     """The range up to where the next phase begins, if the coordinate comes there without turning round. Raises
     StatementError where that is not decided."""
     if world.place + 1 == len(world.asked.names):
@@ -243,7 +243,7 @@ def _until_next(world: Scene, way: Way, given: Assumptions) -> Assumptions:
 
 
 def ways_to(
-    world: Scene, name: str, end: Scalar | None, given: Assumptions, *, may_turn: bool = False
+    world: AskedPhase, name: str, end: Scalar | None, given: Assumptions, *, may_turn: bool = False
 ) -> list[tuple[Way, Assumptions]]:
     """The same as `way_to` for each sense in which it may set out; `may_turn`: whether it turns round may depend on the
     parameters, and is as at the sample numbers."""
@@ -269,7 +269,7 @@ def ways_to(
     return [(way, _on_way(way, end, where_met(given, way.asked))) for way in coming]
 
 
-def _turns(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
+def _turns(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, ...]:
     """Under what one condition it turns round, at one of the places that are known, or does not, as it is at the sample
     numbers."""
     found = zeros(way.square, way.name, given.with_range(way.name, *_ends(way, given.range_of(way.name))))
@@ -279,14 +279,14 @@ def _turns(world: Scene, way: Way, given: Assumptions) -> tuple[Demand, ...]:
     return case[1] if case else ()
 
 
-def to_and_fro(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+def to_and_fro(world: AskedPhase, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """The whole motion of a coordinate as `way_to` says it; with the other side of the start, to which it comes back from
     a place where it turns round."""
     way, within = way_to(world, name, None, given)
     return [(way, within), *_back(world, way, within, given)]
 
 
-def _back(world: Scene, way: Way, within: Assumptions, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+def _back(world: AskedPhase, way: Way, within: Assumptions, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """The other side of the start, if it comes back there from a place where it turns round."""
     if not _turns_round(world, way, within) or not world.study.system.scope.start.get(f"{way.name}_dot", NOTHING):
         return []
@@ -294,20 +294,20 @@ def _back(world: Scene, way: Way, within: Assumptions, given: Assumptions) -> li
     return [(back, _on_way(back, None, where_met(given, way.asked)))]
 
 
-def whole_motion(world: Scene, name: str, given: Assumptions) -> tuple[Way, Assumptions]:
+def whole_motion(world: AskedPhase, name: str, given: Assumptions) -> tuple[Way, Assumptions]:
     """How a coordinate sets out, and all the places to which it comes on either side of its start."""
     (way, within), *back = to_and_fro(world, name, given)
     return way, _both(way, within, back)
 
 
-def _turns_round(world: Scene, way: Way, within: Assumptions) -> bool:
+def _turns_round(world: AskedPhase, way: Way, within: Assumptions) -> bool:
     """Whether it comes to rest at the end of its way, and goes back: what slips stays there."""
     end = within.range_of(way.name)[way.sense > 0]
     turns = end is not None and is_zero(without_even_roots(substitute(way.square, {way.name: end})))
     return turns and not slips(world.study.system)
 
 
-def comes_back(world: Scene, name: str, given: Assumptions) -> bool:
+def comes_back(world: AskedPhase, name: str, given: Assumptions) -> bool:
     """Whether a coordinate turns round where it first comes to rest, and passes its places again."""
     return any(_turns_round(world, *pair) for pair in ways_to(world, name, None, given, may_turn=True))
 
@@ -352,7 +352,7 @@ def one_period(value: Scalar, given: Assumptions, name: str = "t", begin: Scalar
     return given.with_range(name, *((begin, end) if sense > 0 else (end, begin)))
 
 
-def going_on(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar, ...]:
+def going_on(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Scalar, ...]:
     """What has to stay positive for the motion to go on as it is told: one-sided forces, what friction has left of its
     limits, and last the square of the speed; without what is surely positive all the way.
 

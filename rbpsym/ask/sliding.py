@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from rbpsym.ask.seen import Scene, moving, seen
+from rbpsym.ask.seen import AskedPhase, moving, seen
 from rbpsym.ask.wanted import Wanted
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
@@ -19,7 +19,7 @@ VERBS = "slip|leave|lift|tip|move|lose|let go|hold|stick|roll|keep|stay|remain"
 OF_BODY = re.compile(rf"(?:the )?(\w+)(?: \w+)??(?={DOES} (?:{VERBS})s?\b)")
 
 
-def of_contact(world: Scene, text: str) -> str:
+def of_contact(world: AskedPhase, text: str) -> str:
     """The condition with “it”, or the name of a contact, for a body: “the ladder does not slip” where nothing else holds."""
     said = OF_BODY.match(text)
     if said is None or said[1] not in (body.name for body in world.study.problem.bodies):
@@ -34,7 +34,7 @@ def _is_of(element: Element, body: str) -> bool:
     return any(getattr(value, "body", value) == body for value in element.values.values())
 
 
-def begins_to_slip(world: Scene, contact: str) -> Wanted | None:
+def begins_to_slip(world: AskedPhase, contact: str) -> Wanted | None:
     """Kinetic friction acts from the beginning of a slip: what is at rest begins to slip in the stated sense where it gains
     speed in it. None where static friction holds a contact, or the slip is no multiple of the one speed."""
     found = {name: slip for name, slip in slips(world.study.system).items() if contact in ("it", name)}
@@ -54,7 +54,7 @@ def begins_to_slip(world: Scene, contact: str) -> Wanted | None:
 STAYS = re.compile(r"(\w+) (?:stays|remains)(?: at)? (.+)")
 
 
-def stays(world: Scene, text: str) -> Wanted | None:
+def stays(world: AskedPhase, text: str) -> Wanted | None:
     """A coordinate stays what it is at the start, where it is at rest and kept momenta tie all other speeds to it: it gains no
     speed there, so that nothing changes. None for another condition."""
     said, study = STAYS.fullmatch(text), world.study
@@ -73,7 +73,7 @@ def stays(world: Scene, text: str) -> Wanted | None:
 RISES = re.compile(r"(?:the )?(\w+) (?:begins to |starts to |just )?(rise|fall|sink|(?:goe?|move)s? (?:up|down))s?")
 
 
-def rises(world: Scene, text: str) -> Wanted | None:
+def rises(world: AskedPhase, text: str) -> Wanted | None:
     """A body that is at rest begins to move upwards, or downwards. None for another condition."""
     said = RISES.fullmatch(text)
     if said is None or said[1] not in (body.name for body in world.study.problem.bodies):
@@ -88,7 +88,7 @@ def rises(world: Scene, text: str) -> Wanted | None:
 RESTS = re.compile(r"(\w+) (?:comes to rest|is brought to rest|stops)")
 
 
-def comes_to_rest(world: Scene, text: str) -> Wanted | None:
+def comes_to_rest(world: AskedPhase, text: str) -> Wanted | None:
     """A constant acceleration is against the speed with which a coordinate sets out. None for another condition."""
     said, given = RESTS.fullmatch(text), world.motion.assumptions
     if said is None:

@@ -12,7 +12,7 @@ from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.limits import SMALL, Leading, leading, squeezed
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.seen import Scene, parameter, parts_seen, place_in, require_same, told
+from rbpsym.ask.seen import AskedPhase, parameter, parts_seen, place_in, require_same, told
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.equal import find_witness
@@ -36,7 +36,7 @@ FAR = ("oo", "inf", "infinity", "∞")
 # --- special values
 
 
-def with_values(world: Scene, phrase: str, text: str) -> Finding:
+def with_values(world: AskedPhase, phrase: str, text: str) -> Finding:
     """A quantity with values of parameters put in: “c = 2/5 and mu = 0”."""
     pairs, parts, given = _pairs(world, text), parts_seen(world, phrase), world.motion.assumptions
     idle = [name for name in pairs if not any(depends_on(part, name) for part in parts)]
@@ -55,7 +55,7 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
         raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=instead) from None
 
 
-def _pairs(world: Scene, text: str) -> dict[str, str]:
+def _pairs(world: AskedPhase, text: str) -> dict[str, str]:
     """The values by the names of parameters. Raises ReadError."""
     pairs: dict[str, str] = {}
     for part in re.split(r",\s*(?:and )?|\s+and\s+", text):
@@ -66,7 +66,7 @@ def _pairs(world: Scene, text: str) -> dict[str, str]:
     return pairs
 
 
-def special_problem(world: Scene, text: str) -> Problem:
+def special_problem(world: AskedPhase, text: str) -> Problem:
     """The problem in which parameters have these values from the beginning. Raises ReadError or StatementError."""
     pairs = _pairs(world, text)
     for name, to in pairs.items():
@@ -79,7 +79,7 @@ def _with(problem: Problem, image: Mapping[str, Node]) -> Problem:
     return replace(found, parameters=tuple(quantity for quantity in found.parameters if quantity.name not in image))
 
 
-def left_open(world: Scene, found: Finding) -> tuple[list[Demand], list[str]]:
+def left_open(world: AskedPhase, found: Finding) -> tuple[list[Demand], list[str]]:
     """What is not decided of the moments of a scene: for all parameters, or where one has the values that were found, with
     what they ask for there. Raises StatementError where the motion that is stated surely ends before."""
     problem, asked = world.asked.problem, list[Demand]()
@@ -95,7 +95,7 @@ def left_open(world: Scene, found: Finding) -> tuple[list[Demand], list[str]]:
     return asked, [] if found.values else world.doubts
 
 
-def _constant(world: Scene, name: str) -> str:
+def _constant(world: AskedPhase, name: str) -> str:
     """A name that has one value throughout: a parameter, or a start."""
     return name if name in world.motion.starts else parameter(world, name)
 
@@ -103,12 +103,12 @@ def _constant(world: Scene, name: str) -> str:
 # --- limits
 
 
-def in_limit(world: Scene, phrase: str, name: str, text: str, *, as_term: bool = False) -> Finding:
+def in_limit(world: AskedPhase, phrase: str, name: str, text: str, *, as_term: bool = False) -> Finding:
     """A quantity in the limit NAME -> VALUE; near it, its leading term (`as_term`)."""
     return _limits(world, phrase, _constant(world, name), text, parts_seen(world, phrase), as_term=as_term)
 
 
-def limit_of(world: Scene, found: Finding, phrase: str, name: str, text: str) -> Finding:
+def limit_of(world: AskedPhase, found: Finding, phrase: str, name: str, text: str) -> Finding:
     """What was found for a question, in such a limit. Raises StatementError where that is no single value."""
     if len(found.values) != 1 or (found.verdict and not found.verdict.is_proved):
         raise StatementError(f"“{phrase}” has no single value of which a limit could be taken", instead="ask for that alone.")
@@ -119,7 +119,7 @@ def limit_of(world: Scene, found: Finding, phrase: str, name: str, text: str) ->
     return replace(limit, verdict=verdict, grounds=(*limit.grounds, *found.grounds))
 
 
-def _limits(world: Scene, phrase: str, name: str, text: str, parts: Sequence[Scalar], *, as_term: bool = False) -> Finding:
+def _limits(world: AskedPhase, phrase: str, name: str, text: str, parts: Sequence[Scalar], *, as_term: bool = False) -> Finding:
     given = world.motion.assumptions
     sign_, plain = (-1, text[1:]) if text.startswith("-") else (1, text.removeprefix("+"))
     to = None if plain in FAR else place_in(world, name, text)
@@ -146,7 +146,7 @@ def _together(found: Sequence[Finding], phrase: str) -> Finding:
     return Finding(**together(*found), values=tuple(value for one in found for value in one.values), parted=True)
 
 
-def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int = 1) -> Finding:
+def _near(world: AskedPhase, found: Finding, name: str, to: Scalar | None, side: int = 1) -> Finding:
     """With what the quantity asks for, near the limit."""
     given, demands = world.motion.assumptions, (*world.demands, *world.standing)
     near = ((demand, leading(demand.value, name, to, given, side)) for demand in demands)
@@ -155,7 +155,7 @@ def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int 
     return replace(found, valid=possible(asked, given, never), met=True)
 
 
-def near(world: Scene, phrase: str, name: str, text: str) -> Finding:
+def near(world: AskedPhase, phrase: str, name: str, text: str) -> Finding:
     """The leading term of a quantity near that limit."""
     return in_limit(world, phrase, name, text, as_term=True)
 
@@ -197,7 +197,7 @@ def _term(found: Leading, name: str, to: Scalar | None, side: int) -> Scalar:
     return found.coefficient * root(distance) ** int(power * 2)
 
 
-def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Finding:
+def much(world: AskedPhase, phrase: str, first: str, way: str, second: str) -> Finding:
     """A quantity for M >> m: the leading term for m → 0 (for M → ∞ if m does not occur), all else being fixed."""
     great, small = (first, second) if way == ">>" else (second, first)
     parts, given = parts_seen(world, phrase), world.motion.assumptions
@@ -228,7 +228,7 @@ def _nothing(value: Scalar, name: str, given: Assumptions) -> Finding:
 # --- dependence
 
 
-def depends(world: Scene, phrase: str, name: str) -> Finding:
+def depends(world: AskedPhase, phrase: str, name: str) -> Finding:
     """Whether a quantity depends on a parameter."""
     if name not in world.names:
         raise StatementError(f"“{name}” is no quantity of the problem", instead=did_you_mean(name, world.names, "names"))
@@ -245,7 +245,7 @@ def depends(world: Scene, phrase: str, name: str) -> Finding:
     return Finding(undecided("whether its derivative vanishes is not decided"))
 
 
-def conserved(world: Scene, phrase: str) -> Finding:
+def conserved(world: AskedPhase, phrase: str) -> Finding:
     """Whether a quantity stays what it is along the motion."""
     rates, parts = (parts_seen(world, f"{what}{phrase} as a function of the state") for what in ("rate of ", ""))
     pairs, given = list(zip(rates, parts, strict=True)), world.motion.assumptions
@@ -258,7 +258,7 @@ def conserved(world: Scene, phrase: str) -> Finding:
     return Finding(**together(*told), says=says, holds=kept)
 
 
-def independent(world: Scene, phrase: str, name: str) -> Finding:
+def independent(world: AskedPhase, phrase: str, name: str) -> Finding:
     """Whether a quantity does not depend on a parameter."""
     found = depends(world, phrase, name)
     if found.holds is None:

@@ -10,7 +10,7 @@ from rbpsym.ask.answer import Answer
 from rbpsym.ask.brackets import bracket
 from rbpsym.ask.integrated import HOW, integrated
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.numbers import Given, rounded, unit_for, unmet, value_at
+from rbpsym.ask.numbers import GivenNumbers, rounded, unit_for, unmet, value_at
 from rbpsym.ask.question import Question
 from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
@@ -25,7 +25,7 @@ from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.machine import machine_name, to_machine
 
 
-def record(found: Answer, given: Given | None = None) -> dict[str, Any]:
+def record(found: Answer, given: GivenNumbers | None = None) -> dict[str, Any]:
     """The answer as keys of JSON: question, answer (text for sympy, a vector as "(x, y)"), latex, verdict, valid_where, steps,
     symbols; with numbers their value and unit, or a table of them over a range."""
     notation = Notation(found.study.problem.notation)
@@ -50,7 +50,7 @@ def record(found: Answer, given: Given | None = None) -> dict[str, Any]:
 YES_OR_NO = re.compile(r"(yes|no) where this is met(, else (?:yes|no))?")
 
 
-def is_number(found: Answer, given: Given) -> bool:
+def is_number(found: Answer, given: GivenNumbers) -> bool:
     """Does it have a value at these numbers: not a function of a place that has none of them, not a mere sentence?"""
     moving = {"t", *found.study.system.scope.rates, *(c.name for c in found.study.problem.coordinates)} - given.values.keys()
     is_function = bool(found.holds) and any(names_in(value) & moving for value in found.values)
@@ -83,7 +83,7 @@ def _of_parameter(found: Answer) -> dict[str, Any]:
     }
 
 
-def record_integrated(asked: Asked, question: Question, given: Given) -> dict[str, Any]:
+def record_integrated(asked: Asked, question: Question, given: GivenNumbers) -> dict[str, Any]:
     """The record of what has no closed form: its value alone."""
     rows = [integrated(asked, question, row) for row in given.rows()]
     values = [value[0] if len(value) == 1 else list(value) for value, _ in rows]
@@ -107,13 +107,13 @@ def _step(step: Step, notation: Notation) -> dict[str, str]:
     return {"id": step.id, "latex": to_latex(step.statement, notation), "verdict": str(verdict.kind)}
 
 
-def numbers(found: Answer, given: Given) -> dict[str, Any]:
+def numbers(found: Answer, given: GivenNumbers) -> dict[str, Any]:
     """value and unit, or the table over the names of a range."""
     values = [_at(found, row) for row in given.rows()]
     return _valued(given, [row[0] if len(row) == 1 else row for row in values], unit_of_answer(found))
 
 
-def _valued(given: Given, values: list[Any], unit: str) -> dict[str, Any]:
+def _valued(given: GivenNumbers, values: list[Any], unit: str) -> dict[str, Any]:
     if len(values) == 1:
         return {"value": values[0], "unit": unit}
     places = [{name: row[name] for name in given.ranges} for row in given.rows()]
@@ -147,7 +147,7 @@ def unit_of_answer(found: Answer) -> str:
     return unit_for(node, found.study, is_angle=found.is_angle)
 
 
-def numbered(record: Mapping[str, Any], given: Given) -> Iterator[str]:
+def numbered(record: Mapping[str, Any], given: GivenNumbers) -> Iterator[str]:
     """The value of a record with its unit; a line each over a range."""
     for row in record.get("table", [record]):
         values = row["value"] if isinstance(row["value"], list) else [row["value"]]

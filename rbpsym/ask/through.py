@@ -9,7 +9,7 @@ from rbpsym.ask import optima
 from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.question import read_question
-from rbpsym.ask.seen import Scene, moving, never_told, place_in, seen
+from rbpsym.ask.seen import AskedPhase, moving, never_told, place_in, seen
 from rbpsym.ask.zeros import precedes, settled_sign, where_met
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
@@ -20,7 +20,8 @@ from rbpsym.typeset.machine import to_machine
 
 
 def extremum(
-    world: Scene, superlative: str, phrase: str, over: str | None, low: str | None, high: str | None, *, by_place: bool = False
+    world: AskedPhase, superlative: str, phrase: str, over: str | None, low: str | None, high: str | None, *,
+    by_place: bool = False,
 ) -> Finding:
     """The same as `optima.extremum`, through all phases from the first that does not end at once, if none is named."""
     last = len(world.asked.names)
@@ -31,7 +32,7 @@ def extremum(
     parts, found = [], []
     for place in _known(world, phrase, last):
         try:
-            parts.append(Scene(world.asked.study(place), asked=world.asked, place=place, is_named=True))
+            parts.append(AskedPhase(world.asked.study(place), asked=world.asked, place=place, is_named=True))
             found.append(_in_phase(parts[-1], superlative, phrase, over))
         except (NotApplicable, StatementError) as error:
             name = world.asked.names[place]
@@ -60,7 +61,7 @@ def _is_open(found: Finding) -> bool:
     return found.verdict is not None and not found.verdict.is_proved
 
 
-def _over_time(world: Scene, superlative: str, phrase: str, known: Finding) -> Finding:
+def _over_time(world: AskedPhase, superlative: str, phrase: str, known: Finding) -> Finding:
     """The same by the motion as a function of the time, if that proves it; else what is known."""
     other = world.afresh()
     with suppress(RbpsymError):
@@ -72,7 +73,7 @@ def _over_time(world: Scene, superlative: str, phrase: str, known: Finding) -> F
     return known
 
 
-def until(world: Scene, superlative: str, phrase: str, name: str, text: str) -> Finding:
+def until(world: AskedPhase, superlative: str, phrase: str, name: str, text: str) -> Finding:
     """The same on the way from the start to a place, to which the motion comes."""
     end, begin = place_in(world, name, text), world.study.system.scope.start.get(name)
     if begin is None:
@@ -85,12 +86,12 @@ def until(world: Scene, superlative: str, phrase: str, name: str, text: str) -> 
     return optima.extremum(world, superlative, phrase, name, *ends)
 
 
-def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:
+def extreme_for(world: AskedPhase, name: str | None, phrase: str, superlative: str) -> Finding:
     """SYMBOL for which a quantity is least or greatest."""
     return extremum(world, superlative, phrase, name, None, None, by_place=True)
 
 
-def _known(world: Scene, phrase: str, last: int) -> list[int]:
+def _known(world: AskedPhase, phrase: str, last: int) -> list[int]:
     """The phases in which the quantity means something, as a force does where it acts; all of them if it does in none."""
     places, quantity = range(world.place, last), read_question(phrase).quantity
     found = []
@@ -101,7 +102,7 @@ def _known(world: Scene, phrase: str, last: int) -> list[int]:
     return found or [*places]
 
 
-def _in_phase(part: Scene, superlative: str, phrase: str, over: str | None) -> Finding:
+def _in_phase(part: AskedPhase, superlative: str, phrase: str, over: str | None) -> Finding:
     phrase, value = optima.sized(part, phrase)
     if not moving(part, (value,)):
         names, given = tuple(part.motion.scope.rates), part.motion.assumptions
@@ -110,7 +111,7 @@ def _in_phase(part: Scene, superlative: str, phrase: str, over: str | None) -> F
     return optima.extremum(part, superlative, phrase, over, None, None)
 
 
-def _beyond_all(world: Scene, found: list[Finding], sense: int) -> int | None:
+def _beyond_all(world: AskedPhase, found: list[Finding], sense: int) -> int | None:
     """The first phase whose value no other one exceeds."""
     for k, one in enumerate(found):
         pairs = ((one, other, where_met(world.motion.assumptions, [*one.valid, *other.valid])) for other in found)

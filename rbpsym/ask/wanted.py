@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from types import MappingProxyType
 
-from rbpsym.ask.seen import Scene, going_on, is_sure, moving, never_told, one_period, place_in, way_to, whole_motion
+from rbpsym.ask.seen import AskedPhase, going_on, is_sure, moving, never_told, one_period, place_in, way_to, whole_motion
 from rbpsym.ask.zeros import where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
@@ -55,7 +55,7 @@ def arrives(condition: Wanted, place: Scalar | None, at: Mapping[str, Scalar] = 
     return not is_zero(rooted(slope, condition.given))
 
 
-def premises(world: Scene, condition: Wanted) -> list[Demand]:
+def premises(world: AskedPhase, condition: Wanted) -> list[Demand]:
     """What contacts, friction and the start ask of the parameters for the motion to be the one that is stated, beside what
     the condition itself says."""
     standing = [demand for demand in dict.fromkeys(world.standing) if not moving(world, (demand.value,))]
@@ -76,19 +76,19 @@ def _without_divisor(demand: Demand, standing: list[Demand], given: Assumptions)
     return replace(demand, value=short(demand.value * Scalar(demand.value.den))) if below == "positive" else demand
 
 
-def case_of(world: Scene) -> tuple[Demand, ...]:
+def case_of(world: AskedPhase) -> tuple[Demand, ...]:
     """What the motion that was told asks of the parameters."""
     asked = (demand for demand in (*world.demands, *world.standing) if not moving(world, (demand.value,)))
     return possible(asked, world.motion.assumptions, never_told("the motion that is stated"))
 
 
-def on_what(world: Scene, value: Scalar) -> str:
+def on_what(world: AskedPhase, value: Scalar) -> str:
     """The parameters on which a value depends, as advice."""
     known = [q.name for q in world.study.problem.parameters if depends_on(value, q.name)]
     return f"it depends on {', '.join(known)}." if known else ""
 
 
-def free_place(world: Scene, name: str, text: str) -> tuple[str, Scalar]:
+def free_place(world: AskedPhase, name: str, text: str) -> tuple[str, Scalar]:
     """The coordinate that is free, and its value where another one that is tied to it has a value."""
     if name not in world.coordinates:
         raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, world.coordinates))
@@ -105,7 +105,7 @@ def free_place(world: Scene, name: str, text: str) -> tuple[str, Scalar]:
     return found[0]
 
 
-def _in_time(world: Scene, values: tuple[Scalar, ...]) -> tuple[tuple[Scalar, ...], tuple[Demand, ...]]:
+def _in_time(world: AskedPhase, values: tuple[Scalar, ...]) -> tuple[tuple[Scalar, ...], tuple[Demand, ...]]:
     """The values as functions of the time, with what that asks for; as they are where the motion is not known so."""
     with suppress(RbpsymError):
         found = courses_of(world.study)
@@ -115,7 +115,7 @@ def _in_time(world: Scene, values: tuple[Scalar, ...]) -> tuple[tuple[Scalar, ..
 
 
 def on_way(
-    world: Scene, values: tuple[Scalar, ...], phrase: str, until: str | None, text: str | None, given: Assumptions
+    world: AskedPhase, values: tuple[Scalar, ...], phrase: str, until: str | None, text: str | None, given: Assumptions
 ) -> Wanted:
     """The values are positive along the way of the one coordinate on which they depend."""
     free = moving(world, values)

@@ -10,7 +10,7 @@ from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.critical import kept_said
 from rbpsym.ask.extremes import Extreme, least
 from rbpsym.ask.finding import Finding, checked
-from rbpsym.ask.seen import Scene, moving, never_told, way_to
+from rbpsym.ask.seen import AskedPhase, moving, never_told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.chapters import contact, oscillations
@@ -23,7 +23,7 @@ from rbpsym.mechanics.events import Loss
 from rbpsym.proof.step import Step
 
 
-def does(world: Scene, text: str, *, opposite: bool = False, condition: Wanted | None = None) -> Finding:
+def does(world: AskedPhase, text: str, *, opposite: bool = False, condition: Wanted | None = None) -> Finding:
     """Whether a condition is met on the motion: yes, no, or under which conditions on the parameters."""
     condition = condition or wanted(world, text)
     if condition.equal:
@@ -61,12 +61,12 @@ def _said(parts: Sequence[Part], condition: Wanted, *, holds: bool | None, oppos
     return checked("least_on_way", **data)
 
 
-def does_not(world: Scene, text: str) -> Finding:
+def does_not(world: AskedPhase, text: str) -> Finding:
     """The same of what is the opposite of a condition: whether it slips, leaves, vanishes."""
     return does(world, text, opposite=True)
 
 
-def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> Finding:
+def vanishes(world: AskedPhase, force: str, until: str | None, text: str | None) -> Finding:
     """Whether a one-sided force vanishes on the motion, by what is known of the ends of contacts; before a place: by its
     least value on the way."""
     losses = [loss for loss in world.study.ended.found if loss.force == force and loss.at]
@@ -79,7 +79,7 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
     return does(world, f"{force} stays positive{rest}", opposite=True)
 
 
-def _by_loss(world: Scene, losses: Sequence[Loss], until: str | None, text: str | None) -> Finding | None:
+def _by_loss(world: AskedPhase, losses: Sequence[Loss], until: str | None, text: str | None) -> Finding | None:
     """Whether a force vanishes before a place, by where it is known to vanish; None if that does not say it."""
     [loss, *more], given, surely = losses, world.motion.assumptions, ()
     [(name, place)] = loss.at.items()
@@ -106,7 +106,7 @@ def _by_loss(world: Scene, losses: Sequence[Loss], until: str | None, text: str 
     return Finding(valid=(*surely, *left), place=(name, place), says=says, holds=None if left else True, steps=steps)
 
 
-def rests_stably(world: Scene, name: str, text: str, opposite: str | None) -> Finding:
+def rests_stably(world: AskedPhase, name: str, text: str, opposite: str | None) -> Finding:
     """Whether a place of rest is stable: by the step that says so, else by what has to be positive there."""
     place, item = rest_at(world, name, text)
     if item.stable is None:
@@ -124,12 +124,12 @@ def _told(steps: tuple[Step, ...], **more: bool) -> tuple[Step, ...]:
 Part = tuple[Scalar, Extreme | None, Demand]  # a value, one of its least ones, and what has to hold there
 
 
-def least_values(world: Scene, condition: Wanted) -> Iterator[Demand]:
+def least_values(world: AskedPhase, condition: Wanted) -> Iterator[Demand]:
     """What has to hold of the parameters: each least value on the way is positive."""
     return (demand for *_, demand in _least(world, condition))
 
 
-def _least(world: Scene, condition: Wanted) -> Iterator[Part]:
+def _least(world: AskedPhase, condition: Wanted) -> Iterator[Part]:
     op = ">=" if condition.closed else ">"
     given = where_met(condition.given, (*condition.asked, *world.demands))
     for value in condition.values:

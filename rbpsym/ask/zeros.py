@@ -271,7 +271,7 @@ def sign_beside(value: Scalar, name: str, place: Scalar | None, side: int, given
 # --- signs between zeros
 
 
-class Table(Frozen):
+class SignTable(Frozen):
     """The signs of a function between its zeros and poles, of which one more sign than zeros is known where `is_whole`."""
 
     zeros: Zeros
@@ -283,28 +283,28 @@ class Table(Frozen):
         return not self.zeros.open_ and None not in self.signs
 
 
-def sign_table(value: Scalar, name: str, given: Assumptions) -> Table:
+def sign_table(value: Scalar, name: str, given: Assumptions) -> SignTable:
     """The sign on every part of the range, where what the zeros ask for is met."""
     value = rooted(value, given)
     known = zeros(value, name, given)
     given = where_met(given, known.asked)
     if known.crossings and (known.found or len(known.crossings) > 1):
-        return Table(known, (None,) * (len(known.found) + 2))
+        return SignTable(known, (None,) * (len(known.found) + 2))
     if known.crossings:
-        return Table(known, tuple(sign_at_end(value, name, given, upper) for upper in (False, True)))
+        return SignTable(known, tuple(sign_at_end(value, name, given, upper) for upper in (False, True)))
     places = [zero.place for zero in known.found]
     is_ordered = all(precedes(a, b, given) for a, b in zip(places, places[1:], strict=False))
     if known.open_ or not is_ordered:
-        return Table(known, (None,) * (len(places) + 1))
+        return SignTable(known, (None,) * (len(places) + 1))
     whole = short(value * Scalar(value.den) ** 2)  # of the same sign, and without poles above the line
     sense = SENSES.get(sign(short(derivative(whole, name)), given).kind or "") if len(places) == 1 else 0
     if sense:
-        return Table(known, (-sense, sense))
+        return SignTable(known, (-sense, sense))
     signs = [_sign_between(whole, name, pair, given) for pair in zip([None, *places], [*places, None], strict=True)]
     if len(places) == 1 and None in signs and not depends_on(derivative(whole, name), name):  # linear: it changes its sign
         signs = [-signs[1] if side is None and signs[1] else side for side in signs]
         signs = [-signs[0] if side is None and signs[0] else side for side in signs]
-    return Table(known, tuple(signs))
+    return SignTable(known, tuple(signs))
 
 
 def _sign_between(value: Scalar, name: str, ends: Sequence[Scalar | None], given: Assumptions) -> int | None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from rbpsym.chapters.places import (
-    Given,
+    FreeGeometry,
     as_given,
     coordinates_of,
     distance_rows,
@@ -66,7 +66,7 @@ def _define_tied(draft: Draft) -> None:
             draft.context.scalars[f"{name}_ddot"] = time_derivative(rate, system.scope)
 
 
-def _nothing(draft: Draft, element: Element, given: Given) -> None:
+def _nothing(draft: Draft, element: Element, given: FreeGeometry) -> None:
     """Nothing is asked of the speeds."""
 
 
@@ -194,7 +194,7 @@ class _Part(Frozen):
     extra: t.Node | None = None
 
 
-def _speed(draft: Draft, given: Given, body: str | None, place: Vector, direction: Vector, about: Vector) -> _Part:
+def _speed(draft: Draft, given: FreeGeometry, body: str | None, place: Vector, direction: Vector, about: Vector) -> _Part:
     """Speed of the material point at `place`, split at the point `about` of the same body."""
     if body is None:
         return _Part(t.ZERO, t.ZERO)
@@ -207,7 +207,7 @@ def _speed(draft: Draft, given: Given, body: str | None, place: Vector, directio
     return _Part(still, _turned(draft, given, body, arm), letter)
 
 
-def _turned(draft: Draft, given: Given, body: str, arm: Scalar) -> t.Node:
+def _turned(draft: Draft, given: FreeGeometry, body: str, arm: Scalar) -> t.Node:
     """arm × ω; with the letter ω where no one gave the angle of the body."""
     spin = given.spin(body)
     if spin is not None:
@@ -223,7 +223,7 @@ def _free_letter(draft: Draft, body: str) -> str:
     return draft.free("v" if draft.is_single else f"v_{body}")
 
 
-def _no_slip(draft: Draft, element: Element, given: Given) -> None:
+def _no_slip(draft: Draft, element: Element, given: FreeGeometry) -> None:
     """At the contact both have one velocity: V·t = (what it touches) - (rim) ω."""
     met = meeting(element, given.geometry)
     on, by = toucher(element), curve_body(element)
@@ -279,14 +279,14 @@ def _slope(normal: Vector) -> str:
     return "line" if normal.y else "wall"
 
 
-def _taut(draft: Draft, element: Element, given: Given) -> None:
+def _taut(draft: Draft, element: Element, given: FreeGeometry) -> None:
     """Both ends of each run of a string move along it at one speed."""
     for name, run in zip(tensions(element), runs(element["path"]), strict=True):
         if element["length"] is None:
             _run(draft, element, name, run, given)
 
 
-def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given: Given) -> None:
+def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given: FreeGeometry) -> None:
     terms = [part for part in _along_run(draft, run, given) if part != t.ZERO]
     if not terms:
         return
@@ -314,7 +314,7 @@ def _balanced(terms: list[t.Node]) -> t.Node:
     return t.equation(t.neg(first), second) if isinstance(first, t.Neg) else t.equation(first, t.neg(second))
 
 
-def _along_run(draft: Draft, run: tuple[Turn, ...], given: Given) -> list[t.Node]:
+def _along_run(draft: Draft, run: tuple[Turn, ...], given: FreeGeometry) -> list[t.Node]:
     """u·v of the places where the string pulls: at its ends, and at what it slides round."""
     parts = segments(run, given.geometry)
     first, last = parts[0], parts[-1]
@@ -325,7 +325,7 @@ def _along_run(draft: Draft, run: tuple[Turn, ...], given: Given) -> list[t.Node
     return found + _pull(draft, given, run[-1], last.end, -last.along)
 
 
-def _pull(draft: Draft, given: Given, turn: Turn, place: Vector, way: Vector) -> list[t.Node]:
+def _pull(draft: Draft, given: FreeGeometry, turn: Turn, place: Vector, way: Vector) -> list[t.Node]:
     if turn.body is None:
         return []
     part = _speed(draft, given, turn.body, place, way, given.geometry.where(turn.center))
@@ -333,4 +333,4 @@ def _pull(draft: Draft, given: Given, turn: Turn, place: Vector, way: Vector) ->
 
 
 # by what the law of a constraint asks of the speeds
-ASKED: Mapping[object, Callable[[Draft, Element, Given], None]] = {no_slip: _no_slip, speeds_along: _taut}
+ASKED: Mapping[object, Callable[[Draft, Element, FreeGeometry], None]] = {no_slip: _no_slip, speeds_along: _taut}

@@ -9,11 +9,11 @@ from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, is_zero, substitute, symbol
 from rbpsym.frozen import replace
 from rbpsym.mechanics import solutions, solved
-from rbpsym.mechanics.arrivals import State
+from rbpsym.mechanics.arrivals import ArrivalState
 from rbpsym.mechanics.demands import settle
 from rbpsym.mechanics.orbit import swing_of
 from rbpsym.mechanics.sides import lasting
-from rbpsym.mechanics.solutions import STEADY, Course, Given
+from rbpsym.mechanics.solutions import STEADY, Given, InTime
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import Step
 
@@ -36,7 +36,7 @@ def write(draft: Draft) -> None:
             feature(draft, known, name, key)
 
 
-def told(draft: Draft, name: str, one: Course, law: str = "", beside: Mapping[str, Course] | None = None) -> str:
+def told(draft: Draft, name: str, one: InTime, law: str = "", beside: Mapping[str, InTime] | None = None) -> str:
     """The id of the step that says a solution, with those `beside` it that the law ties to it; before it one for each of its
     letters that is new."""
     letters = {letter: _letter(draft, letter, value) for letter, value in one.letters.items()}
@@ -73,7 +73,7 @@ def _letter(draft: Draft, letter: str, value: Scalar) -> str:
     return found
 
 
-def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: State, letters: Mapping[str, Scalar]) -> str:
+def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: ArrivalState, letters: Mapping[str, Scalar]) -> str:
     """The id of the step that says when a coordinate or a speed has a value; the time is said in letters."""
     named = {letter: symbol(_letter(draft, letter, value)) for letter, value in letters.items()}
     assert state.time is not None, subject
@@ -84,7 +84,7 @@ def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: Stat
                      data={"subject": subject, "value": value}).id  # fmt: skip
 
 
-def by_speed(draft: Draft, subject: str, value: Scalar, state: State) -> str:
+def by_speed(draft: Draft, subject: str, value: Scalar, state: ArrivalState) -> str:
     """The id of the step that says when, and where, a coordinate has a speed of which its acceleration is a function."""
     name, letter = subject.removesuffix("_dot"), draft.study.letters.free("u")
     known = solutions.given(draft.study, name)
@@ -92,7 +92,7 @@ def by_speed(draft: Draft, subject: str, value: Scalar, state: State) -> str:
     assert found, subject
     told = [(old, new) for old, new in (("t", state.time), (name, state.places[name])) if new is not None]
     rows = [t.equation(draft.define(draft.free(f"{old}_1"), new), draft.show(new, factor=True)) for old, new in told]
-    return draft.add("moment", "by_speed", t.System(tuple(rows)) if len(rows) > 1 else rows[0], "course.by_speed",
+    return draft.add("moment", "by_speed", t.Relations(tuple(rows)) if len(rows) > 1 else rows[0], "course.by_speed",
                      premises=draft.those(f"motion.{name}"), name=t.Sym(name), speed=t.Sym(subject), value=draft.show(value),
                      obligations=draft.asked(state.valid), is_result=True,
                      data={"name": name, "value": value, "letter": letter, "time": found[1], "place": found[2]}).id  # fmt: skip

@@ -11,10 +11,10 @@ from collections.abc import Callable, Mapping, Sequence
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute, symbol, time_derivative
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.arrivals import State, at_start
+from rbpsym.mechanics.arrivals import ArrivalState, at_start
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.jumps import Kept, until_no_slip
+from rbpsym.mechanics.jumps import KeptMomentum, until_no_slip
 from rbpsym.mechanics.system import Force, by_letters, in_state
 from rbpsym.present.forms import present
 from rbpsym.proof.draft import Draft
@@ -216,7 +216,7 @@ class Ending(Frozen):
 
     phase: Phase
     number: int
-    state: State
+    state: ArrivalState
 
     def element(self, draft: Draft) -> Element:
         """The constraint that it is about."""
@@ -242,7 +242,7 @@ def kept_until(draft: Draft, ending: Ending, slip: Scalar) -> list[Step]:
     return [_kept_step(draft, ending, kept, slip) for kept in found]
 
 
-def _kept_step(draft: Draft, ending: Ending, kept: Kept, slip: Scalar) -> Step:
+def _kept_step(draft: Draft, ending: Ending, kept: KeptMomentum, slip: Scalar) -> Step:
     letters = draft.study.letters
     point = t.Sym(kept.label or letters.free("C", taken=letters.things))
     return draft.add(

@@ -13,7 +13,7 @@ from rbpsym.chapters.endings import Ending, kinetic
 from rbpsym.chapters.jumps import Blow, after_name, impulse_name, minus, new_value, old_value
 from rbpsym.decide.signs import sign
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Scalar, Scope, depends_on, is_zero, names_in, short, substitute, time_derivative
+from rbpsym.field import NOTHING, Meanings, Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand
@@ -196,7 +196,7 @@ def _speeds(draft: Draft, blow: Blow, steps: list[Step]) -> None:
 def _impulses(draft: Draft, blow: Blow, steps: list[Step], level: int) -> None:
     """The impulses that the equations hold and that are not zero."""
     found = {impulse_name(draft, name, blow): value for name, value in blow.began.impulses.items()}
-    scope = Scope({n: v for n, v in draft.context.scalars.items() if n not in found})
+    scope = Meanings({n: v for n, v in draft.context.scalars.items() if n not in found})
     rows = [row for step in steps for row in _equations(step.statement, scope)]
     values = {n: v for n, v in found.items() if v and any(depends_on(row, n) for row in rows)}
     _solved(draft, "impulses", values, steps, level=level, obligations=draft.asked(_demands(blow)))
@@ -226,7 +226,7 @@ def _solved(
     )
 
 
-def _equations(statement: t.Node, scope: Scope) -> list[Scalar]:
+def _equations(statement: t.Node, scope: Meanings) -> list[Scalar]:
     """Left minus right of each row, with the letters of what is unknown."""
     rows = t.rows(statement)
     return [scalar(row.items[0], scope) - scalar(row.items[-1], scope) for row in rows]

@@ -13,7 +13,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import Poly, Scalar, is_zero, lift, short, substitute, symbol_name, total
 from rbpsym.mechanics.elimination import CONSTANT, linear_row
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.system import Condition
+from rbpsym.mechanics.system import ConstraintCondition
 from rbpsym.present.signs import positive_first
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import FULL, STANDARD, BodyRef, Step, StepRef
@@ -43,7 +43,7 @@ def at_start(node: t.Node) -> t.At:
     return t.At(node, t.equation(t.Sym("t"), t.ZERO))
 
 
-def _held(draft: Draft, condition: Condition) -> Step:
+def _held(draft: Draft, condition: ConstraintCondition) -> Step:
     """What the constraint asks of the coordinates (of the speeds, where it is no rate of a position)."""
     statement, factor = _stretched(draft, condition) or _vanishing(draft, condition)
     return draft.add(
@@ -57,14 +57,14 @@ def _held(draft: Draft, condition: Condition) -> Step:
     )
 
 
-def _vanishing(draft: Draft, condition: Condition) -> tuple[t.Node, Scalar]:
+def _vanishing(draft: Draft, condition: ConstraintCondition) -> tuple[t.Node, Scalar]:
     """(value = 0, by what the value is multiplied to give that of the condition)."""
     value, factor = _plain(draft, condition.value)
     shown = draft.show(value)
     return (t.equation(shown.arg, t.ZERO), -factor) if isinstance(shown, t.Neg) else (t.equation(shown, t.ZERO), factor)
 
 
-def _stretched(draft: Draft, condition: Condition) -> tuple[t.Node, Scalar] | None:
+def _stretched(draft: Draft, condition: ConstraintCondition) -> tuple[t.Node, Scalar] | None:
     """The same of a straight string: x² + y² between its ends as it is at the start."""
     system = draft.study.system
     path = system.element(condition.constraint).values.get("path", ())
@@ -92,7 +92,7 @@ def _plain(draft: Draft, value: Scalar) -> tuple[Scalar, Scalar]:
 
 
 def _rates(
-    draft: Draft, kind: str, held: list[Step], rows: tuple[Condition, ...], names: tuple[str, ...], speeds: list[Step]
+    draft: Draft, kind: str, held: list[Step], rows: tuple[ConstraintCondition, ...], names: tuple[str, ...], speeds: list[Step]
 ) -> list[Step]:
     """The first or second rate of each condition at the start; none where it says nothing."""
     found, places = [], len(draft.study.system.implicit)

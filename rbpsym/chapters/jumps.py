@@ -9,8 +9,8 @@ from rbpsym.decide.rooted import neat
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, substitute, symbol
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.arrivals import State
-from rbpsym.mechanics.impulse import Moment, impulsive, restitutions
+from rbpsym.mechanics.arrivals import ArrivalState
+from rbpsym.mechanics.impulse import BeforeAndAfter, impulsive, restitutions
 from rbpsym.mechanics.jumps import Jump, road
 from rbpsym.mechanics.phases import HandOver
 from rbpsym.mechanics.placing import origins
@@ -30,14 +30,14 @@ class Blow(Frozen):
     number: int
 
     @property
-    def state(self) -> State:
+    def state(self) -> ArrivalState:
         """Places and speeds just before."""
         return self.began.before
 
     @property
-    def moment(self) -> Moment:
+    def moment(self) -> BeforeAndAfter:
         """The configuration in which it happens."""
-        return Moment(self.before, self.after, self.state.places, self.state.speeds)
+        return BeforeAndAfter(self.before, self.after, self.state.places, self.state.speeds)
 
     @property
     def forces(self) -> tuple[Force, ...]:

@@ -45,7 +45,7 @@ def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
         pulls = {n: k for n, k in zip(names, stiffnesses, strict=True) if n in item.at and not is_zero(k)}
         right += [_pull(draft, k, n, item) for n, k in pulls.items()]
         rows.append(t.relation(t.add(*left), "~", t.add(*right)))
-    draft.add(f"linear.{place}", "linear_system", t.System(tuple(rows)), "oscillations.linear_system",
+    draft.add(f"linear.{place}", "linear_system", t.Relations(tuple(rows)), "oscillations.linear_system",
               level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
               premises=[f"equilibrium.{place}", *draft.those(*(f"motion.{name}" for name in names))],
               data=item.facts, obligations=draft.asked(item.valid))  # fmt: skip

@@ -6,11 +6,11 @@ from typing import Any
 
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, root, substitute, symbol
-from rbpsym.mechanics.rest import Balance
+from rbpsym.mechanics.rest import AtRest
 from rbpsym.proof.draft import Draft
 
 
-def write(draft: Draft, item: Balance) -> None:
+def write(draft: Draft, item: AtRest) -> None:
     """The balance of the forces, how many places there are, stability, and the frequency."""
     draft.define(item.place, symbol(item.place))
     _balance(draft, item)
@@ -25,7 +25,7 @@ def write(draft: Draft, item: Balance) -> None:
         _dying_motion(draft, item, *item.decay)
 
 
-def _balance(draft: Draft, item: Balance) -> None:
+def _balance(draft: Draft, item: AtRest) -> None:
     there = substitute(item.force, {item.name: symbol(item.place)})
     draft.add(
         "balance",
@@ -56,7 +56,7 @@ def _bare(node: t.Node) -> t.Node:
     return node.arg if isinstance(node, t.Group | t.Neg) else node
 
 
-def _slope(draft: Draft, item: Balance) -> None:
+def _slope(draft: Draft, item: AtRest) -> None:
     """The force falls or grows throughout: there is at most one place."""
     force = draft.show(item.force)
     rate = t.Deriv(t.Group(force) if isinstance(force, t.Add) else force, item.name)
@@ -72,7 +72,7 @@ def _slope(draft: Draft, item: Balance) -> None:
     )
 
 
-def _ends(draft: Draft, item: Balance) -> None:
+def _ends(draft: Draft, item: AtRest) -> None:
     """The force at the ends of the range has opposite signs."""
     coordinate = draft.study.problem.coordinate(item.name)
     named = {"lower": coordinate.lower, "upper": coordinate.upper}
@@ -81,7 +81,7 @@ def _ends(draft: Draft, item: Balance) -> None:
     draft.add(
         "balance_ends",
         "open_ends",
-        t.System(tuple(rows)),
+        t.Relations(tuple(rows)),
         "oscillations.open.ends",
         premises=["balance"],
         name=t.Sym(item.name),
@@ -95,7 +95,7 @@ def _at_end(draft: Draft, value: Scalar, is_positive: bool) -> t.Node:
     return t.relation(draft.show(value), ">" if is_positive else "<", t.ZERO)
 
 
-def _dying_motion(draft: Draft, item: Balance, square: Scalar, loss: Scalar) -> None:
+def _dying_motion(draft: Draft, item: AtRest, square: Scalar, loss: Scalar) -> None:
     away, speed = t.Group(t.add(t.Sym(item.name), t.neg(t.Sym(item.place)))), t.Sym(f"{item.name}_dot")
     pull, drag = t.mul(draft.show(square, factor=True), away), t.mul(draft.show(loss, factor=True), speed)
     draft.add(
@@ -110,7 +110,7 @@ def _dying_motion(draft: Draft, item: Balance, square: Scalar, loss: Scalar) -> 
     )
 
 
-def _small_motion(draft: Draft, item: Balance, square: Scalar) -> None:
+def _small_motion(draft: Draft, item: AtRest, square: Scalar) -> None:
     letter = t.Sym(draft.free("vartheta"))
     draft.context.scalars[letter.name] = root(square)
     away = t.Group(t.add(t.Sym(item.name), t.neg(t.Sym(item.place))))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, Scope, Vector, depends_on, time_derivative
+from rbpsym.field import Meanings, Scalar, Vector, depends_on, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import vector_rate
@@ -123,7 +123,7 @@ def _from_line(draft: Draft, element: Element) -> list[t.Chain]:
     return [t.equation(left, draft.show(c + rim_of(element) * side))]
 
 
-class Given(Frozen):
+class FreeGeometry(Frozen):
     """`geometry` with all speeds free; the bodies whose place or angle no one gave."""
 
     geometry: Geometry
@@ -135,7 +135,7 @@ class Given(Frozen):
         return None if body is None or body in self.unturned else self.geometry.states[body].omega
 
 
-def as_given(system: System) -> Given:
+def as_given(system: System) -> FreeGeometry:
     """The poses of the statement; open places and angles are those that the constraints gave."""
     problem = system.problem
     inertias = {name: state.inertia for name, state in system.bodies.items()}
@@ -144,10 +144,10 @@ def as_given(system: System) -> Given:
     unplaced = frozenset(n for n in raw if _is_open(left, raw[n].origin.x, raw[n].origin.y))
     unturned = frozenset(n for n in raw if _is_open(left, raw[n].angle))
     placed = {n: _closed(pose, system.bodies[n].pose, n in unplaced, n in unturned) for n, pose in raw.items()}
-    scope = Scope(rates=full_rates([c.name for c in problem.coordinates]))
+    scope = Meanings(rates=full_rates([c.name for c in problem.coordinates]))
     states = {n: _state(system.bodies[n], pose, scope) for n, pose in placed.items()}
     where = locator(problem, inertias, placed)
-    return Given(Geometry(where, placed, start_numbers(problem), states, unsaid(problem)), unplaced, unturned)
+    return FreeGeometry(Geometry(where, placed, start_numbers(problem), states, unsaid(problem)), unplaced, unturned)
 
 
 def _closed(raw: Pose, found: Pose, place: bool, angle: bool) -> Pose:
@@ -159,18 +159,18 @@ def _is_open(names: tuple[str, ...], *values: Scalar) -> bool:
     return any(depends_on(value, name) for value in values for name in names)
 
 
-def _state(state: BodyState, pose: Pose, scope: Scope) -> BodyState:
+def _state(state: BodyState, pose: Pose, scope: Meanings) -> BodyState:
     own = state.inertia
     center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
     return BodyState(state.name, own, pose, center, vector_rate(center, scope), time_derivative(pose.angle, scope))
 
 
-def speed_along(given: Given, body: str | None, place: Vector, direction: Vector) -> Scalar:
+def speed_along(given: FreeGeometry, body: str | None, place: Vector, direction: Vector) -> Scalar:
     """Speed of the material point of a body at a place along a direction."""
     return direction.dot(given.geometry.velocity(body, place))
 
 
-def found_spins(draft: Draft, given: Given) -> None:
+def found_spins(draft: Draft, given: FreeGeometry) -> None:
     """The angular velocity of bodies whose angle was left to rolling or to a string."""
     for name in draft.study.problem.body_names:
         state = draft.study.system.bodies[name]

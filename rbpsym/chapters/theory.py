@@ -49,7 +49,7 @@ def _rates(context: Any, step: Step) -> Verdict:
 RULES = {"theory_identity": _identity, "theory_rates": _rates}
 
 
-class Writer:
+class TheoryWriter:
     """Collects the steps of the theory."""
 
     def __init__(self) -> None:
@@ -118,13 +118,13 @@ def _square(node: t.Node) -> t.Node:
 
 def plane_motion() -> Lesson:
     """The lesson: rigidity, momentum, torque, energy, fixed axis, works, ideal constraints."""
-    w = Writer()
+    w = TheoryWriter()
     for chapter in (_rigidity, _momentum, _torque, _energy, _fixed_axis, works, potential_energy, ideal_forces):
         chapter(w)
     return Lesson("theory", "plane-motion", tuple(w.steps))
 
 
-def _rigidity(w: Writer) -> None:
+def _rigidity(w: TheoryWriter) -> None:
     arm, omega = t.Vec("r"), t.Vec("omega")
     turn = t.Cross(omega, arm)
     p, q, op, oq = t.Vec("r_p"), t.Vec("r_q"), t.Vec("omega_p"), t.Vec("omega_q")
@@ -149,14 +149,14 @@ def _rigidity(w: Writer) -> None:
         "velocity",
         t.equation(t.Vec("v_prime"), t.Deriv(t.Group(t.Add((arm, t.Vec("R_cm"))))), t.Add((t.Vec("V_cm"), turn))),
         premises=["turning"],
-        where=t.System(tuple(t.equation(t.Vec(name), t.Add((t.Vec("R_cm"), arm))) for name in ("r_prime", "r_i"))),
+        where=t.Relations(tuple(t.equation(t.Vec(name), t.Add((t.Vec("R_cm"), arm))) for name in ("r_prime", "r_i"))),
     )
 
 
-def _momentum(w: Writer) -> None:
+def _momentum(w: TheoryWriter) -> None:
     arm, omega = t.Vec("r"), t.Vec("omega")
     of = ((t.ONE, t.Sym("M")), (arm, t.ZERO), (_square(arm), t.Sym("I_cm")))
-    moments = t.System(tuple(t.equation(t.BodyIntegral(integrand), moment) for integrand, moment in of))
+    moments = t.Relations(tuple(t.equation(t.BodyIntegral(integrand), moment) for integrand, moment in of))
     w.add("moments", moments, where=moments)
     w.add(
         "linear",
@@ -179,7 +179,7 @@ def _momentum(w: Writer) -> None:
     )
 
 
-def _torque(w: Writer) -> None:
+def _torque(w: TheoryWriter) -> None:
     w.add("newton", t.equation(t.Vec("F_net"), t.Deriv(t.Vec("P_cm")), t.mul(t.Sym("M"), t.Vec("A_cm"))), premises=["linear"])
     arm = t.Vec("R_cm")
     w.add(
@@ -219,7 +219,7 @@ def _torque(w: Writer) -> None:
     )
 
 
-def _energy(w: Writer) -> None:
+def _energy(w: TheoryWriter) -> None:
     speed = t.Add((t.Vec("V_cm"), t.Cross(t.Vec("omega"), t.Vec("r"))))
     parts = t.Add((_half(t.Sym("M"), _square(t.Vec("V_cm"))), _half(t.Sym("I_cm"), _square(t.Vec("omega")))))
     w.add(
@@ -235,7 +235,7 @@ def _energy(w: Writer) -> None:
     )
 
 
-def _fixed_axis(w: Writer) -> None:
+def _fixed_axis(w: TheoryWriter) -> None:
     arm, omega = t.Vec("R_cm"), t.Vec("omega")
     fixed = t.equation(t.Deriv(arm), t.Cross(omega, arm))
     w.add("fixed_velocity", t.equation(t.Vec("V_cm"), t.Cross(omega, arm)), fixed=True, premises=["turning"], where=fixed)

@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, space_derivative, symbol, value
+from rbpsym.field import NOTHING, Meanings, Poly, Scalar, Space, Value, atoms, cartesian, rate, space_derivative, symbol, value
 from rbpsym.field.calculus import substitute
 from rbpsym.frozen import field, replace
-from rbpsym.proof.context import Ground
+from rbpsym.proof.context import BareGround
 
 XI, ETA = symbol("xi"), symbol("eta")
 OMEGA, ALPHA, MASS, MOMENT = symbol("omega"), symbol("alpha"), symbol("M"), symbol("I_cm")
@@ -45,7 +45,7 @@ def plane_vector(x: str, y: str) -> Space:
 
 def speed_of(vector: Space) -> Space:
     """d/dt of a vector."""
-    return space_derivative(vector, Scope(rates=RATES))
+    return space_derivative(vector, Meanings(rates=RATES))
 
 
 R, r, s = plane_vector("X", "Y"), plane_vector("xi", "eta"), plane_vector("s_x", "s_y")
@@ -153,7 +153,7 @@ PARTICLES = _particles()
 FORCES = _forces()
 
 
-class TheoryContext(Ground):
+class TheoryContext(BareGround):
     """The same questions as `Context`, asked of an arbitrary body."""
 
     body: Callable[..., Scalar] = by_moments
@@ -165,9 +165,9 @@ class TheoryContext(Ground):
     rates: Mapping[str, Scalar] = field(default_factory=lambda: dict(RATES))
 
     @property
-    def scope(self) -> Scope:
+    def scope(self) -> Meanings:
         """The scope of the theory."""
-        return Scope(
+        return Meanings(
             self.scalars,
             self.vectors,
             self.rates,
@@ -204,8 +204,8 @@ def particle_context(context: TheoryContext) -> TheoryContext:
 AT_START = t.equation(t.Sym("t"), t.ZERO)
 
 
-def forces() -> t.System:
+def forces() -> t.Relations:
     """The net force and the torques, added up over the particles."""
     push = t.Deriv(t.Vec("F_ext"), "m")
     of = (("F_net", push), ("tau_cm", t.Cross(t.Vec("r"), push)), ("tau_net", t.Cross(t.Vec("r_prime"), push)))
-    return t.System(tuple(t.equation(t.Vec(name), t.BodyIntegral(integrand)) for name, integrand in of))
+    return t.Relations(tuple(t.equation(t.Vec(name), t.BodyIntegral(integrand)) for name, integrand in of))

@@ -11,13 +11,13 @@ from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Space, cartesian, symbol
 
 if TYPE_CHECKING:
-    from rbpsym.chapters.theory import Writer
+    from rbpsym.chapters.theory import TheoryWriter
 
 
 KINDS = ("T", "theta")
 
 
-def potential_energy(w: Writer) -> None:
+def potential_energy(w: TheoryWriter) -> None:
     """W_T + W_θ = W_nc − ΔE_p, whatever part of each work the conservative forces do."""
     given = {f"cal_W_{kind}_c": symbol(f"P_{kind}_c") for kind in KINDS}
     rest = {f"cal_W_{kind}_nc": POWERS[f"cal_W_{kind}"] - given[f"cal_W_{kind}_c"] for kind in KINDS}
@@ -37,14 +37,14 @@ def potential_energy(w: Writer) -> None:
     _conserved(w)
 
 
-def _parts() -> t.System:
+def _parts() -> t.Relations:
     """Each work is that of the conservative forces and that of all others."""
     parts = [tuple(t.Sym(f"cal_W_{kind}{end}") for end in ("", "_c", "_nc")) for kind in KINDS]
     whole = t.equation(t.Sym("cal_W_nc"), t.Add(tuple(rest for *_, rest in parts)))
-    return t.System((*(t.equation(both, t.Add((own, rest))) for both, own, rest in parts), whole))
+    return t.Relations((*(t.equation(both, t.Add((own, rest))) for both, own, rest in parts), whole))
 
 
-def _conserved(w: Writer) -> None:
+def _conserved(w: TheoryWriter) -> None:
     """Where E_K + E_p stays constant, the works of all other forces add up to nothing."""
     before = dict(w.context.works)
     left = before["cal_W_T"] + before["cal_W_theta"] - before["cal_W_T_c"]
@@ -66,7 +66,7 @@ def kinetic(mass: str, speed: t.Node) -> t.Node:
     return t.mul(t.Div(t.ONE, t.TWO), t.Sym(mass), t.Pow(speed, t.TWO))
 
 
-def works(w: Writer) -> None:
+def works(w: TheoryWriter) -> None:
     """The work–energy theorem in its two halves and as a whole."""
     along = t.PathIntegral(t.Vec("F_net"), t.Vec("R_cm"))
     turn = t.PathIntegral(t.Sym("tau_cm"), t.Sym("varphi"), "times")
@@ -87,7 +87,7 @@ def works(w: Writer) -> None:
     _about_fixed_axis(w)
 
 
-def _of_one_force(w: Writer) -> None:
+def _of_one_force(w: TheoryWriter) -> None:
     place = t.Group(t.Add((t.Vec("R_cm"), t.Vec("s"))))
     translation = t.PathIntegral(t.Vec("F"), t.Vec("R_cm"))
     rotation = t.PathIntegral(t.Group(t.Cross(t.Vec("s"), t.Vec("F"))), t.Vec("varphi"))
@@ -95,7 +95,7 @@ def _of_one_force(w: Writer) -> None:
     w.add("work_of_force", statement, "theory_rates", ["velocity"])
 
 
-def _about_fixed_axis(w: Writer) -> None:
+def _about_fixed_axis(w: TheoryWriter) -> None:
     """About a fixed axis the torque about the axis does the whole work."""
     torque = t.Dot(t.Vec("tau_net"), t.Unit("z"))
     about = t.Integral(torque, "varphi", t.Sym("varphi_A"), t.Sym("varphi_B"))
@@ -106,16 +106,18 @@ def _about_fixed_axis(w: Writer) -> None:
     w.add("fixed_work", t.equation(letter, HALVES), rule, [*about_axis[:2], *whole], fixed=True)
 
 
-def ideal_forces(w: Writer) -> None:
+def ideal_forces(w: TheoryWriter) -> None:
     """Forces whose two works cancel: at a point at rest, at a smooth contact, between two bodies."""
     _pivot(w)
     _contact(w)
     _pair(w)
 
 
-def _none(w: Writer, id: str, context: TheoryContext, works: tuple[str, ...], *where: t.Node, is_result: bool = False) -> None:
+def _none(
+    w: TheoryWriter, id: str, context: TheoryContext, works: tuple[str, ...], *where: t.Node, is_result: bool = False
+) -> None:
     """The works add up to nothing, with what the names mean in the context."""
-    statement, taken = t.equation(t.Add(tuple(t.Sym(name) for name in works)), t.ZERO), t.System(where)
+    statement, taken = t.equation(t.Add(tuple(t.Sym(name) for name in works)), t.ZERO), t.Relations(where)
     w.add(id, statement, "theory_rates", ["work_of_force"], context=context, is_result=is_result, where=taken)
 
 
@@ -131,7 +133,7 @@ def _two_works(end: str = "", *, of: str = "") -> Iterator[t.Node]:
     yield t.equation(t.Sym(f"cal_w_theta{end}"), t.PathIntegral(t.Group(t.Cross(arm, force)), t.Vec(f"varphi{of}")))
 
 
-def _pivot(w: Writer) -> None:
+def _pivot(w: TheoryWriter) -> None:
     """A force whose point of application doesn't move along it does W_T + W_θ = 0."""
     velocity = -Space(z=OMEGA).cross(s)
     powers = {**POWERS, "cal_w_T": F.dot(velocity), "cal_w_theta": s.cross(F).z * OMEGA}
@@ -139,7 +141,7 @@ def _pivot(w: Writer) -> None:
     _none(w, "ideal_pivot", context, ("cal_w_T", "cal_w_theta"), *_two_works(), t.equation(_speed(), t.ZERO), is_result=True)
 
 
-def _contact(w: Writer) -> None:
+def _contact(w: TheoryWriter) -> None:
     """A smooth contact: the point slides along the line, the force is normal to it."""
     normal, along = symbol("N"), symbol("u")
     force, slide = Space(cartesian(NOTHING, normal)), Space(cartesian(along, NOTHING))
@@ -150,7 +152,7 @@ def _contact(w: Writer) -> None:
     _none(w, "ideal_contact", context, ("cal_w_T", "cal_w_theta"), *_two_works(), across)
 
 
-def _pair(w: Writer) -> None:
+def _pair(w: TheoryWriter) -> None:
     """Action and reaction at one point of two bodies: the powers cancel, wherever the centres are."""
     second = symbol("omega_q")
     lever = plane_vector("q_x", "q_y")

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from rbpsym.claims import decide as d
 from rbpsym.claims.conditions import asserted, is_state, relations, under
-from rbpsym.claims.ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
+from rbpsym.claims.ground import EqualityQuestion, Glossary, Ground, glossary, grounded, with_own_symbols
 from rbpsym.claims.integrals import NoValueError, as_vector, valued, with_dimensions
 from rbpsym.claims.model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst
 from rbpsym.decide.points import names_of
@@ -53,7 +53,7 @@ def premises(given: Iterable[tuple[Printed, t.Node]], ground: Ground) -> dict[st
 
 def _solved(relation: t.Chain, ground: Ground, found: dict[str, Scalar]) -> tuple[str, Scalar]:
     """(the quantity that a given relation is solved for, its value): one that stands in it, before any other."""
-    question, declared = Question(ground), ground.motion.assumptions
+    question, declared = EqualityQuestion(ground), ground.motion.assumptions
     left, right = (valued(side, ground) for side in relation.items)
     if relation.ops != ("=",) or isinstance(left, Space) or isinstance(right, Space):
         raise ReadError("only an equation between numbers can be given")
@@ -249,7 +249,7 @@ def _with_partials(node: Any) -> Any:
 
 def _outcome(relation: t.Chain, ground: Ground, depth: str, witnesses: bool) -> Link:
     try:
-        return _decided(relation, ground, Question(ground, depth, witnesses))
+        return _decided(relation, ground, EqualityQuestion(ground, depth, witnesses))
     except NoValueError as error:
         return _link(relation, refuted(error.what, error.witness))
     except (Undecided, LimitError) as error:
@@ -260,7 +260,7 @@ def _outcome(relation: t.Chain, ground: Ground, depth: str, witnesses: bool) -> 
         return Link(relation, Outcome.UNDECIDED, detail="a denominator is identically zero")
 
 
-def _decided(relation: t.Chain, ground: Ground, question: Question) -> Link:
+def _decided(relation: t.Chain, ground: Ground, question: EqualityQuestion) -> Link:
     left, right = relation.items
     [op] = relation.ops
     for one, other in ((left, right), (right, left)):
@@ -299,7 +299,7 @@ def _link(relation: t.Chain, verdict: Verdict) -> Link:
     return Link(relation, OUTCOMES[verdict.kind], verdict.how, detail)
 
 
-def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: Question) -> Verdict:
+def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: EqualityQuestion) -> Verdict:
     """The general theory is decided a second time, for a body of three particles."""
     world = question.ground.world
     if not verdict.is_proved or not hasattr(world, "second_road"):
@@ -307,14 +307,14 @@ def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: Quest
     return all_of([verdict, _second(relation, op, question)])
 
 
-def _second(relation: t.Chain, op: str, question: Question) -> Verdict:
+def _second(relation: t.Chain, op: str, question: EqualityQuestion) -> Verdict:
     ground, theory = question.ground, cast("TheoryWorld", question.ground.world)
     bounds = {key: theory.again(found) for key, found in ground.bounds.items()}
     other = Ground(theory.second_road, ground.glossary, bounds, {k: v for k, v in ground.defined.items() if k[:6] != "value "})
     if ground.premises:
         return Verdict(Kind.PROVED, how="from what is given")
     left, right = relation.items
-    return d.RELATIONS[op](valued(left, other), valued(right, other), op, Question(other, "", False))
+    return d.RELATIONS[op](valued(left, other), valued(right, other), op, EqualityQuestion(other, "", False))
 
 
 def _kind(node: t.Node, ground: Ground) -> str:
@@ -323,13 +323,13 @@ def _kind(node: t.Node, ground: Ground) -> str:
     return ground.kind(node.name) if isinstance(node, (t.Sym, t.Vec)) else "value"
 
 
-def _constant(relation: t.Chain, one: Any, other: t.Node, question: Question) -> Link:
+def _constant(relation: t.Chain, one: Any, other: t.Node, question: EqualityQuestion) -> Link:
     value = valued(other, question.ground)
     parts = value.components() if isinstance(value, Space) else (value,)
     return _link(relation, all_of(d.constant_value(part, question) for part in parts))
 
 
-def _defines(relation: t.Chain, one: Any, other: t.Node, question: Question) -> Link:
+def _defines(relation: t.Chain, one: Any, other: t.Node, question: EqualityQuestion) -> Link:
     """The relation says what a new symbol means."""
     if one.name in t.names(other):
         return Link(relation, Outcome.NOT_COMPUTED, detail="the symbol is defined by itself")

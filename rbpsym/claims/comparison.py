@@ -11,7 +11,7 @@ from typing import Any
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Scalar, Scope, Value, depends_on, is_zero, root, short, substitute, value
+from rbpsym.field import NOTHING, Meanings, Scalar, Value, depends_on, is_zero, root, short, substitute, value
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.oscillation import Equilibrium
@@ -20,7 +20,7 @@ from rbpsym.mechanics.system import BodyState
 from rbpsym.present.forms import present
 from rbpsym.proof.assertions import told
 from rbpsym.proof.checks import of_steps as c
-from rbpsym.proof.context import Ground
+from rbpsym.proof.context import BareGround
 from rbpsym.proof.step import BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
 from rbpsym.statement.course import CoursePart
 from rbpsym.statement.source import did_you_mean
@@ -131,7 +131,7 @@ SAID = {
 }
 
 
-class _Context(Ground):
+class _Context(BareGround):
     """Values of statements in the common parameters of both problems."""
 
     assumptions: Assumptions
@@ -139,7 +139,7 @@ class _Context(Ground):
 
     def value(self, node: t.Node) -> Value:
         """The value of a tree."""
-        return value(node, Scope(self.scalars))
+        return value(node, Meanings(self.scalars))
 
 
 class _Pair(Frozen):
@@ -165,10 +165,10 @@ class _Pair(Frozen):
         verdict = c.guarded(lambda: c.identity(context, step))
         self.steps.append(told(replace(step, certificate=Certificate((check,), verdict))))
 
-    def rows(self, letters: Iterable[t.Node], values: Iterable[Scalar]) -> t.System:
+    def rows(self, letters: Iterable[t.Node], values: Iterable[Scalar]) -> t.Relations:
         """Each letter with its value in the one problem and in the other."""
         given = zip(letters, values, self.studies, strict=True)
-        return t.System(tuple(t.equation(one, present(value, study.style, factor=True)) for one, value, study in given))
+        return t.Relations(tuple(t.equation(one, present(value, study.style, factor=True)) for one, value, study in given))
 
 
 def compare_problems(first: Study, second: Study, part: CoursePart) -> Lesson:

@@ -26,7 +26,7 @@ def relations(node: t.Node) -> Iterator[t.Chain]:
 
 def asserted(node: t.Node, conditions: Nodes = (), sources: Nodes = ()) -> Iterator[tuple[t.Chain, Nodes, list[t.Chain]]]:
     """The single relations, each with the conditions under which it is said to hold, and those from which it is to follow."""
-    if isinstance(node, t.System):
+    if isinstance(node, t.Relations):
         for row in node.rows:
             yield from asserted(row, (*conditions, *node.conditions), (*sources, *node.sources))
     else:
@@ -47,7 +47,7 @@ def under(conditions: Nodes, relation: t.Chain, ground: Ground, decide: Callable
     if narrowed is None:
         return unknown
     if places:
-        there = places[0] if len(places) == 1 else t.System(tuple(places))
+        there = places[0] if len(places) == 1 else t.Relations(tuple(places))
         relation = t.relation(t.At(relation.items[0], there), relation.ops[0], t.At(relation.items[1], there))
     found = decide(relation, replace(narrowed, small=tuple(filter(None, (_named(link, ground) for link in small)))))
     given = {name for place in places if (name := _named(place, ground))}

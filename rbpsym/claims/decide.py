@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 
-from rbpsym.claims.ground import HOW, Question, are_same
+from rbpsym.claims.ground import HOW, EqualityQuestion, are_same
 from rbpsym.claims.integrals import as_vector
 from rbpsym.claims.refute import ORDERS, disorder, mixes_clock, refutation, witness_of
 from rbpsym.decide.equal import compare, scalars_equal
@@ -27,7 +27,7 @@ from rbpsym.quantity.path import is_along_one_path, look_different, on_path, pat
 MOST_RATES = 2
 
 
-def equal_values(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdict:
+def equal_values(a: Scalar | Space, b: Scalar | Space, question: EqualityQuestion) -> Verdict:
     """Whether two values are equal, component by component for vectors."""
     if isinstance(a, Space) or isinstance(b, Space):
         pairs = zip(as_vector(a).components(), as_vector(b).components(), strict=True)
@@ -35,7 +35,7 @@ def equal_values(a: Scalar | Space, b: Scalar | Space, question: Question) -> Ve
     return equal_scalars(a, b, question)
 
 
-def equal_scalars(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def equal_scalars(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """Whether two scalars are equal, from the strongest depth to the weakest."""
     tried = [depth for depth in question.depths if depth != "start"]
     if (found := _at_depth(a, b, tried, question)) is not None:
@@ -53,14 +53,14 @@ def equal_scalars(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return refutation(a, b, question) if question.witnesses else undecided("not proved")
 
 
-def _at_depth(a: Scalar, b: Scalar, depths: Iterable[str], question: Question) -> Verdict | None:
+def _at_depth(a: Scalar, b: Scalar, depths: Iterable[str], question: EqualityQuestion) -> Verdict | None:
     for depth in depths:
         if are_same(question.seen(a, depth), question.seen(b, depth), question):
             return proved(HOW[depth])
     return None
 
 
-def _in_each_sense(a: Scalar, b: Scalar, question: Question) -> bool:
+def _in_each_sense(a: Scalar, b: Scalar, question: EqualityQuestion) -> bool:
     """Equal with the speeds as functions of the place, in the sense in which the motion sets out, or in both."""
     values = tuple(question.seen(value, "start") for value in (a, b))
     if not path_of(values, question.motion).names:
@@ -68,7 +68,7 @@ def _in_each_sense(a: Scalar, b: Scalar, question: Question) -> bool:
     return all(are_same(pair[0], pair[1], question) for pair, _ in on_path(values, question.motion))
 
 
-def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
+def _by_rates(a: Scalar, b: Scalar, question: EqualityQuestion) -> bool:
     """Equal at the start, and the difference does not change; or that of their rates does not, and so on."""
     gap = a - b
     for _ in range(MOST_RATES if "motion" in question.depths else 1):
@@ -83,7 +83,7 @@ def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
     return False
 
 
-def is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> bool:
+def is_constant(value: Scalar, question: EqualityQuestion, depths: Iterable[str]) -> bool:
     """Does its rate vanish at one of these depths?"""
     for depth in depths:
         with suppress(Undecided):
@@ -92,7 +92,7 @@ def is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> boo
     return False
 
 
-def constant_value(value: Scalar, question: Question) -> Verdict:
+def constant_value(value: Scalar, question: EqualityQuestion) -> Verdict:
     """Whether a value is a constant of the motion."""
     for depth in question.depths:
         if is_constant(value, question, (depth,)):
@@ -104,7 +104,7 @@ def constant_value(value: Scalar, question: Question) -> Verdict:
     return found
 
 
-def up_to_constant(value: Scalar, other: Scalar, question: Question) -> Verdict:
+def up_to_constant(value: Scalar, other: Scalar, question: EqualityQuestion) -> Verdict:
     """Whether two values differ by a constant, as an identity in positions and speeds."""
     if is_constant(value - other, question, ("identity",)):
         return proved("equal up to a constant")
@@ -116,7 +116,7 @@ def up_to_constant(value: Scalar, other: Scalar, question: Question) -> Verdict:
 # --- inequalities and approximations
 
 
-def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
+def ordered(a: Scalar, b: Scalar, op: str, question: EqualityQuestion) -> Verdict:
     """Whether a < b (<=, >, >=) in every state."""
     low, high = (a, b) if op in ("<", "<=") else (b, a)
     strict = op in ("<", ">")
@@ -133,7 +133,7 @@ def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
     return disorder(low, high, question, strict=strict)
 
 
-def _by_growth(gap: Scalar, question: Question, *, strict: bool) -> bool:
+def _by_growth(gap: Scalar, question: EqualityQuestion, *, strict: bool) -> bool:
     """Not negative (`strict`: positive) at the start, as its rates are there, up to one that is never negative; positive after
     the start where that one is."""
     given, declared = question.motion.assumptions, question.ground.world.motion.assumptions
@@ -150,7 +150,7 @@ def _by_growth(gap: Scalar, question: Question, *, strict: bool) -> bool:
     return False
 
 
-def _below(pair: tuple[Scalar, ...], question: Question, *, strict: bool) -> Verdict:
+def _below(pair: tuple[Scalar, ...], question: EqualityQuestion, *, strict: bool) -> Verdict:
     """Whether the first is below the second as they stand, or in normal form."""
     low, high = _squared([without_even_roots(value) for value in pair], question)
     found = compare(low, high, question.motion.assumptions, strict=strict)
@@ -165,7 +165,7 @@ def _in_normal_form(value: Scalar) -> Scalar:
     return quotient(normal(value.num, bases), normal(value.den, bases))
 
 
-def _squared(pair: list[Scalar], question: Question) -> list[Scalar]:
+def _squared(pair: list[Scalar], question: EqualityQuestion) -> list[Scalar]:
     """The squares of two roots that are not negative, which are ordered as these."""
     rooted = [any(atoms.atom(index).kind == "root" for index in value.atoms()) for value in pair]
     if all(rooted) and all(sign(value, question.motion.assumptions).is_nonnegative for value in pair):
@@ -173,7 +173,7 @@ def _squared(pair: list[Scalar], question: Question) -> list[Scalar]:
     return pair
 
 
-def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdict:
+def different(a: Scalar | Space, b: Scalar | Space, question: EqualityQuestion) -> Verdict:
     """Whether a is not identically b: there is a state in which they differ."""
     found = equal_values(a, b, question)
     if found.is_refuted:
@@ -183,7 +183,7 @@ def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdi
     return found
 
 
-def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def equal_to_first_order(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """a ≈ b for small values of what is said to be small, or of one coordinate, with its speed, in which they differ, or of all
     of them; at any depth."""
     if question.ground.small == ("t",):
@@ -207,7 +207,7 @@ def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return undecided("it is not said what is small beside the time") if mixes_clock(a - b, question.motion) else found
 
 
-def _in_time(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def _in_time(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """a ≈ b for small times: to first order, and in the first rate that does not vanish at the start; a side that stays as it
     is says nothing of higher ones."""
     is_told = False
@@ -224,7 +224,7 @@ def _in_time(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return undecided("neither side changes with the time to third order")
 
 
-def to_first_order(sides: list[Scalar], small: list[str], question: Question) -> Verdict:
+def to_first_order(sides: list[Scalar], small: list[str], question: EqualityQuestion) -> Verdict:
     """Whether two values and their slopes are equal where all that is small vanishes."""
     at = dict.fromkeys(small, NOTHING)
     rows = [sides, *([derivative(side, name) for side in sides] for name in small)]

@@ -14,7 +14,7 @@ from rbpsym.claims.check import decide
 from rbpsym.claims.decide import equal_to_first_order, has_slopes, is_constant
 from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
 from rbpsym.claims.diagnosis_numbers import TOLERANCE, Sample, samples
-from rbpsym.claims.ground import HOW, Ground, Question, holds_unknowns
+from rbpsym.claims.ground import HOW, EqualityQuestion, Ground, holds_unknowns
 from rbpsym.claims.integrals import prepared, valued
 from rbpsym.claims.model import Claim, Outcome
 from rbpsym.errors import RbpsymError
@@ -61,7 +61,7 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
         return Diagnosis()
     told, loosely = _said_otherwise(relation, claim, ground)
     loose = any(ground.kind(name) in ("constant", "up to a constant") for name in t.names(relation))  # then numbers say nothing
-    looks = [] if loose else samples(Question(ground, claim.holds), relation=relation)
+    looks = [] if loose else samples(EqualityQuestion(ground, claim.holds), relation=relation)
     decided, unseen, most = 0, 0, MOST_LOOSE if loose else MOST_UNSEEN
     for repair in _repairs(relation, claim, ground):
         if len(set(repair.relation.items)) == 1:
@@ -81,7 +81,7 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
 
 def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> tuple[str, str]:
     """What makes the relation true as it stands, if it is said so: up to a constant, to first order; "" for what does not."""
-    question = Question(ground, claim.holds, False)
+    question = EqualityQuestion(ground, claim.holds, False)
     try:
         left, right = (valued(side, ground) for side in relation.items)
         if isinstance(left, Space) or isinstance(right, Space):
@@ -109,7 +109,7 @@ LONGEST = 120  # characters of a value that is told
 def _actual(relation: t.Chain, ground: Ground) -> str:
     """What a quantity that stands alone on one side really is; "" if that is not known or too long to read."""
     alone = next((node for node in relation.items if isinstance(node, t.Sym)), None)
-    question = Question(ground)
+    question = EqualityQuestion(ground)
     if alone is None or question.motion.is_free or ground.kind(alone.name) != "value":
         return ""
     try:
@@ -122,7 +122,7 @@ def _actual(relation: t.Chain, ground: Ground) -> str:
     return f"{FACT} {to_text(alone)} is {told}" if len(told) <= LONGEST else ""
 
 
-def tells_of_work(found: Scalar, question: Question) -> bool:
+def tells_of_work(found: Scalar, question: EqualityQuestion) -> bool:
     """Does it hold a work that was not carried out?"""
     return any(depends_on(found, name) for name in question.motion.ledger)
 

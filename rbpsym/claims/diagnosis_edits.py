@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from functools import partial
 
-from rbpsym.claims.ground import Ground, Question
+from rbpsym.claims.ground import EqualityQuestion, Ground
 from rbpsym.claims.integrals import valued
 from rbpsym.claims.model import Claim, Meaning
 from rbpsym.claims.refute import carried_out
@@ -103,7 +103,7 @@ def _angles(path: Path, node: t.Node) -> Iterator[Change]:
 def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iterator[Repair]:
     """The one term by which the sides differ."""
     named = {phrase: name for name, phrase in phrases.items()}
-    question = Question(ground)
+    question = EqualityQuestion(ground)
     found: dict[t.Chain, tuple[int, t.Node]] = {}
     sides = {_value_of(side, ground) for side in relation.items if isinstance(side, t.Sym)} - {None}
     alone = {name for name in {*t.names(relation), *phrases} if _value_of(name, ground) in sides}  # by whatever symbol
@@ -158,7 +158,7 @@ def _symbols_of(value: Scalar, values: Mapping[str, Scalar | None]) -> Iterator[
             yield t.Sym(name) if own == value else t.Neg(t.Sym(name))
 
 
-def _seen(value: Scalar, question: Question, depth: str) -> Scalar | None:
+def _seen(value: Scalar, question: EqualityQuestion, depth: str) -> Scalar | None:
     return carried_out(value, question) if depth == "start" else question.seen(value, depth)
 
 
@@ -176,7 +176,7 @@ def _is_summand(path: Path, node: t.Node, parents: Mapping[Path, t.Node]) -> boo
     return kind in ("items", "num", "den") or (kind == "arg" and isinstance(parents[path[:-1]], (t.Group, t.Sqrt)))
 
 
-def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Question, depth: str) -> Scalar | None:
+def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: EqualityQuestion, depth: str) -> Scalar | None:
     """The term x for which the gap (a + b x)/(1 + d x) of the sides is zero, found from its values at 0, 1 and 2.
 
     Under a root it is found from what the root should be.

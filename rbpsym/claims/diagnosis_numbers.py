@@ -8,7 +8,7 @@ from hashlib import blake2b
 from itertools import islice
 from typing import Any
 
-from rbpsym.claims.ground import Question
+from rbpsym.claims.ground import EqualityQuestion
 from rbpsym.claims.refute import carried_out
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.expr import tree as t
@@ -81,7 +81,7 @@ class Numbers(dict[str, float]):
 class Sample(Frozen):
     """A state of the motion, in numbers; `known` are the values of names met so far."""
 
-    question: Question
+    question: EqualityQuestion
     numbers: Numbers
     known: dict[t.Node, Value] = field(default_factory=dict)
 
@@ -117,7 +117,7 @@ class Sample(Frozen):
             return None
 
 
-def samples(question: Question, count: int = 2, relation: t.Chain | None = None) -> list[Sample]:
+def samples(question: EqualityQuestion, count: int = 2, relation: t.Chain | None = None) -> list[Sample]:
     """States in which the squares of the speeds are not negative, and both sides have a value (if there are any)."""
     motion = question.motion
     if not motion.states:  # seeds with what they give for the coordinates and speeds; every second one is near the start

@@ -16,14 +16,14 @@ from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.expr.latex.names import drawn_name
 from rbpsym.expr.latex.tokens import tokenize
 from rbpsym.expr.letters import NAME_OF_LETTER
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import Drawn, SymbolTable, spelling
 from rbpsym.field import (
     NOTHING,
     ONE,
     UNITY,
+    Meanings,
     Scalar,
-    Scope,
     Space,
     atoms,
     depends_on,
@@ -106,7 +106,7 @@ def _drawn(latex: str) -> tuple[Drawn, bool] | None:
 
 def _spelling(latex: str, meaning: Meaning) -> tuple[str, ...]:
     try:
-        return spelling(tokenize(Source(latex))[:-1])
+        return spelling(tokenize(SourceText(latex))[:-1])
     except ReadError as error:
         raise ReadError(f"“{latex}” is not a symbol: {error.what}", place=meaning.place) from None
 
@@ -172,7 +172,7 @@ class Ground(Frozen):
         return self.bounds.get((name, True)) or self.bounds.get((name, False))
 
     @property
-    def scope(self) -> Scope:
+    def scope(self) -> Meanings:
         """The scope in which trees are evaluated, with the ledger of works among the rates."""
         base, ledger = self.motion.scope, self.motion.ledger
         scalars, vectors = self._values()
@@ -245,7 +245,7 @@ HOW = {
 }
 
 
-class Question(Frozen):
+class EqualityQuestion(Frozen):
     """Two values, and how deep one may look for their equality."""
 
     ground: Ground
@@ -280,7 +280,7 @@ class Question(Frozen):
         return substitute(self.motion.moved(found), self.ground.scope.start)
 
 
-def are_same(a: Scalar, b: Scalar, question: Question) -> bool:
+def are_same(a: Scalar, b: Scalar, question: EqualityQuestion) -> bool:
     """Whether equality is PROVED; no witness is looked for where the normal form says no."""
     gap = cross_difference(a, b)
     if not is_zero(gap) and _is_plain(gap):
@@ -293,12 +293,12 @@ def _is_plain(value: Scalar) -> bool:
     return all(atoms.atom(index).kind in PLAIN and not is_algebraic(index) for index in all_atoms([value]))
 
 
-def tells_of_start(value: Scalar, question: Question) -> bool:
+def tells_of_start(value: Scalar, question: EqualityQuestion) -> bool:
     """Does it hold start values, works or integrals from the start?"""
     names = (*question.motion.starts, *question.motion.ledger)
     return any(depends_on(value, name) for name in names)
 
 
-def holds_unknowns(value: Scalar, question: Question) -> bool:
+def holds_unknowns(value: Scalar, question: EqualityQuestion) -> bool:
     """Does it hold unknown forces or accelerations?"""
     return any(depends_on(value, name) for name in question.motion.unsettled)

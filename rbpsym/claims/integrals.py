@@ -24,7 +24,7 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.symbol_table import SymbolTable
 from rbpsym.field import EX, EY, NOTHING, Scalar, Space, Vector, depends_on, is_zero, names_in, short, substitute, symbol
-from rbpsym.field.evaluate import Scope, scalar, space_derivative, time_derivative, value, vector
+from rbpsym.field.evaluate import Meanings, scalar, space_derivative, time_derivative, value, vector
 from rbpsym.field.integration import definite
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.present.forms import present
@@ -335,7 +335,7 @@ def valued(node: t.Node, ground: Ground) -> Scalar | Space:
     return value(ready, scope)
 
 
-def _size(node: t.Node, scope: Scope) -> int:
+def _size(node: t.Node, scope: Meanings) -> int:
     """About how many terms the formula has when it is multiplied out."""
     if isinstance(node, t.Sym):
         found = scope.scalars.get(node.name)

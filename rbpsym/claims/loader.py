@@ -14,7 +14,7 @@ from pathlib import Path
 from rbpsym.claims.model import EXPECTATIONS, Claim, ClaimsFile, Meaning, Printed, Setting
 from rbpsym.errors import ReadError
 from rbpsym.statement.loader import load_table, table_of
-from rbpsym.statement.source import Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceTable, did_you_mean, kind_of
 
 MAX_BYTES = 512 * 1024
 SHARED_KEYS = ("problem", "phase", "theory", "fixed_axis", "symbols", "given")
@@ -40,7 +40,7 @@ def read_claims(text: str, file: str = "", name: str = "claims", *, binds: bool 
     return _claims_of(table_of(text, file, MAX_BYTES), file, name, binds=binds)
 
 
-def _claims_of(root: Table, file: str, name: str, *, binds: bool) -> ClaimsFile:
+def _claims_of(root: SourceTable, file: str, name: str, *, binds: bool) -> ClaimsFile:
     root.check_keys(FILE_KEYS, "a claims file")
     settings = _settings(root)
     rows = root.rows("claim", "claim")
@@ -54,7 +54,7 @@ def _claims_of(root: Table, file: str, name: str, *, binds: bool) -> ClaimsFile:
     return ClaimsFile(name, *words, claims, file, root.source.text, own, unclaimed=unclaimed)
 
 
-def claims_within(root: Table, file: str, name: str) -> ClaimsFile | None:
+def claims_within(root: SourceTable, file: str, name: str) -> ClaimsFile | None:
     """The claims in the tables [settings] and [[claim]] of another kind of file, a course; None if it has none."""
     settings, rows = _settings(root), root.rows("claim", "claim")
     claims = tuple(_claim(row, settings) for row in rows)
@@ -71,12 +71,12 @@ def is_claims(path: Path) -> bool:
     return any(_OWN_TABLE.match(line) for line in lines)
 
 
-def _title(root: Table) -> str:
+def _title(root: SourceTable) -> str:
     title = root.data.get("title", "")
     return str(title.get("en", next(iter(title.values()), ""))) if isinstance(title, Mapping) else root.string("title")
 
 
-def _settings(root: Table) -> dict[str, Setting]:
+def _settings(root: SourceTable) -> dict[str, Setting]:
     found: dict[str, Setting] = {}
     if any(key in root for key in SHARED_KEYS):
         found[WHOLE] = _setting(WHOLE, root, found)
@@ -86,7 +86,7 @@ def _settings(root: Table) -> dict[str, Setting]:
     return found
 
 
-def _setting(name: str, table: Table, known: Mapping[str, Setting]) -> Setting:
+def _setting(name: str, table: SourceTable, known: Mapping[str, Setting]) -> Setting:
     like = table.string("like") if "like" in table else WHOLE if WHOLE in known and _adds(table) else ""
     if like and like not in known:
         raise table.value_error("like", f"there is no setting “{like}” above", did_you_mean(like, known, "settings"))
@@ -106,19 +106,19 @@ def _setting(name: str, table: Table, known: Mapping[str, Setting]) -> Setting:
     return Setting(name, problem, theory, fixed, symbols, given, place, phase)
 
 
-def _adds(table: Table) -> bool:
+def _adds(table: SourceTable) -> bool:
     """Does a setting name no problem of its own, so that it goes on from that of the file?"""
     return "problem" not in table and "theory" not in table
 
 
-def _symbols(table: Table) -> dict[str, Meaning]:
+def _symbols(table: SourceTable) -> dict[str, Meaning]:
     section = table.table("symbols", "symbols")
     return {
         latex: Meaning(section.string(latex), section.source.value((*section.path, latex))) for latex in section.names()
     }
 
 
-def _many(table: Table, key: str) -> tuple[Printed, ...]:
+def _many(table: SourceTable, key: str) -> tuple[Printed, ...]:
     """A text or a list of texts."""
     value = table.data.get(key, ())
     if isinstance(value, str):
@@ -128,7 +128,7 @@ def _many(table: Table, key: str) -> tuple[Printed, ...]:
     return tuple(Printed(part, table.source.value((*table.path, key, i))) for i, part in enumerate(value))
 
 
-def _printed(table: Table, key: str) -> Printed | None:
+def _printed(table: SourceTable, key: str) -> Printed | None:
     if key not in table:
         return None
     text, path = table.string(key), (*table.path, key)
@@ -137,7 +137,7 @@ def _printed(table: Table, key: str) -> Printed | None:
     return Printed(text, table.source.inside(path, text, 1, 1) if "\n" not in text else table.source.value(path))
 
 
-def _claim(table: Table, settings: Mapping[str, Setting]) -> Claim:
+def _claim(table: SourceTable, settings: Mapping[str, Setting]) -> Claim:
     table.check_keys(CLAIM_KEYS, "a claim")
     table.require("id", "a claim", 'give it a name that stays: id = "eq-12"')
     setting = _setting_of(table, settings)
@@ -156,7 +156,7 @@ def _claim(table: Table, settings: Mapping[str, Setting]) -> Claim:
     )
 
 
-def _check_content(table: Table, expect: str) -> None:
+def _check_content(table: SourceTable, expect: str) -> None:
     if "latex" not in table and "not_computed" not in table:
         raise table.error("the claim has no formula", "add latex = '''...''', or not_computed = \"why\".", "id")
     if "right" in table and expect != "refuted":
@@ -167,7 +167,7 @@ def _check_content(table: Table, expect: str) -> None:
         )
 
 
-def _setting_of(table: Table, settings: Mapping[str, Setting]) -> Setting:
+def _setting_of(table: SourceTable, settings: Mapping[str, Setting]) -> Setting:
     name = table.string("setting")
     if not name and (WHOLE in settings or len(settings) == 1):
         name = WHOLE if WHOLE in settings else next(iter(settings))
@@ -180,14 +180,14 @@ def _setting_of(table: Table, settings: Mapping[str, Setting]) -> Setting:
     return replace(base, symbols={**base.symbols, **own}, given=given)
 
 
-def _number(table: Table) -> str:
+def _number(table: SourceTable) -> str:
     value = table.data.get("number", "")
     if isinstance(value, bool) or not isinstance(value, (int, str)):
         raise table.value_error("number", f"“number” is the number of the equation, not {kind_of(value)}")
     return str(value)
 
 
-def _line(table: Table) -> int:
+def _line(table: SourceTable) -> int:
     value = table.data.get("line", 0)
     if isinstance(value, bool) or not isinstance(value, int) or value < 0:
         raise table.value_error("line", "“line” is the number of a line in the source")

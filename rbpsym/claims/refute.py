@@ -12,7 +12,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
-from rbpsym.claims.ground import Question, holds_unknowns, tells_of_start
+from rbpsym.claims.ground import EqualityQuestion, holds_unknowns, tells_of_start
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import Condition
 from rbpsym.decide.enclosure import Number, are_disjoint, sign_of
@@ -28,7 +28,7 @@ ORDERS = ("at the start", "rates of change at the start", "second rates at the s
 PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))
 
 
-def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def refutation(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """A state of the motion at which the sides differ."""
     moves = any(depends_on(value, name) for value in (a, b) for name in question.motion.scope.rates)
     if question.motion.is_tied and (moves or any(holds_unknowns(value, question) for value in (a, b))):
@@ -59,7 +59,7 @@ def witness_of(
     return refuted("the sides differ at a point", point) if point else undecided("no point was found")
 
 
-def _at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def _at_start(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """The start is a state of the motion; only tried where start values or integrals are told."""
     if not (tells_of_start(a, question) or tells_of_start(b, question)):
         return undecided("")
@@ -68,7 +68,7 @@ def _at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, given, begun_within(question))
 
 
-def begun_within(question: Question) -> list[Condition]:
+def begun_within(question: EqualityQuestion) -> list[Condition]:
     """What the conditions of a claim, ranges of what changes, ask of the start for it to be a state of which the claim tells."""
     given, found = question.motion.assumptions, []
     for name, value in question.motion.scope.start.items() if question.ground.assumed is not None else ():
@@ -78,7 +78,7 @@ def begun_within(question: Question) -> list[Condition]:
     return found
 
 
-def is_timed(question: Question) -> bool:
+def is_timed(question: EqualityQuestion) -> bool:
     """Whether a condition of the claim is one on the time: which places are met then is not looked for."""
     return question.ground.assumed is not None and question.ground.assumed.range_of("t") != (None, None)
 
@@ -86,7 +86,7 @@ def is_timed(question: Question) -> bool:
 OF_TIME = "where the motion is at these times is not known in closed form"
 
 
-def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def _at_any_state(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """Where no path is known and nothing is said of the start: any position and speed that has the energy of the start."""
     motion = question.motion
     if tells_of_start(a, question) or tells_of_start(b, question):
@@ -114,7 +114,7 @@ def _may_be_met(values: Iterable[Scalar], motion: Motion) -> bool:
     return motion.is_free or (len(starts) == len(names) and own <= motion.starts and starts == set(map(symbol, own)))
 
 
-def _on_other_motions(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def _on_other_motions(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """Where it is demanded of all motions, and not of the one from the start alone: any position and speed."""
     if "start" in question.depths:
         return undecided("")
@@ -122,7 +122,7 @@ def _on_other_motions(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, question.motion.assumptions)
 
 
-def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def _in_rates_at_start(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """What stays equal along the motion has equal rates of change at the start, of each order."""
     for order in ORDERS:
         x, y = (question.begin(value) for value in (a, b))
@@ -134,7 +134,7 @@ def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return undecided("")
 
 
-def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def _along(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """Values along the motion, integrals carried out; else the rates of both sides."""
     x, y = (carried_out(v, question) for v in (a, b))
     if x is not None and y is not None:
@@ -146,7 +146,7 @@ def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
     return found if found.witness is None else replace(found, witness=replace(found.witness, of="rates of change"))
 
 
-def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
+def _differ(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     """Where both are known as functions of one place on the path: a place at which they differ."""
     motion, path = question.motion, path_of((a, b), question.motion)
     if mixes_clock(a - b, motion):
@@ -173,7 +173,7 @@ def _is_speed(index: int) -> bool:
     return name is not None and name.endswith(("_dot", "_ddot"))
 
 
-def carried_out(value: Scalar, question: Question) -> Scalar | None:
+def carried_out(value: Scalar, question: EqualityQuestion) -> Scalar | None:
     """The value along the motion with every work and integral in closed form; None if one has none."""
     images: dict[str, Scalar] = {}
     for name, power in question.motion.ledger.items():
@@ -185,7 +185,7 @@ def carried_out(value: Scalar, question: Question) -> Scalar | None:
     return question.seen(substitute(value, images), "start")
 
 
-def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> Verdict:
+def disorder(low: Scalar, high: Scalar, question: EqualityQuestion, *, strict: bool) -> Verdict:
     """A state of the motion in which low is not below high.
 
     Any position is one, if no path is known; else the places on it, with the speeds that the motion has there.

@@ -320,7 +320,7 @@ def check_paper(
     The claims are those of the files and those beside the formulas; `everything`: formulas without a claim are
     judged too, in the setting in force where they stand.
     """
-    from rbpsym.claims.papers.check import PaperChecker, Scope, bound
+    from rbpsym.claims.papers.check import OpenClaims, PaperChecker, bound
     from rbpsym.claims.papers.claims import beside
     from rbpsym.claims.papers.walk import read_paper
 
@@ -335,7 +335,7 @@ def check_paper(
     for one, setting in known:
         if setting is not None:
             one.look_at(setting)  # a problem that can't be read is no matter of one formula
-    scopes = tuple(Scope(file, own[file.file]) for file in files)
+    scopes = tuple(OpenClaims(file, own[file.file]) for file in files)
     judged = everything or bool(files and not (claims or said.pairs))
     walker = PaperChecker(paper, checkers, scopes, said, here, judged)
     return list(walker.results(bound(paper, claims, said.pairs))), [*paper.text.remarks, *paper.remarks]

@@ -14,7 +14,19 @@ from rbpsym import quantities as dimensions
 from rbpsym.chapters import theory_ground as theory
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
-from rbpsym.field import NOTHING, Scalar, Scope, Space, atoms, cartesian, depends_on, kept, space_derivative, substitute, symbol
+from rbpsym.field import (
+    NOTHING,
+    Meanings,
+    Scalar,
+    Space,
+    atoms,
+    cartesian,
+    depends_on,
+    kept,
+    space_derivative,
+    substitute,
+    symbol,
+)
 from rbpsym.field.calculus import atom_depends
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
@@ -70,7 +82,7 @@ class TheoryWorld(Frozen):
     def motion(self) -> Motion:
         """What is true of its motion."""
         start = {name: symbol(f"{name}_start") for name in self.rates}
-        scope = Scope({}, {}, self.rates, start, self._over_mass)
+        scope = Meanings({}, {}, self.rates, start, self._over_mass)
         return Motion(
             scope,
             POSITIVE,
@@ -122,7 +134,7 @@ class TheoryWorld(Frozen):
         return Space(cartesian(symbol("X"), symbol("Y")))
 
     def _derived(self, value: Space) -> Space:
-        return space_derivative(value, Scope(rates=self._kinematics))
+        return space_derivative(value, Meanings(rates=self._kinematics))
 
     @kept
     def _kinematics(self) -> Mapping[str, Scalar]:

@@ -12,7 +12,7 @@ from rbpsym.commands.arguments import name_argument
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer
     from rbpsym.ask.moments import Asked
-    from rbpsym.ask.numbers import Given
+    from rbpsym.ask.numbers import GivenNumbers
     from rbpsym.expr.glyphs import Notation
     from rbpsym.statement.model import Problem
 
@@ -64,7 +64,7 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     return FINE if all(record["verdict"] == "PROVED" for record in records) else DOUBTFUL
 
 
-def _told(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None, dict[str, Any]]:
+def _told(asked: Asked, text: str, numbers: GivenNumbers | None) -> tuple[Answer | None, dict[str, Any]]:
     """The answer with its record; no answer where there is no closed form and numbers give the value."""
     from rbpsym.ask.asking import answered
     from rbpsym.ask.moments import NoClosedForm
@@ -83,7 +83,7 @@ def _told(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None
     return answer, record(answer, numbers)
 
 
-def _told_or_refused(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None, dict[str, Any]]:
+def _told_or_refused(asked: Asked, text: str, numbers: GivenNumbers | None) -> tuple[Answer | None, dict[str, Any]]:
     """The same; for a question without an answer the sentence that says why, as the reason and as the "error": what fails in one
     question, by a fault of ours too, leaves the others theirs."""
     from rbpsym.ask.telling import unanswered
@@ -96,7 +96,7 @@ def _told_or_refused(asked: Asked, text: str, numbers: Given | None) -> tuple[An
         return None, {**unanswered(text, told), "error": told}
 
 
-def lines(found: Answer | None, record: Mapping[str, Any], numbers: Given | None, problem: Problem) -> Iterator[str]:
+def lines(found: Answer | None, record: Mapping[str, Any], numbers: GivenNumbers | None, problem: Problem) -> Iterator[str]:
     """An answer with its short road, as a textbook prints it, and its numbers."""
     from rbpsym.ask.telling import numbered
     from rbpsym.decide.verdict import Kind

@@ -163,7 +163,7 @@ def _path(node: tree.PathIntegral, dimensions: Dimensions) -> _Found:
     return _times(_find(node.integrand, dimensions), _find(node.path, dimensions))
 
 
-def _system(node: tree.System, dimensions: Dimensions) -> _Found:
+def _system(node: tree.Relations, dimensions: Dimensions) -> _Found:
     for row in node.rows:
         _find(row, dimensions)
     return NUMBER
@@ -191,5 +191,5 @@ _RULES: dict[type[Node], Callable[[Any, Dimensions], _Found]] = {
     tree.Formal: lambda node, _: None,
     tree.Chain: _chain,
     **dict.fromkeys((tree.Neg, tree.Abs, tree.Group, tree.Bracket, tree.Delta, tree.At, tree.Limit), _inner),
-    tree.System: _system,
+    tree.Relations: _system,
 }

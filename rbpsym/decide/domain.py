@@ -20,7 +20,7 @@ from rbpsym.decide.verdict import Obligation, Witness
 from rbpsym.errors import DimensionError, LimitError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
-from rbpsym.field import ONE, Scalar, Scope, depends_on, function, generator, inverse, is_zero, substitute
+from rbpsym.field import ONE, Meanings, Scalar, depends_on, function, generator, inverse, is_zero, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 
@@ -51,7 +51,7 @@ HOLDS: dict[str, Callable[[int | None], bool]] = {
 }
 
 
-def conditions(node: Node, scope: Scope) -> list[Condition]:
+def conditions(node: Node, scope: Meanings) -> list[Condition]:
     """All conditions of a formula, without repetition and without those on plain numbers that hold."""
     found = dict.fromkeys(_conditions(node, scope))
     for condition in found:
@@ -142,7 +142,7 @@ PLAINLY: dict[type, Callable[[Any, Assumptions], bool]] = {
 }
 
 
-def _conditions(node: Node, scope: Scope) -> Iterator[Condition]:
+def _conditions(node: Node, scope: Meanings) -> Iterator[Condition]:
     rule = RULES.get(type(node))
     if rule is not None:
         yield from rule(node, scope)
@@ -154,7 +154,7 @@ def _conditions(node: Node, scope: Scope) -> Iterator[Condition]:
         yield from _conditions(child, scope)
 
 
-def _condition(node: Node, op: str, scope: Scope) -> Condition:
+def _condition(node: Node, op: str, scope: Meanings) -> Condition:
     return Condition(node, op, scalar(node, scope))
 
 
@@ -166,7 +166,7 @@ def _bare(node: Node) -> Node:
     return kept[0] if len(kept) == 1 else replace(node, factors=kept) if kept else node
 
 
-def nonzero(node: Node, scope: Scope) -> Iterator[Condition]:
+def nonzero(node: Node, scope: Meanings) -> Iterator[Condition]:
     """A product or power is not zero where none of its factors is; a number is none."""
     factored = FACTORS.get(type(node))
     factors = factored(node) if factored else (node,)
@@ -193,7 +193,7 @@ FACTORS: dict[type, Callable[[Any], tuple[Node, ...]]] = {
 }
 
 
-def _of_power(node: t.Pow, scope: Scope) -> Iterator[Condition]:
+def _of_power(node: t.Pow, scope: Meanings) -> Iterator[Condition]:
     exponent = scalar(node.exponent, scope).number()
     if exponent is not None and exponent < 0:
         yield from nonzero(node.base, scope)
@@ -201,7 +201,7 @@ def _of_power(node: t.Pow, scope: Scope) -> Iterator[Condition]:
         yield _condition(node.base, ">=", scope)
 
 
-def _of_function(node: t.Fn, scope: Scope) -> Iterator[Condition]:
+def _of_function(node: t.Fn, scope: Meanings) -> Iterator[Condition]:
     kind, op = FUNCTIONS.get(node.name, (None, ""))
     if kind == "arg":
         yield _condition(node.arg, op, scope)
@@ -225,7 +225,7 @@ FUNCTIONS = {
     "elliptic_e": ("rest", ">="),
 }
 
-RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
+RULES: dict[type, Callable[[Any, Meanings], Iterator[Condition]]] = {
     t.Div: lambda node, scope: nonzero(node.den, scope),
     t.Pow: _of_power,
     t.Sqrt: lambda node, scope: iter([_condition(_bare(node.arg), ">=", scope)]),
@@ -233,7 +233,7 @@ RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
 }
 
 
-def _within(node: t.Integral, scope: Scope) -> Iterator[Condition]:
+def _within(node: t.Integral, scope: Meanings) -> Iterator[Condition]:
     """The ends; the integrand between them, and at them. A gap that can be filled, as of θ²/θ, is none."""
     filled = not any(depends_on(below, node.var) for below in divisors(scalar(node.integrand, scope)))
     for end in (node.lower, node.upper):
@@ -248,13 +248,13 @@ def _within(node: t.Integral, scope: Scope) -> Iterator[Condition]:
         yield replace(condition, between=between)
 
 
-def _at_ends(node: t.Bracket, scope: Scope) -> Iterator[Condition]:
+def _at_ends(node: t.Bracket, scope: Meanings) -> Iterator[Condition]:
     for end in (node.lower, node.upper):
         yield from _conditions(end, scope)
         yield from _moved(node.arg, node.var, scalar(end, scope), scope)
 
 
-def _moved(node: Node, name: str, to: Scalar, scope: Scope) -> Iterator[Condition]:
+def _moved(node: Node, name: str, to: Scalar, scope: Meanings) -> Iterator[Condition]:
     for condition in _conditions(node, scope):
         if depends_on(condition.value, name):
             image = substitute(condition.value, {name: to})
@@ -264,7 +264,7 @@ def _moved(node: Node, name: str, to: Scalar, scope: Scope) -> Iterator[Conditio
             yield condition
 
 
-def _then_and_now(node: t.Delta, scope: Scope) -> Iterator[Condition]:
+def _then_and_now(node: t.Delta, scope: Meanings) -> Iterator[Condition]:
     for condition in _conditions(node.arg, scope):
         yield condition
         image = substitute(condition.value, scope.start)
@@ -272,7 +272,7 @@ def _then_and_now(node: t.Delta, scope: Scope) -> Iterator[Condition]:
             yield Condition(t.At(condition.node, t.Word("start")), condition.op, image)
 
 
-def _near(node: t.Limit, scope: Scope) -> Iterator[Condition]:
+def _near(node: t.Limit, scope: Meanings) -> Iterator[Condition]:
     """Conditions away from the limit: what vanishes only at the limit itself does not matter."""
     yield from _conditions(node.to, scope)
     for condition in _conditions(node.arg, scope):
@@ -280,7 +280,7 @@ def _near(node: t.Limit, scope: Scope) -> Iterator[Condition]:
             yield condition
 
 
-INSIDE: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
+INSIDE: dict[type, Callable[[Any, Meanings], Iterator[Condition]]] = {
     t.Bracket: _at_ends,
     t.Integral: _within,
     t.Delta: _then_and_now,

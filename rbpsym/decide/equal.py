@@ -26,7 +26,7 @@ from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict, Witness, all_of, proved, refuted, undecided
 from rbpsym.errors import LimitError, Undecided
 from rbpsym.expr.tree import Node
-from rbpsym.field import BARE, ONE, Scalar, Scope, Space, atoms, is_zero, remembered, value
+from rbpsym.field import BARE, ONE, Meanings, Scalar, Space, atoms, is_zero, remembered, value
 from rbpsym.field.evaluate import vector
 
 PLAIN = frozenset({"symbol", "cos", "sin"})
@@ -34,7 +34,7 @@ MOST_INEXACT = 40
 FIRST_POINTS, MOST_POINTS = 3, 60
 
 
-def equal(left: Node, right: Node, assumptions: Assumptions = NONE, scope: Scope = BARE) -> Verdict:
+def equal(left: Node, right: Node, assumptions: Assumptions = NONE, scope: Meanings = BARE) -> Verdict:
     """Whether two formulas have the same value wherever both have one.
 
     Obligations of a proof are the conditions under which they have one (x != 0 for x/x = 1).
@@ -43,7 +43,7 @@ def equal(left: Node, right: Node, assumptions: Assumptions = NONE, scope: Scope
     return _guarded(lambda: _equal(left, right, assumptions, scope))
 
 
-def _equal(left: Node, right: Node, assumptions: Assumptions, scope: Scope) -> Verdict:
+def _equal(left: Node, right: Node, assumptions: Assumptions, scope: Meanings) -> Verdict:
     a, b = value(left, scope), value(right, scope)
     domain = tuple(dict.fromkeys([*conditions(left, scope), *conditions(right, scope)]))
     if any(one.between is not None for one in domain) and (witness := pole(domain, assumptions)) is not None:
@@ -154,7 +154,7 @@ def cross_difference(a: Scalar, b: Scalar) -> Scalar:
     return Scalar((a.num if b.den is ONE else a.num * b.den) - (b.num if a.den is ONE else b.num * a.den))
 
 
-class Path(Protocol):
+class PointsMet(Protocol):
     """Which points are met; `values` are what must have a value there."""
 
     @property
@@ -172,7 +172,7 @@ def find_witness(
     domain: Iterable[Condition] = (),
     differ: Callable[[Number, Number], bool] = enclosure.are_disjoint,
     most: int = MOST_POINTS,
-    path: Path | None = None,
+    path: PointsMet | None = None,
 ) -> Witness | None:
     """A point that satisfies the assumptions and at which the sides `differ`; exact ones preferred.
 

@@ -13,14 +13,14 @@ from rbpsym.decide.signs import sign
 from rbpsym.field import ONE, PI, UNITY, Monomial, Poly, Scalar, atoms, generator, lift, quotient, root
 
 if TYPE_CHECKING:
-    from rbpsym.decide.reading import Reading, Turn
+    from rbpsym.decide.reading import CaseReading, Turn
 
 QUARTER = PI * Fraction(1, 2)
-Inverse = Callable[["Reading", Scalar], Poly]
+Inverse = Callable[["CaseReading", Scalar], Poly]
 PARTS = 12  # exponentials are powers of exp(term/12)
 
 
-def turn_of_inverse(reading: Reading, m: Monomial, parts: int) -> Turn | None:
+def turn_of_inverse(reading: CaseReading, m: Monomial, parts: int) -> Turn | None:
     """(cos, sin) of asin x, acos x, atan x, or of half of it; None for other angles."""
     if len(m) != 1 or m[0][1] != 1:
         return None
@@ -53,24 +53,24 @@ TURNS: dict[tuple[str, int], Callable[[Scalar], tuple[Scalar, Scalar]]] = {
 }
 
 
-def inverse_image(reading: Reading, kind: str, arg: Scalar) -> Poly:
+def inverse_image(reading: CaseReading, kind: str, arg: Scalar) -> Poly:
     """The image of an inverse function or an exponential."""
     return INVERSES[kind](reading, arg)
 
 
-def _asin(reading: Reading, arg: Scalar) -> Poly:
+def _asin(reading: CaseReading, arg: Scalar) -> Poly:
     return _odd(reading, "asin", arg, angle_of_sine)
 
 
-def _acos(reading: Reading, arg: Scalar) -> Poly:
+def _acos(reading: CaseReading, arg: Scalar) -> Poly:
     return QUARTER.num - _asin(reading, arg)
 
 
-def _atan(reading: Reading, arg: Scalar) -> Poly:
+def _atan(reading: CaseReading, arg: Scalar) -> Poly:
     return _odd(reading, "atan", arg, angle_of_tangent)
 
 
-def _odd(reading: Reading, kind: str, arg: Scalar, angle_of: Callable[[Scalar], Scalar | None]) -> Poly:
+def _odd(reading: CaseReading, kind: str, arg: Scalar, angle_of: Callable[[Scalar], Scalar | None]) -> Poly:
     """An odd function: known values, the function of which it is the inverse, else a generator."""
     if not arg:
         return Poly({})
@@ -113,7 +113,7 @@ def angle_of_tangent(arg: Scalar) -> Scalar | None:
     return Scalar(angle) if up == 1 else QUARTER - Scalar(angle) if up == -1 else None
 
 
-def _is_principal(reading: Reading, angle: Scalar) -> bool:
+def _is_principal(reading: CaseReading, angle: Scalar) -> bool:
     """Whether the angle surely lies between -π/2 and π/2."""
     if angle.den is not ONE:
         return False
@@ -143,7 +143,7 @@ KNOWN = {
 }
 
 
-def _exp(reading: Reading, arg: Scalar) -> Poly:
+def _exp(reading: CaseReading, arg: Scalar) -> Poly:
     """exp of a sum as a product, exp(k ln f) as a power."""
     image = reading.scalar(arg)
     if any(atoms.atom(index).kind == "factor" for index in image.atoms()):
@@ -151,7 +151,7 @@ def _exp(reading: Reading, arg: Scalar) -> Poly:
     return prod((_exp_term(reading, m, Fraction(c)) for m, c in image.terms.items()), start=ONE)
 
 
-def _exp_term(reading: Reading, m: Monomial, c: Fraction) -> Poly:
+def _exp_term(reading: CaseReading, m: Monomial, c: Fraction) -> Poly:
     found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == 1 else None
     if found is not None and found.kind == "ln" and (2 * c).denominator == 1:
         number = found.arg.number()

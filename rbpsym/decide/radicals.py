@@ -15,7 +15,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.constants import is_zero_form
 from rbpsym.decide.factoring import NONZERO, ZERO, cleared, reduced, split
 from rbpsym.decide.points import all_atoms
-from rbpsym.decide.reading import Constraint, Reading
+from rbpsym.decide.reading import CaseReading, Constraint
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import LimitError, Undecided
 from rbpsym.field import ONE, UNIT, Bases, Coefficient, Monomial, Poly, Scalar, atoms, bases_of, has_roots, inside
@@ -32,7 +32,7 @@ def vanishes(value: Scalar, assumptions: Assumptions, *, deep: bool) -> str:
     value = without_even_roots(inside(value, lambda part: neat(part, assumptions) if has_roots(part) else part))
     bases = _bases(value)
     try:
-        forced = _forced(value, Reading(assumptions, bases, deep, {}))
+        forced = _forced(value, CaseReading(assumptions, bases, deep, {}))
         real = _count_cases(value, assumptions, bases, deep, forced)
     except (LimitError, Undecided, ZeroDivisionError):
         return ""
@@ -45,7 +45,7 @@ def _count_cases(value: Scalar, assumptions: Assumptions, bases: Bases, deep: bo
     for _ in range(MOST_CASES):
         if not waiting:
             return real
-        reading = Reading(assumptions, bases, deep, waiting.pop())
+        reading = CaseReading(assumptions, bases, deep, waiting.pop())
         found = _in_case(value, reading, forced)
         if found is False:
             return 0
@@ -54,7 +54,7 @@ def _count_cases(value: Scalar, assumptions: Assumptions, bases: Bases, deep: bo
     return 0
 
 
-def _in_case(value: Scalar, reading: Reading, forced: Signs) -> bool | None:
+def _in_case(value: Scalar, reading: CaseReading, forced: Signs) -> bool | None:
     """Whether it vanishes in this case; None if no point of the domain needs this case."""
     whole, _ = cleared(reading.poly(value.num))
     broken = [constraint for constraint in reading.constraints if reading.is_broken(constraint)]
@@ -63,7 +63,7 @@ def _in_case(value: Scalar, reading: Reading, forced: Signs) -> bool | None:
     return is_zero_form(reduced(whole))
 
 
-def _forced(value: Scalar, reading: Reading) -> Signs:
+def _forced(value: Scalar, reading: CaseReading) -> Signs:
     """Signs that follow from the existence of a root with only one factor of unknown sign."""
     reading.poly(value.num)
     forced: Signs = {}
@@ -74,11 +74,11 @@ def _forced(value: Scalar, reading: Reading) -> Signs:
     return forced
 
 
-def _is_unknown(factor: Poly, reading: Reading) -> bool:
+def _is_unknown(factor: Poly, reading: CaseReading) -> bool:
     return reading.mask(factor) & NONZERO == NONZERO
 
 
-def _is_strict(constraint: Constraint, reading: Reading, except_for: list[Poly]) -> bool:
+def _is_strict(constraint: Constraint, reading: CaseReading, except_for: list[Poly]) -> bool:
     """Whether the other factors surely do not vanish where the constraint holds."""
     if constraint.is_strict:
         return True
@@ -86,7 +86,7 @@ def _is_strict(constraint: Constraint, reading: Reading, except_for: list[Poly])
     return set(vanishing) <= set(except_for)
 
 
-def _is_void(broken: list[Constraint], reading: Reading, forced: Signs) -> bool:
+def _is_void(broken: list[Constraint], reading: CaseReading, forced: Signs) -> bool:
     """Whether each point of the domain in this (closed) case lies in another case as well.
 
     So it is if some constraint is surely violated; or if in each violated one only factors of
@@ -97,7 +97,7 @@ def _is_void(broken: list[Constraint], reading: Reading, forced: Signs) -> bool:
     return all(_may_flip(constraint, reading, forced) for constraint in broken)
 
 
-def _may_flip(constraint: Constraint, reading: Reading, forced: Signs) -> bool:
+def _may_flip(constraint: Constraint, reading: CaseReading, forced: Signs) -> bool:
     free = [factor for factor in constraint.odd() if factor not in forced and _is_unknown(factor, reading)]
     different = {(other.sign, frozenset(other.odd())) for other in reading.constraints}
     uses = [factor for _, factors in different for factor in factors]
@@ -125,7 +125,7 @@ def _bases(value: Scalar) -> Bases:
 
 if TYPE_CHECKING:
     from rbpsym.decide.factoring import Factors
-    from rbpsym.decide.reading import Reading
+    from rbpsym.decide.reading import CaseReading
 
 HALF = Fraction(1, 2)
 
@@ -137,7 +137,7 @@ class Denested(Frozen):
     others: Factors
 
 
-def denested(reading: Reading, coefficient: Fraction, found: Factors) -> Denested | None:
+def denested(reading: CaseReading, coefficient: Fraction, found: Factors) -> Denested | None:
     """The root of a factor with a root inside, if it can be written without nesting."""
     for factor, k in found.items():
         if k % 2 and len(factor) > 1 and any(is_root(index) for index in factor.atoms()):
@@ -158,7 +158,7 @@ def _parts(poly: Poly) -> dict[Monomial, Poly]:
     return {roots: Poly(terms) for roots, terms in parts.items()}
 
 
-def _root_of(reading: Reading, poly: Poly) -> Poly | None:
+def _root_of(reading: CaseReading, poly: Poly) -> Poly | None:
     parts = _parts(poly)
     if len(parts) != 2 or UNIT not in parts:
         return None
@@ -176,7 +176,7 @@ def _root_index(twice: Poly) -> int:
     return atoms.intern("root", Scalar(twice.scaled(HALF)))
 
 
-def square_root(reading: Reading, poly: Poly) -> Poly | None:
+def square_root(reading: CaseReading, poly: Poly) -> Poly | None:
     """|D| if the polynomial is a square D²."""
     if not poly.terms:
         return poly

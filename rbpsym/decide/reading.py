@@ -38,7 +38,7 @@ class Constraint(Frozen):
         return [factor for factor, k in self.factors.items() if k % 2]
 
 
-class Reading(Walker):
+class CaseReading(Walker):
     """One way of reading, in one case of signs.
 
     case: the signs (1, -1) of factors whose sign is not known. Signs that are missing are taken
@@ -160,7 +160,7 @@ class Reading(Walker):
         return whole * generator(atoms.intern("root", Scalar(inside)))
 
 
-def _of_root(reading: Reading, arg: Scalar) -> Poly:
+def _of_root(reading: CaseReading, arg: Scalar) -> Poly:
     """√(c Π fᵏ) = √|c| Π |f|^(k/2)."""
     from rbpsym.decide.radicals import denested
 
@@ -175,7 +175,7 @@ def _of_root(reading: Reading, arg: Scalar) -> Poly:
     return image
 
 
-def _of_logarithm(reading: Reading, arg: Scalar) -> Poly:
+def _of_logarithm(reading: CaseReading, arg: Scalar) -> Poly:
     """ln(c Π fᵏ) = Σ over the primes of c, and Σ k ln |f|."""
     coefficient, found = reading.factored(arg)
     if not coefficient:
@@ -203,14 +203,14 @@ def _is_generator(factor: Poly) -> bool:
     return factor.is_monomial() and len(next(iter(factor.terms))) == 1
 
 
-def _wave(place: int) -> Callable[[Reading, Poly], Poly]:
-    def image(reading: Reading, angle: Poly) -> Poly:
+def _wave(place: int) -> Callable[[CaseReading, Poly], Poly]:
+    def image(reading: CaseReading, angle: Poly) -> Poly:
         return _turn_of(reading, angle)[place]
 
     return image
 
 
-def _turn_of(reading: Reading, angle: Poly) -> Turn:
+def _turn_of(reading: CaseReading, angle: Poly) -> Turn:
     """(cos, sin) of an angle in the base angles of the reading."""
     point, parts = (ONE, ZERO), dict(reading.bases)
     for m, c in angle.terms.items():
@@ -222,7 +222,7 @@ def _turn_of(reading: Reading, angle: Poly) -> Turn:
     return point
 
 
-def _base(reading: Reading, m: Monomial, parts: int) -> Turn:
+def _base(reading: CaseReading, m: Monomial, parts: int) -> Turn:
     known = turn_of_inverse(reading, m, parts)
     if known is not None:
         return known
@@ -234,14 +234,14 @@ def _base(reading: Reading, m: Monomial, parts: int) -> Turn:
     return (ONE - t * t) * below, t.scaled(2) * below
 
 
-def _of_inverse(kind: str) -> Callable[[Reading, Scalar], Poly]:
-    def image(reading: Reading, arg: Scalar) -> Poly:
+def _of_inverse(kind: str) -> Callable[[CaseReading, Scalar], Poly]:
+    def image(reading: CaseReading, arg: Scalar) -> Poly:
         return inverse_image(reading, kind, arg)
 
     return image
 
 
-IMAGES: dict[str, Callable[[Reading, Any], Poly | None]] = {
+IMAGES: dict[str, Callable[[CaseReading, Any], Poly | None]] = {
     "cos": _wave(0),
     "sin": _wave(1),
     "root": _of_root,

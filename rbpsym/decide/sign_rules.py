@@ -21,13 +21,13 @@ from rbpsym.field.ring import factors
 from rbpsym.field.roots import without_even_roots
 
 if TYPE_CHECKING:
-    from rbpsym.decide.signs import Study
+    from rbpsym.decide.signs import SignStudy
 
 Linear = tuple[Poly, Poly]
-Rule = tuple[Callable[["Study", Poly], int], str]  # with what it is called in a certificate
+Rule = tuple[Callable[["SignStudy", Poly], int], str]  # with what it is called in a certificate
 
 
-def _by_terms(study: Study, poly: Poly) -> int:
+def _by_terms(study: SignStudy, poly: Poly) -> int:
     """The sum of the signs of all terms."""
     mask = ZERO
     for m, c in poly.terms.items():
@@ -38,7 +38,7 @@ def _by_terms(study: Study, poly: Poly) -> int:
     return mask
 
 
-def _by_number(study: Study, poly: Poly) -> int:
+def _by_number(study: SignStudy, poly: Poly) -> int:
     """A number, by enclosing it."""
     if names_of([Scalar(poly)]):
         return ANY
@@ -51,7 +51,7 @@ def _by_number(study: Study, poly: Poly) -> int:
     return {1: PLUS, 0: ZERO, -1: MINUS, None: ANY}[found]
 
 
-def _by_content(study: Study, poly: Poly) -> int:
+def _by_content(study: SignStudy, poly: Poly) -> int:
     """A monomial taken out."""
     _, powers = poly.content()
     if not powers:
@@ -59,7 +59,7 @@ def _by_content(study: Study, poly: Poly) -> int:
     return times(study.monomial(powers), study.poly(poly.scaled(1, inverse(powers))))
 
 
-def _by_quadratic(study: Study, poly: Poly) -> int:
+def _by_quadratic(study: SignStudy, poly: Poly) -> int:
     """A y² + B y + C without real zeros, y being some power of a generator."""
     mask = ANY
     for index in poly.atoms():
@@ -70,7 +70,7 @@ def _by_quadratic(study: Study, poly: Poly) -> int:
     return mask
 
 
-def _quadratic(study: Study, a: Poly, linear: Poly, constant: Poly) -> int:
+def _quadratic(study: SignStudy, a: Poly, linear: Poly, constant: Poly) -> int:
     inner = linear * linear - (a * constant).scaled(4)
     if study.samples.seen(Scalar(inner)) & PLUS or study.samples.has_both_signs(a):
         return ANY
@@ -82,7 +82,7 @@ def _quadratic(study: Study, a: Poly, linear: Poly, constant: Poly) -> int:
     return {MINUS: lead, ZERO: lead | ZERO, MINUS | ZERO: lead | ZERO}.get(discriminant, ANY)
 
 
-def _by_exponentials(study: Study, poly: Poly) -> int:
+def _by_exponentials(study: SignStudy, poly: Poly) -> int:
     """Several exponentials of multiples of one quantity as powers of one."""
     found = [index for index in poly.atoms() if is_exponential(index)]
     if len(found) < 2:
@@ -96,7 +96,7 @@ def _by_exponentials(study: Study, poly: Poly) -> int:
     return study.poly(substitute(poly, {index: one ** int(ratio * parts) for index, ratio in ratios.items()}))
 
 
-def _by_squares(study: Study, poly: Poly) -> int:
+def _by_squares(study: SignStudy, poly: Poly) -> int:
     """The same with sin² or cos² replaced through the other."""
     mask = ANY
     for index in sorted(poly.atoms()):
@@ -107,7 +107,7 @@ def _by_squares(study: Study, poly: Poly) -> int:
     return mask
 
 
-def _by_double_angle(study: Study, poly: Poly) -> int:
+def _by_double_angle(study: SignStudy, poly: Poly) -> int:
     """A + B sin x cos x lies between A - B/2 and A + B/2."""
     for index in sorted(poly.atoms()):
         parts, other = poly.by_power(index), partner(index)
@@ -119,13 +119,13 @@ def _by_double_angle(study: Study, poly: Poly) -> int:
     return ANY
 
 
-def _by_one_angle(study: Study, poly: Poly) -> int:
+def _by_one_angle(study: SignStudy, poly: Poly) -> int:
     """The same with cos 2x, sin 3x … in the angle x."""
     image = in_bases(poly, bases_of(poly))
     return ANY if image == poly else study.poly(image)
 
 
-def _by_turned_angle(study: Study, poly: Poly) -> int:
+def _by_turned_angle(study: SignStudy, poly: Poly) -> int:
     """The same with A - B as an angle of its own, A being no more than an angle: cos A = cos(B + (A - B))."""
     plain = {atoms.symbol_name(index) for index in poly.atoms()}
     images = (image for image, _ in turnings(poly) if plain.isdisjoint(image))
@@ -133,7 +133,7 @@ def _by_turned_angle(study: Study, poly: Poly) -> int:
     return next((mask for one in others if len(one) < len(poly) and (mask := study.poly(one)) != ANY), ANY)
 
 
-def _by_bounds(study: Study, poly: Poly) -> int:
+def _by_bounds(study: SignStudy, poly: Poly) -> int:
     """One sign on the whole range of some generator (those whose bounds hold others first)."""
     mask = ANY
     for index in sorted(poly.atoms(), key=lambda i: _order(study.bounds(i))):
@@ -150,7 +150,7 @@ def _order(limits: b.Bounds) -> int:
     return -len(names_of(ends))
 
 
-def _on_range(study: Study, poly: Poly, index: int, limits: b.Bounds) -> int:
+def _on_range(study: SignStudy, poly: Poly, index: int, limits: b.Bounds) -> int:
     parts = poly.by_power(index)
     if min(parts) < 0 or max(parts) > 8 or max(parts) < 1:
         return ANY
@@ -166,7 +166,7 @@ def _on_range(study: Study, poly: Poly, index: int, limits: b.Bounds) -> int:
     return mask
 
 
-def _common(study: Study, coefficients: list[Scalar], reached: tuple[bool, bool]) -> int:
+def _common(study: SignStudy, coefficients: list[Scalar], reached: tuple[bool, bool]) -> int:
     """The sign of Σ coefficient × positive function; an end that is reached leaves one term."""
     mask, last = ZERO, len(coefficients) - 1
     signs = []
@@ -212,7 +212,7 @@ def _times_linear(coefficients: list[Poly], factor: Linear) -> list[Poly]:
     return [x + y for x, y in zip(low, high, strict=True)]
 
 
-def _by_root(study: Study, poly: Poly) -> int:
+def _by_root(study: SignStudy, poly: Poly) -> int:
     """A + B√x with A and B of opposite signs: compare A² with B² x."""
     for index in poly.atoms():
         found = atoms.atom(index)
@@ -225,11 +225,11 @@ def _by_root(study: Study, poly: Poly) -> int:
     return ANY
 
 
-def _are_opposite(study: Study, a: Scalar, b: Scalar) -> bool:
+def _are_opposite(study: SignStudy, a: Scalar, b: Scalar) -> bool:
     return study.samples.seen(a, -b) != NONZERO
 
 
-def _by_factors(study: Study, poly: Poly) -> int:
+def _by_factors(study: SignStudy, poly: Poly) -> int:
     """The product of the signs of irreducible factors."""
     if not study.factoring or len(poly) < 2 or all(sum(abs(exponent) for _, exponent in m) < 2 for m in poly.terms):
         return ANY

@@ -64,7 +64,7 @@ def sign(value: Scalar, assumptions: Assumptions = NONE, *, factoring: bool = Tr
 
 @remembered
 def _sign(value: Scalar, assumptions: Assumptions, factoring: bool) -> SignResult:
-    study = Study(assumptions, factoring)
+    study = SignStudy(assumptions, factoring)
     try:
         with apart(), at_most(MOST_PRODUCTS):
             if value.den is ONE and study.samples.has_both_signs(value.num, MANY):
@@ -75,7 +75,7 @@ def _sign(value: Scalar, assumptions: Assumptions, factoring: bool) -> SignResul
     return SignResult(mask, study.reasons.get(value.num, "") if NAMES[mask] else "")
 
 
-class Study(Walker):
+class SignStudy(Walker):
     """One question about a sign: what has been found so far, and how much may still be tried."""
 
     assumptions: Assumptions
@@ -163,7 +163,7 @@ class Study(Walker):
 @lru_cache(maxsize=8192)
 def _known(index: int, assumptions: Assumptions) -> tuple[int, b.Bounds]:
     """Sign and bounds of a generator, in a study of its own: all questions share what is found."""
-    study = Study(assumptions, own=True)
+    study = SignStudy(assumptions, own=True)
     return study.atom(index), study.bounds(index)
 
 
@@ -174,13 +174,13 @@ def _above(end: int, reached: bool) -> int:
     return end | PLUS if reached else PLUS
 
 
-def _root_sign(study: Study, arg: Scalar) -> int:
+def _root_sign(study: SignStudy, arg: Scalar) -> int:
     return PLUS if study.scalar(arg) == PLUS else PLUS_ZERO
 
 
 SYMBOL_SIGNS = {"positive": PLUS, "nonnegative": PLUS_ZERO, "nonzero": NONZERO, "real": ANY}
 
-ATOMS: dict[str, Callable[[Study, Any], int]] = {
+ATOMS: dict[str, Callable[[SignStudy, Any], int]] = {
     "symbol": lambda study, name: PLUS if name == "pi" else SYMBOL_SIGNS[study.assumptions.sign_of(name)],
     "root": _root_sign,
     "exp": lambda study, arg: PLUS,
@@ -193,7 +193,7 @@ ATOMS: dict[str, Callable[[Study, Any], int]] = {
 }
 
 
-BOUNDS: dict[str, Callable[[Study, Any], b.Bounds]] = {
+BOUNDS: dict[str, Callable[[SignStudy, Any], b.Bounds]] = {
     "symbol": lambda study, name: b.of_symbol(name, study.assumptions),
     "cos": lambda study, angle: b.of_wave("cos", angle, study.assumptions, study.is_nonnegative),
     "sin": lambda study, angle: b.of_wave("sin", angle, study.assumptions, study.is_nonnegative),

@@ -14,7 +14,7 @@ from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
-from rbpsym.pictures.figures.scene import Circle, Item, Label, Line, Point, Scene, direction, placed, polar
+from rbpsym.pictures.figures.scene import Circle, Item, Label, Point, Polyline, Scene, direction, placed, polar
 from rbpsym.proof.step import Derivation, Lesson, Step
 
 # --- the figure of the general theory: a point of a body seen from the origin and from the centre of mass, r' = R + r
@@ -35,8 +35,9 @@ def split_of_place(notation: Notation) -> Scene:
         (CENTRE, PLACE, "r", "velocity", -1),
         (ORIGIN, PLACE, "r_prime", "force", 1),
     )
-    items: list[Item] = [Line(outline, "body", closed=True), *(Line((ORIGIN, end), "axis", heads="end") for end in AXES.values())]
-    items += [Line((start, end), style, heads="end") for start, end, _, style, _ in vectors]
+    items: list[Item] = [Polyline(outline, "body", closed=True)]
+    items += [Polyline((ORIGIN, end), "axis", heads="end") for end in AXES.values()]
+    items += [Polyline((start, end), style, heads="end") for start, end, _, style, _ in vectors]
     items += [Circle(point, 0.0, "dot") for point in (ORIGIN, CENTRE, PLACE)]
     labels = [Label(t.Sym(name), end, direction(ORIGIN, end)) for name, end in AXES.items()]
     labels += [_beside(start, end, name, side) for start, end, name, _, side in vectors]

@@ -123,7 +123,7 @@ def _parted(block: Block, labels: Set[str]) -> Iterator[Block]:
         return
     for _, group in groupby(zip(rows, (block.label, *block.also), strict=True), key=lambda pair: pair[1] in labels):
         kept, (first, *others) = zip(*group, strict=True)
-        part = replace(block, node=kept[0] if len(kept) == 1 else t.System(kept), label=first, also=tuple(others))
+        part = replace(block, node=kept[0] if len(kept) == 1 else t.Relations(kept), label=first, also=tuple(others))
         yield _boxed(part, labels, others=False)
 
 

@@ -80,7 +80,7 @@ def long_forces(steps: list[Step], derivation: Derivation, said: Words) -> Itera
         rows = [*(() if t.neg(vector.items[0]) in told else (vector,)), *rows]
         told.add(vector.items[0])
         rows = list(t.rows(step.statement)) if said.is_full else rows
-        yield Display(rows[0] if len(rows) == 1 else t.System(tuple(rows)), said.prefix + step.id)
+        yield Display(rows[0] if len(rows) == 1 else t.Relations(tuple(rows)), said.prefix + step.id)
 
 
 def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iterator[Inlines]:
@@ -277,7 +277,7 @@ def joined(steps: Sequence[Step], said: Words) -> Display:
     """The formulas of several steps below each other, with one number."""
     rows = tuple(row for step in steps for row in t.rows(step.statement))
     first, *others = (said.prefix + step.id for step in steps)
-    return Display(t.System(rows), first, True, all(step.is_result for step in steps), also=tuple(others))
+    return Display(t.Relations(rows), first, True, all(step.is_result for step in steps), also=tuple(others))
 
 
 def by_kind(steps: Iterable[Step], kinds: Sequence[str]) -> list[list[Step]]:

@@ -10,7 +10,7 @@ from dataclasses import replace
 from rbpsym.document.model import Document, FigureBlock, Live, Section, words
 from rbpsym.document.phrases import plain
 from rbpsym.errors import RbpsymError
-from rbpsym.pictures.figures.scene import Line, Scene
+from rbpsym.pictures.figures.scene import Polyline, Scene
 from rbpsym.statement.library import problem_files
 
 MODULE, QUIET = 0.05, 4  # cm; empty modules around it
@@ -49,7 +49,7 @@ def _code(live: Live, goal: str, language: str) -> FigureBlock:
     return FigureBlock((scene,), words(caption.strip()), plain("twin.alt", language, address=goal))
 
 
-def _bars(rows: list[list[bool]]) -> Iterator[Line]:
+def _bars(rows: list[list[bool]]) -> Iterator[Polyline]:
     """The dark runs of the rows, and the quiet zone around."""
     yield _box(0, len(rows), 0, len(rows), "quiet")
     for down, row in enumerate(rows, 1):
@@ -58,6 +58,6 @@ def _bars(rows: list[list[bool]]) -> Iterator[Line]:
         yield from (_box(left, right, height, height + 1, "code") for left, right in zip(turns[::2], turns[1::2], strict=True))
 
 
-def _box(left: int, right: int, low: int, high: int, style: str) -> Line:
+def _box(left: int, right: int, low: int, high: int, style: str) -> Polyline:
     corners = ((left, low), (right, low), (right, high), (left, high))
-    return Line(tuple((x * MODULE, y * MODULE) for x, y in corners), style, closed=True)
+    return Polyline(tuple((x * MODULE, y * MODULE) for x, y in corners), style, closed=True)

@@ -165,7 +165,7 @@ def in_folders(package: str, path: Iterable[str]) -> dict[str, Any]:
 T = TypeVar("T")
 
 
-class Parts(dict[str, T]):
+class KindParts(dict[str, T]):
     """What the folders of some kinds hold under one name of one module, by kind: loaded where it is asked for."""
 
     def __init__(self, kinds: Mapping[str, Any], module: str, name: str) -> None:

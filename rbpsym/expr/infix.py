@@ -14,7 +14,7 @@ from rbpsym.errors import Place, RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix_grammar import expression
 from rbpsym.expr.infix_names import FUNCTIONS, InfixReader, tokenize
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 from rbpsym.frozen import Frozen, replace
 
 MOST_WAYS = 32
@@ -113,7 +113,7 @@ def _reader(
     aliases: Mapping[str, str],
     place: Place | None,
 ) -> InfixReader:
-    source = Source(text, place)
+    source = SourceText(text, place)
     known = frozenset(symbols) | {"pi"}
     return InfixReader(source, tokenize(source), symbols=known, functions=functions, aliases=aliases)
 

@@ -13,7 +13,7 @@ from typing import Any
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.letters import names_of_letter
-from rbpsym.expr.source import Cursor, Source, refused
+from rbpsym.expr.source import Cursor, SourceText, refused
 from rbpsym.frozen import Frozen, field, replace
 
 MAX_LENGTH, MAX_DIGITS = 2000, 30
@@ -56,7 +56,7 @@ class InfixToken(Frozen):
     spaced: bool = False
 
 
-def tokenize(source: Source) -> tuple[InfixToken, ...]:
+def tokenize(source: SourceText) -> tuple[InfixToken, ...]:
     """The tokens of a text, with an end token. Raises ReadError, LimitError."""
     if len(source.text) > MAX_LENGTH:
         what = f"the expression has {len(source.text)} characters; at most {MAX_LENGTH} are read"
@@ -64,7 +64,7 @@ def tokenize(source: Source) -> tuple[InfixToken, ...]:
     return tuple(_tokens(source))
 
 
-def _tokens(source: Source) -> Iterator[InfixToken]:
+def _tokens(source: SourceText) -> Iterator[InfixToken]:
     position, spaced = 0, False
     while position < len(source.text):
         found = _PATTERNS.match(source.text, position)
@@ -78,7 +78,7 @@ def _tokens(source: Source) -> Iterator[InfixToken]:
     yield InfixToken("end", "", len(source.text), len(source.text))
 
 
-def _number(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
+def _number(source: SourceText, found: re.Match[str], spaced: bool) -> InfixToken:
     text, (start, end) = found[0], found.span()
     if "," in text:
         text = _with_point(source, text, start, end)
@@ -88,7 +88,7 @@ def _number(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
     return InfixToken("number", text, start, end, Fraction(text), spaced=spaced)
 
 
-def _with_point(source: Source, text: str, start: int, end: int) -> str:
+def _with_point(source: SourceText, text: str, start: int, end: int) -> str:
     """1,5 is 1.5; 1,500 may be a thousand and a half thousand. Raises ReadError."""
     if len(text.partition(",")[2]) == 3:
         raise source.error("is this comma a decimal mark, or does it group thousands?", start, end,
@@ -96,7 +96,7 @@ def _with_point(source: Source, text: str, start: int, end: int) -> str:
     return text.replace(",", ".")
 
 
-def _name(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
+def _name(source: SourceText, found: re.Match[str], spaced: bool) -> InfixToken:
     start = found.start()
     word, end = found[0], found.end()
     if word.startswith("_") or "__" in word:
@@ -107,7 +107,7 @@ def _name(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
     return _with_tail(source, (word,), start, end, spaced)
 
 
-def _with_tail(source: Source, names: tuple[str, ...], start: int, end: int, spaced: bool) -> InfixToken:
+def _with_tail(source: SourceText, names: tuple[str, ...], start: int, end: int, spaced: bool) -> InfixToken:
     """A name with the dots and subscripts typed after it: θ̈₁ is theta_1_ddot."""
     dots = ""
     while end < len(source.text) and source.text[end] in _DOTS:
@@ -123,7 +123,7 @@ def _with_tail(source: Source, names: tuple[str, ...], start: int, end: int, spa
     return InfixToken("name", text, start, end, names=tuple(n + suffix for n in names), spaced=spaced)
 
 
-def _raised(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
+def _raised(source: SourceText, found: re.Match[str], spaced: bool) -> InfixToken:
     start, end = found.span()
     if end - start > 4:
         raise source.limit("the exponent is too large; at most 64 is read", start, end)
@@ -131,14 +131,14 @@ def _raised(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
     return InfixToken("raised", found[0], start, end, value, spaced=spaced)
 
 
-def _sign(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
+def _sign(source: SourceText, found: re.Match[str], spaced: bool) -> InfixToken:
     text, (start, end) = found[0], found.span()
     if text in OPERATORS:
         return InfixToken("operator", OPERATORS[text], start, end, spaced=spaced)
     return _character(source, text, start, spaced)
 
 
-def _character(source: Source, char: str, start: int, spaced: bool) -> InfixToken:
+def _character(source: SourceText, char: str, start: int, spaced: bool) -> InfixToken:
     """A single character that is no operator: a letter, ½, ẋ. Raises ReadError for others."""
     names = names_of_letter(char)
     if names:
@@ -150,7 +150,7 @@ def _character(source: Source, char: str, start: int, spaced: bool) -> InfixToke
     return _dotted(source, char, start, spaced)
 
 
-def _greek(source: Source, names: tuple[str, ...], start: int, spaced: bool) -> InfixToken:
+def _greek(source: SourceText, names: tuple[str, ...], start: int, spaced: bool) -> InfixToken:
     """A letter with its tail; θ0 is θ₀."""
     digits = _DIGITS.match(source.text, start + 1)
     if digits is None:
@@ -159,7 +159,7 @@ def _greek(source: Source, names: tuple[str, ...], start: int, spaced: bool) -> 
     return InfixToken("name", text, start, end, names=tuple(f"{n}_{digits[0]}" for n in names), spaced=spaced)
 
 
-def _dotted(source: Source, char: str, start: int, spaced: bool) -> InfixToken:
+def _dotted(source: SourceText, char: str, start: int, spaced: bool) -> InfixToken:
     """A letter that carries its dots, such as ẋ. Raises ReadError for any other character."""
     base, *marks = list(unicodedata.normalize("NFD", char))
     if marks and base.isascii() and all(mark in _DOTS for mark in marks):
@@ -169,7 +169,7 @@ def _dotted(source: Source, char: str, start: int, spaced: bool) -> InfixToken:
     raise refused(source, char, start)
 
 
-_READERS: Mapping[str, Callable[[Source, Any, bool], InfixToken]] = MappingProxyType({
+_READERS: Mapping[str, Callable[[SourceText, Any, bool], InfixToken]] = MappingProxyType({
     "number": _number, "name": _name, "raised": _raised, "operator": _sign,
 })  # fmt: skip
 

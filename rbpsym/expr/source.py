@@ -15,7 +15,7 @@ from rbpsym.frozen import Frozen, Walker, replace
 N = TypeVar("N", bound=t.Node)
 
 
-class Source(Frozen):
+class SourceText(Frozen):
     """The text being read and the place in a file where it begins."""
 
     text: str
@@ -63,7 +63,7 @@ _INSTEAD = {
 }
 
 
-def refused(source: Source, char: str, start: int) -> RbpsymError:
+def refused(source: SourceText, char: str, start: int) -> RbpsymError:
     """The error for a character that can't be read, by its name."""
     code = f"U+{ord(char):04X}"
     name = unicodedata.name(char, "control character").lower()
@@ -97,7 +97,7 @@ T = TypeVar("T", bound=_Token)
 class Cursor(Walker, Generic[T]):
     """Tokens read from left to right."""
 
-    source: Source
+    source: SourceText
     tokens: tuple[T, ...]
     position: int = 0
     depth: int = 0

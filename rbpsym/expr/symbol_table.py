@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from rbpsym.expr.glyphs import DEFAULT, Glyph, Notation, glyph
 from rbpsym.expr.latex.tokens import Token, tokenize
-from rbpsym.expr.source import Cursor, Source
+from rbpsym.expr.source import Cursor, SourceText
 from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field, replace
 
@@ -93,7 +93,7 @@ def symbol_table(
     for name in dict.fromkeys((*names, "pi")):
         for drawing in dict.fromkeys((notation.glyph(name), glyph(name))):
             _enter(found, drawn_glyph(drawing), name, notation.aliases)
-    spelled = {spelling(tokenize(Source(latex))[:-1]): name for latex, name in spellings.items()}
+    spelled = {spelling(tokenize(SourceText(latex))[:-1]): name for latex, name in spellings.items()}
     return SymbolTable(MappingProxyType(found), MappingProxyType(spelled), faults, comma=notation.decimal == ",")
 
 

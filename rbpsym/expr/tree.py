@@ -213,7 +213,7 @@ class Chain(Node):
     ops: tuple[str, ...]
 
 
-class System(Node):
+class Relations(Node):
     """Several relations shown under each other (an aligned block), all asserted, perhaps under conditions.
 
     sources: what stands before an arrow from which they are said to follow.
@@ -293,7 +293,7 @@ def renamed(node: Node, values: Mapping[str, Node]) -> Node:
 
 def relations(statement: Node) -> Iterator[tuple[Node, str, Node]]:
     """All single relations that a statement asserts."""
-    if isinstance(statement, System):
+    if isinstance(statement, Relations):
         for row in statement.rows:
             yield from relations(row)
     elif isinstance(statement, Chain):
@@ -373,17 +373,17 @@ def div(num: Node, den: Node) -> Node:
 
 def system(rows: Sequence[Node]) -> Node:
     """Rows that hold together; a single one as it is."""
-    return rows[0] if len(rows) == 1 else System(tuple(rows))
+    return rows[0] if len(rows) == 1 else Relations(tuple(rows))
 
 
 def rows(statement: Node) -> tuple[Any, ...]:
     """The rows of a statement, most of them chains; one that is no system is one row."""
-    return statement.rows if isinstance(statement, System) else (statement,)
+    return statement.rows if isinstance(statement, Relations) else (statement,)
 
 
 def chains(statement: Node) -> tuple[Chain, ...]:
     """The chains that a statement asserts, those of systems in systems too."""
-    found = (chains(row) if isinstance(row, System) else (row,) for row in rows(statement))
+    found = (chains(row) if isinstance(row, Relations) else (row,) for row in rows(statement))
     return tuple(row for part in found for row in part if isinstance(row, Chain))
 
 

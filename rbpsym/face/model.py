@@ -16,8 +16,8 @@ from rbpsym.face.late import sympy
 from rbpsym.face.parts import (
     AngularMomentum,
     Halves,
+    InertialFrame,
     Linearization,
-    Space,
     StepRelation,
     SymbolicAnswer,
     in_sympy,
@@ -113,7 +113,7 @@ class SymbolicModel(Frozen):
         for name, ends in assumed.ranges.items():
             found += [(name, op, shown(end)) for op, end in zip("><", ends, strict=True) if end is not None]
         rows = tuple(t.relation(t.Sym(name), op, end) for name, op, end in found)
-        return self._names.relations(t.System(rows))
+        return self._names.relations(t.Relations(rows))
 
     # --- energies, momenta, works
 
@@ -181,12 +181,12 @@ class SymbolicModel(Frozen):
     # --- equations of motion
 
     @cached_property
-    def _equations(self) -> t.System:
+    def _equations(self) -> t.Relations:
         """M q̈ = f, row by row."""
         rows = zip(self.study.dynamics.mass_matrix, self.study.dynamics.forcing, strict=True)
         gained = [symbol(name) for name in self.study.system.accelerations]
         sides = ((total(m * a for m, a in zip(row, gained, strict=True)), force) for row, force in rows)
-        return t.System(tuple(t.equation(*(shown(side, self.study) for side in both)) for both in sides))
+        return t.Relations(tuple(t.equation(*(shown(side, self.study) for side in both)) for both in sides))
 
     @property
     def equations_of_motion(self) -> tuple[sympy.Eq, ...]:
@@ -295,7 +295,7 @@ class SymbolicModel(Frozen):
 
     # --- for sympy.physics.mechanics, and the steps
 
-    def rigid_bodies(self) -> Space:
+    def rigid_bodies(self) -> InertialFrame:
         """(frame, origin, bodies): RigidBody and Particle of sympy.physics.mechanics, with their frames, points and
         velocities in the inertial frame, x to the right, y upwards. Of the inertia, the moment about z alone is there.
 

@@ -90,7 +90,7 @@ def in_sympy(found: Answer) -> SymbolicAnswer:
 # --- the bodies of a problem as those of sympy.physics.mechanics
 
 
-class Space(NamedTuple):
+class InertialFrame(NamedTuple):
     """An inertial frame, its fixed origin, and the bodies that move in it."""
 
     frame: Any
@@ -98,7 +98,7 @@ class Space(NamedTuple):
     bodies: tuple[Any, ...]
 
 
-def space(study: Study, written: Callable[[Scalar], Any]) -> Space:
+def space(study: Study, written: Callable[[Scalar], Any]) -> InertialFrame:
     """The bodies with frames, points and velocities; `written` makes sympy of a value."""
     frame, origin = mechanics.ReferenceFrame("N"), mechanics.Point("O")
     origin.set_vel(frame, 0)
@@ -116,7 +116,7 @@ def space(study: Study, written: Callable[[Scalar], Any]) -> Space:
         about_center = mechanics.inertia(own, 0, 0, written(state.moment))
         return mechanics.RigidBody(name, center, own, written(state.mass), (about_center, center))
 
-    return Space(frame, origin, tuple(body(name, state) for name, state in study.system.bodies.items()))
+    return InertialFrame(frame, origin, tuple(body(name, state) for name, state in study.system.bodies.items()))
 
 
 # ---

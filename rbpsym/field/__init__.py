@@ -3,7 +3,7 @@
 from rbpsym.field.atoms import symbol_name
 from rbpsym.field.calculus import atom_names, depends_on, derivative, function, inside, names_in, rate_along, root, substitute
 from rbpsym.field.effort import apart, ask_for_more, at_most, granted, in_all, kept, remembered, spend
-from rbpsym.field.evaluate import BARE, Scope, Value, at_start, rate, space_derivative, time_derivative, value
+from rbpsym.field.evaluate import BARE, Meanings, Value, at_start, rate, space_derivative, time_derivative, value
 from rbpsym.field.exponentials import is_exponential, with_exponentials_joined, with_squares
 from rbpsym.field.normal import (
     Bases,

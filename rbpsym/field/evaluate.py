@@ -1,6 +1,6 @@
 """The exact value of a display tree.
 
-A `Scope` says what names mean; a name without meaning is a generator of the field. The
+A `Meanings` says what names mean; a name without meaning is a generator of the field. The
 value is a `Scalar`, or a `Space` vector. `rate` is the time derivative of a formula in which
 integrals along the motion may stand with forces that are not known yet: d/dt ∫f dq = f q̇.
 """
@@ -23,7 +23,7 @@ from rbpsym.frozen import Frozen, field, replace
 Value = Scalar | Space
 
 
-class Scope(Frozen):
+class Meanings(Frozen):
     """Meanings of names.
 
     scalars, vectors: values of defined quantities. rates: time derivative of each generator
@@ -41,15 +41,15 @@ class Scope(Frozen):
     densities: Mapping[str, Space] = field(default_factory=dict)
     total: Callable[[Scalar], Scalar] | None = None
 
-    def with_scalars(self, more: Mapping[str, Scalar]) -> Scope:
+    def with_scalars(self, more: Mapping[str, Scalar]) -> Meanings:
         """The same scope with further (or other) scalar meanings."""
         return replace(self, scalars={**self.scalars, **more})
 
 
-BARE = Scope()
+BARE = Meanings()
 
 
-def value(node: t.Node, scope: Scope = BARE) -> Value:
+def value(node: t.Node, scope: Meanings = BARE) -> Value:
     """The value of a formula (of the first item for a chain).
 
     Raises ReadError for a node that has no value (a word), Undecided for an integral outside
@@ -58,7 +58,7 @@ def value(node: t.Node, scope: Scope = BARE) -> Value:
     return VALUES[type(node)](node, scope)
 
 
-def scalar(node: t.Node, scope: Scope = BARE) -> Scalar:
+def scalar(node: t.Node, scope: Meanings = BARE) -> Scalar:
     """The value, which must be a scalar."""
     found = value(node, scope)
     if isinstance(found, Space):
@@ -66,7 +66,7 @@ def scalar(node: t.Node, scope: Scope = BARE) -> Scalar:
     return found
 
 
-def vector(node: t.Node, scope: Scope = BARE) -> Space:
+def vector(node: t.Node, scope: Meanings = BARE) -> Space:
     """The value, which must be a vector (a scalar 0 counts as the zero vector)."""
     found = value(node, scope)
     if isinstance(found, Space):
@@ -76,29 +76,29 @@ def vector(node: t.Node, scope: Scope = BARE) -> Space:
     raise ReadError("a scalar stands where a vector belongs")
 
 
-def time_derivative(found: Scalar, scope: Scope) -> Scalar:
+def time_derivative(found: Scalar, scope: Meanings) -> Scalar:
     """d/dt of a scalar by the chain rule over the scope's rates."""
     return rate_along(found, scope.rates)
 
 
-def space_derivative(found: Space, scope: Scope) -> Space:
+def space_derivative(found: Space, scope: Meanings) -> Space:
     """d/dt of a vector."""
     return Space(found.plane.rate(scope.rates), time_derivative(found.z, scope))
 
 
-def at_start(found: Scalar, scope: Scope) -> Scalar:
+def at_start(found: Scalar, scope: Meanings) -> Scalar:
     """The value at the start state."""
     return substitute(found, scope.start)
 
 
-def _symbol(node: t.Sym, scope: Scope) -> Scalar:
+def _symbol(node: t.Sym, scope: Meanings) -> Scalar:
     if node.name == "pi":
         return PI
     found = scope.scalars.get(node.name)
     return symbol(node.name) if found is None else found
 
 
-def _vector(node: t.Vec, scope: Scope) -> Space:
+def _vector(node: t.Vec, scope: Meanings) -> Space:
     try:
         return scope.vectors[node.name]
     except KeyError:
@@ -108,7 +108,7 @@ def _vector(node: t.Vec, scope: Scope) -> Space:
 UNITS = {"x": Space(EX), "y": Space(EY), "z": Space(z=UNITY)}
 
 
-def _sum(node: t.Add, scope: Scope) -> Value:
+def _sum(node: t.Add, scope: Meanings) -> Value:
     found = [value(term, scope) for term in node.terms]
     if any(isinstance(part, Space) for part in found):
         return reduce(add, [part if isinstance(part, Space) else _no_scalar(part) for part in found])
@@ -121,7 +121,7 @@ def _no_scalar(part: Scalar) -> Space:
     return Space()
 
 
-def _product(node: t.Mul, scope: Scope) -> Value:
+def _product(node: t.Mul, scope: Meanings) -> Value:
     result: Value = UNITY
     for factor in node.factors:
         found = value(factor, scope)
@@ -134,12 +134,12 @@ def _product(node: t.Mul, scope: Scope) -> Value:
     return result
 
 
-def _fraction(node: t.Div, scope: Scope) -> Value:
+def _fraction(node: t.Div, scope: Meanings) -> Value:
     den = scalar(node.den, scope)
     return value(node.num, scope) * den.inverse()
 
 
-def _power(node: t.Pow, scope: Scope) -> Value:
+def _power(node: t.Pow, scope: Meanings) -> Value:
     base = _squared_magnitude(node, scope) or value(node.base, scope)
     if isinstance(base, Space):
         if node.exponent != t.TWO:
@@ -155,18 +155,18 @@ def _power(node: t.Pow, scope: Scope) -> Value:
     raise Undecided(f"the exponent {exponent} is outside the decidable class")
 
 
-def _squared_magnitude(node: t.Pow, scope: Scope) -> Space | None:
+def _squared_magnitude(node: t.Pow, scope: Meanings) -> Space | None:
     """The vector whose name is squared without its arrow: V² is V · V where V names no scalar."""
     name = node.base.name if isinstance(node.base, t.Sym) and node.exponent == t.TWO else ""
     return None if name in scope.scalars else scope.vectors.get(name)
 
 
-def _absolute(node: t.Abs, scope: Scope) -> Scalar:
+def _absolute(node: t.Abs, scope: Meanings) -> Scalar:
     found = value(node.arg, scope)
     return function("sqrt", found.dot(found) if isinstance(found, Space) else found * found)
 
 
-def _derivative(node: t.Deriv, scope: Scope) -> Value:
+def _derivative(node: t.Deriv, scope: Meanings) -> Value:
     if node.wrt == "m" and isinstance(node.of, t.Vec) and node.of.name in scope.densities:
         return scope.densities[node.of.name]
     found = value(node.of, scope)
@@ -180,14 +180,14 @@ def _derivative(node: t.Deriv, scope: Scope) -> Value:
     return found
 
 
-def _integral(node: t.Integral, scope: Scope) -> Scalar:
+def _integral(node: t.Integral, scope: Meanings) -> Scalar:
     found = definite(scalar(node.integrand, scope), node.var, scalar(node.lower, scope), scalar(node.upper, scope))
     if found is None:
         raise Undecided("this integral is outside the class that is integrated in closed form")
     return found
 
 
-def _body_integral(node: t.BodyIntegral, scope: Scope) -> Value:
+def _body_integral(node: t.BodyIntegral, scope: Meanings) -> Value:
     if scope.body is None:
         raise ReadError("an integral over a body stands where no body is known")
     found, integrate = value(node.integrand, scope), scope.body
@@ -197,41 +197,41 @@ def _body_integral(node: t.BodyIntegral, scope: Scope) -> Value:
     return Space(EX * x + EY * y, z)
 
 
-def _between(node: t.Bracket, scope: Scope) -> Scalar:
+def _between(node: t.Bracket, scope: Meanings) -> Scalar:
     inner = scalar(node.arg, scope)
     upper = substitute(inner, {node.var: scalar(node.upper, scope)})
     return upper - substitute(inner, {node.var: scalar(node.lower, scope)})
 
 
-def _change(node: t.Delta, scope: Scope) -> Scalar:
+def _change(node: t.Delta, scope: Meanings) -> Scalar:
     found = scalar(node.arg, scope)
     return found - at_start(found, scope)
 
 
-def _there(node: t.At, scope: Scope) -> Scalar:
+def _there(node: t.At, scope: Meanings) -> Scalar:
     if node.condition != t.equation(t.Sym("t"), t.ZERO):
         raise ReadError("a quantity has a value at the start (t = 0) alone")
     return at_start(scalar(node.arg, scope), scope)
 
 
-def _limit(node: t.Limit, scope: Scope) -> Scalar:
+def _limit(node: t.Limit, scope: Meanings) -> Scalar:
     found, to = scalar(node.arg, scope), scalar(node.to, scope)
     return substitute(found, {node.var: to})
 
 
-def _cross(node: t.Cross, scope: Scope) -> Space:
+def _cross(node: t.Cross, scope: Meanings) -> Space:
     return vector(node.left, scope).cross(vector(node.right, scope))
 
 
-def _dot(node: t.Dot, scope: Scope) -> Scalar:
+def _dot(node: t.Dot, scope: Meanings) -> Scalar:
     return vector(node.left, scope).dot(vector(node.right, scope))
 
 
-def _no_value(node: t.Node, scope: Scope) -> Value:
+def _no_value(node: t.Node, scope: Meanings) -> Value:
     raise ReadError(f"{type(node).__name__.lower()} has no value")
 
 
-VALUES: dict[type, Callable[[Any, Scope], Value]] = {
+VALUES: dict[type, Callable[[Any, Meanings], Value]] = {
     t.Num: lambda node, scope: lift(node.value),
     t.Sym: _symbol,
     t.Vec: _vector,
@@ -258,18 +258,18 @@ VALUES: dict[type, Callable[[Any, Scope], Value]] = {
     t.Limit: _limit,
     t.Word: _no_value,
     t.Chain: lambda node, scope: value(node.items[0], scope),
-    t.System: _no_value,
+    t.Relations: _no_value,
 }
 
 
-def rate(node: t.Node, scope: Scope) -> Scalar:
+def rate(node: t.Node, scope: Meanings) -> Scalar:
     """d/dt of a scalar formula that may hold integrals along the motion from the start to now."""
     if not _holds_integral(node, scope):
         return _plain_rate(node, scope)
     return RATES.get(type(node), _plain_rate)(node, scope)
 
 
-def _holds_integral(node: t.Node, scope: Scope) -> bool:
+def _holds_integral(node: t.Node, scope: Meanings) -> bool:
     """Whether a part is known by its rate only (changes, which have one, are counted in)."""
     return any(
         isinstance(part, (t.Integral, t.PathIntegral, t.Delta))
@@ -278,11 +278,11 @@ def _holds_integral(node: t.Node, scope: Scope) -> bool:
     )
 
 
-def _plain_rate(node: t.Node, scope: Scope) -> Scalar:
+def _plain_rate(node: t.Node, scope: Meanings) -> Scalar:
     return time_derivative(scalar(node, scope), scope)
 
 
-def _product_rate(node: t.Mul, scope: Scope) -> Scalar:
+def _product_rate(node: t.Mul, scope: Meanings) -> Scalar:
     """The product rule (a factor that holds an integral needs constant others to have a value)."""
     total = NOTHING
     for place, factor in enumerate(node.factors):
@@ -293,13 +293,13 @@ def _product_rate(node: t.Mul, scope: Scope) -> Scalar:
     return total
 
 
-def _path_rate(node: t.PathIntegral, scope: Scope) -> Scalar:
+def _path_rate(node: t.PathIntegral, scope: Meanings) -> Scalar:
     if node.product == "dot":
         return vector(node.integrand, scope).dot(space_derivative(vector(node.path, scope), scope))
     return scalar(node.integrand, scope) * rate(node.path, scope)
 
 
-def _integral_rate(node: t.Integral, scope: Scope) -> Scalar:
+def _integral_rate(node: t.Integral, scope: Meanings) -> Scalar:
     """∫f dq from the start to now grows at f q̇, from now to the start at -f q̇."""
     ends = scalar(node.lower, scope), scalar(node.upper, scope)
     start, now = scope.start.get(node.var, ends[0]), symbol(node.var)
@@ -310,18 +310,18 @@ def _integral_rate(node: t.Integral, scope: Scope) -> Scalar:
     return _plain_rate(node, scope)
 
 
-def _total_rate(node: t.Sum, scope: Scope) -> Scalar:
+def _total_rate(node: t.Sum, scope: Meanings) -> Scalar:
     if scope.total is None:
         raise ReadError("a sum stands where its terms are not known")
     return scope.total(rate(node.term, scope))
 
 
-def _symbol_rate(node: t.Sym, scope: Scope) -> Scalar:
+def _symbol_rate(node: t.Sym, scope: Meanings) -> Scalar:
     found = scope.powers.get(node.name)
     return _plain_rate(node, scope) if found is None else found
 
 
-RATES: dict[type, Callable[[Any, Scope], Scalar]] = {
+RATES: dict[type, Callable[[Any, Meanings], Scalar]] = {
     t.Sym: _symbol_rate,
     t.Add: lambda node, scope: sum((rate(term, scope) for term in node.terms), NOTHING),
     t.Neg: lambda node, scope: -rate(node.arg, scope),

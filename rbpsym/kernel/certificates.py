@@ -11,14 +11,14 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms
 from rbpsym.frozen import Frozen, field
-from rbpsym.kernel.claim import Claim, sides
+from rbpsym.kernel.claim import Proposition, sides
 
 
-class Known(Frozen):
+class KnownEquation(Frozen):
     """An equation that may be used: by its name, at the time `when` ("t" or "0"); `by`: what shows that `claim.given` holds."""
 
     name: str
-    claim: Claim
+    claim: Proposition
     when: str = "t"
     by: tuple[str, ...] = ()
 
@@ -31,7 +31,7 @@ class Known(Frozen):
 class Multiples(Frozen):
     """left - right = Σ factor × (left - right of a known equation) + Σ factor × (sin² + cos² - 1 of an angle)."""
 
-    known: tuple[tuple[t.Node, Known], ...] = ()
+    known: tuple[tuple[t.Node, KnownEquation], ...] = ()
     circles: tuple[tuple[t.Node, t.Node], ...] = ()
 
 
@@ -47,7 +47,7 @@ class Have(Frozen):
 
     name: str
     how: str
-    claim: Claim
+    claim: Proposition
     of: t.Node = t.ZERO
     multiples: Multiples = field(default_factory=Multiples)
     begin: Multiples = field(default_factory=Multiples)
@@ -74,37 +74,37 @@ class Lemma(Frozen):
     """A claim, the premises that its proof names, and the proof."""
 
     name: str
-    claim: Claim
-    premises: Mapping[str, Claim]
+    claim: Proposition
+    premises: Mapping[str, Proposition]
     proof: Proof
 
 
 Sums = dict[int, Scalar]  # how often each of the known equations is in one
 
 
-class Row(Frozen):
+class CertifiedRow(Frozen):
     """A value, and what it is: the goal (or nothing) and Σ multiples × known values."""
 
     value: Scalar
     multiples: Sums
 
-    def less(self, factor: Scalar, other: Row) -> Row:
+    def less(self, factor: Scalar, other: CertifiedRow) -> CertifiedRow:
         """The row less a multiple of another; sin² is replaced by 1 - cos² on the way."""
         sums = dict(self.multiples)
         for key, part in other.multiples.items():
             sums[key] = sums.get(key, NOTHING) - factor * part
-        return Row(wound(self.value - factor * other.value), sums)
+        return CertifiedRow(wound(self.value - factor * other.value), sums)
 
 
-class Pivot(Frozen):
+class AtomPivot(Frozen):
     """An atom to a power, which a row gives, and its coefficient there."""
 
     atom: int
     power: int
     slope: Scalar
-    row: Row
+    row: CertifiedRow
 
-    def cleared(self, row: Row) -> Row:
+    def cleared(self, row: CertifiedRow) -> CertifiedRow:
         """The row without the pivot."""
         while (top := max(_powers(row.value, self.atom), default=0)) >= self.power:
             head = Scalar(row.value.num.by_power(self.atom)[top], row.value.den)
@@ -122,14 +122,14 @@ def _powers(value: Scalar, index: int) -> list[int]:
 
 def reduced(
     goal: Scalar, known: Sequence[Scalar], order: Callable[[int], int], is_nonzero: Callable[[Scalar], bool]
-) -> tuple[Scalar, Sums, list[Row]]:
+) -> tuple[Scalar, Sums, list[CertifiedRow]]:
     """What is left of the goal, the multiples that were put to it, and the equations, as they were
     when each was used or left.
 
     order: the higher, the sooner an atom is replaced; 0 for one that is not.
     """
-    rows = [Row(wound(value), {place: UNITY}) for place, value in enumerate(known)]
-    end, used = Row(wound(goal), {}), []
+    rows = [CertifiedRow(wound(value), {place: UNITY}) for place, value in enumerate(known)]
+    end, used = CertifiedRow(wound(goal), {}), []
     while pivots := sorted(_pivots(rows, order, is_nonzero), key=lambda p: (-order(p.atom), len(p.slope.num), p.power)):
         pivot = pivots[0]
         rows, end = [pivot.cleared(row) for row in rows if row is not pivot.row], pivot.cleared(end)
@@ -137,14 +137,14 @@ def reduced(
     return end.value, end.multiples, [row for row in (*rows, *(pivot.row for pivot in used)) if row.value]
 
 
-def _pivots(rows: list[Row], order: Callable[[int], int], is_nonzero: Callable[[Scalar], bool]) -> Iterator[Pivot]:
+def _pivots(rows: list[CertifiedRow], order: Callable[[int], int], is_nonzero: Callable[[Scalar], bool]) -> Iterator[AtomPivot]:
     for row in rows:
         for index in row.value.num.atoms():
             powers = _powers(row.value, index)
             if order(index) and len(powers) == 1 and powers[0] > 0:
                 slope = Scalar(row.value.num.by_power(index)[powers[0]], row.value.den)
                 if is_nonzero(slope):
-                    yield Pivot(index, powers[0], slope, row)
+                    yield AtomPivot(index, powers[0], slope, row)
 
 
 def parted(value: Scalar) -> tuple[Scalar, Scalar]:

@@ -10,19 +10,21 @@ from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Lemma, Proof
-from rbpsym.kernel.claim import Claim, Said
-from rbpsym.kernel.claims import Source
+from rbpsym.kernel.claim import Proposition, SaidByStep
+from rbpsym.kernel.claims import ClaimSource
 from rbpsym.kernel.components import START
 from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.reading import read_back
 from rbpsym.kernel.rocq import Terms, Writer, identifier
 from rbpsym.proof.step import Derivation, Step
 
+Propositions = Mapping[str, Proposition]  # by their names
+
 
 class Written(Frozen):
     """lemmas: those of each step, by its id; refused: why a step has none; unused: premises that no proof named."""
 
-    source: Source
+    source: ClaimSource
     lemmas: dict[str, list[Lemma]] = field(default_factory=dict)
     refused: dict[str, str] = field(default_factory=dict)
     unused: dict[str, tuple[str, ...]] = field(default_factory=dict)
@@ -38,7 +40,7 @@ class Written(Frozen):
         return text(self, without=without, trial=trial)
 
 
-def named(id: str, said: Said) -> dict[str, Claim]:
+def named(id: str, said: SaidByStep) -> dict[str, Proposition]:
     """The claims of a step or fact by their names in Rocq."""
     found = {identifier(f"{id}.d{place}"): claim for place, claim in enumerate(said.definitions, 1)}
     return found | {identifier(f"{id}.{place}"): claim for place, claim in enumerate(said.assertions, 1)}
@@ -46,7 +48,7 @@ def named(id: str, said: Said) -> dict[str, Claim]:
 
 def written(derivation: Derivation, ids: Iterable[str] | None = None) -> Written:
     """All steps of a derivation, or those of these ids and what they follow from."""
-    found, needed = Written(Source(derivation)), {step.id for step in derivation.steps} if ids is None else set(ids)
+    found, needed = Written(ClaimSource(derivation)), {step.id for step in derivation.steps} if ids is None else set(ids)
     for step in reversed(derivation.steps):
         needed |= set(step.premises if step.id in needed else ())
     for step in (step for step in derivation.steps if step.id in needed):
@@ -59,17 +61,17 @@ def written(derivation: Derivation, ids: Iterable[str] | None = None) -> Written
     return found
 
 
-def granted(source: Source, step: Step) -> dict[str, Claim]:
+def granted(source: ClaimSource, step: Step) -> dict[str, Proposition]:
     """The claims that a step may use: its own definitions, and what its premises say."""
-    claims = named(step.id, Said(source.said[step.id].definitions))
+    claims = named(step.id, SaidByStep(source.said[step.id].definitions))
     for id in step.premises:
         claims |= named(id, source.said[id] if id in source.said else source.fact(id))
     return claims
 
 
-def declared(source: Source) -> dict[str, Claim]:
+def declared(source: ClaimSource) -> dict[str, Proposition]:
     """What is in force for every step: the declared ranges, of which its obligations may be discharged."""
-    claims: dict[str, Claim] = {}
+    claims: dict[str, Proposition] = {}
     for name in source.study.assumptions.ranges:
         with suppress(RbpsymError):  # an end that has no term
             claims |= named(f"range.{name}", source.fact(f"range.{name}"))
@@ -79,7 +81,7 @@ def declared(source: Source) -> dict[str, Claim]:
 def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
     claims, used = granted(found.source, step), set[str]()
     further = {name: claim for name, claim in declared(found.source).items() if name not in claims}
-    own = named(step.id, Said(assertions=found.source.said[step.id].assertions))
+    own = named(step.id, SaidByStep(assertions=found.source.said[step.id].assertions))
     if not own:
         raise RbpsymError(found.source.unsaid.get(step.id, "there is no statement for it yet"))
     for name, claim in own.items():
@@ -91,7 +93,7 @@ def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
 
 
 def lemma_of(
-    found: Written, name: str, claim: Claim, printed: Iterable[Claim], known: tuple[Mapping[str, Claim], Mapping[str, Claim]]
+    found: Written, name: str, claim: Proposition, printed: Iterable[Proposition], known: tuple[Propositions, Propositions]
 ) -> Lemma:
     """A claim as a lemma; where it needs them, on the `printed` conditions. known: premises, what is declared."""
     read_back(found.writer.said(claim), claim, found.source)  # raises for what has no term
@@ -102,8 +104,8 @@ def lemma_of(
 
 
 def _proved(
-    source: Source, printed: Iterable[Claim], claim: Claim, known: tuple[Mapping[str, Claim], Mapping[str, Claim]]
-) -> tuple[Claim, Proof, Search]:
+    source: ClaimSource, printed: Iterable[Proposition], claim: Proposition, known: tuple[Propositions, Propositions]
+) -> tuple[Proposition, Proof, Search]:
     claims, further = known
     held = (part for item in (*claims.values(), *further.values()) for part in item.given)
     conditions = [part for part in dict.fromkeys((*printed, *held)) if part not in claim.given]
@@ -121,7 +123,7 @@ def _proved(
     return made
 
 
-def _used(search: Search, claim: Claim, proof: Proof, claims: Mapping[str, Claim]) -> set[str]:
+def _used(search: Search, claim: Proposition, proof: Proof, claims: Mapping[str, Proposition]) -> set[str]:
     """Names of premises in a proof; rates and starts of letters are used where derivatives are taken."""
     parts = [proof.multiples, *(proof.like or ())[1:], *(p for have in proof.steps for p in (have.multiples, have.begin))]
     names = {known.name for part in parts for _, known in part.known}
@@ -137,7 +139,7 @@ def _used(search: Search, claim: Claim, proof: Proof, claims: Mapping[str, Claim
     return names | {n for n, c in claims.items() if getattr(c.left, "name", "") in needs.get(c.kind, ())}
 
 
-def _letters(source: Source, nodes: Sequence[t.Node]) -> set[str]:
+def _letters(source: ClaimSource, nodes: Sequence[t.Node]) -> set[str]:
     """The letters in some formulas and in the integrals that stand in them."""
     inner = [source.integrals[name] for node in nodes for name in t.names(node) & source.integrals.keys()]
     found = {name.removesuffix(START) for node in (*nodes, *inner) for name in t.names(node)}
@@ -169,7 +171,7 @@ def text(found: Written, *, without: Collection[str] = (), trial: bool = False) 
     """The Rocq source; on `trial`, each lemma that is not accepted only says so and nothing is kept."""
     writer = found.writer
     lemmas = [lemma for each in found.lemmas.values() for lemma in each]
-    claims: dict[str, Claim] = {}
+    claims: dict[str, Proposition] = {}
     for lemma in lemmas:
         claims |= {**lemma.premises, lemma.name: lemma.claim}
     lines = [*writer.opening(), *writer.letters(claims.values())]

@@ -14,7 +14,7 @@ from rbpsym.typeset.machine import to_machine
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "exp", "ln")  # by their names in the prover, too
 
 
-class Claim(Frozen):
+class Proposition(Frozen):
     """What is said of all times of the motion, if the claims in `given` hold at that time.
 
     kind: "equal"; "rate" (right is the rate of left); "start" (equal at the start); "more" (left > right); "differ";
@@ -24,16 +24,16 @@ class Claim(Frozen):
     left: t.Node
     right: t.Node
     kind: str = "equal"
-    given: tuple[Claim, ...] = ()
+    given: tuple[Proposition, ...] = ()
     var: str = ""
     place: t.Node = t.ZERO
 
 
-class Said(Frozen):
+class SaidByStep(Frozen):
     """What a step or a fact says: the definitions of the letters that it introduces, and what it asserts."""
 
-    definitions: tuple[Claim, ...] = ()
-    assertions: tuple[Claim, ...] = ()
+    definitions: tuple[Proposition, ...] = ()
+    assertions: tuple[Proposition, ...] = ()
 
 
 def letter(node: t.Node) -> str:
@@ -78,7 +78,7 @@ def _atom(index: int) -> t.Node:
     return t.Fn(found.kind, tree_of(found.arg))
 
 
-def sides(claim: Claim) -> Iterator[t.Node]:
+def sides(claim: Proposition) -> Iterator[t.Node]:
     """The sides of a claim and of what it rests on."""
     yield from (claim.left, claim.right)
     for item in claim.given:

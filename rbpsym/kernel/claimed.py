@@ -17,8 +17,8 @@ from rbpsym.expr import tree as t
 from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.kernel.certify import Written, lemma_of, named
-from rbpsym.kernel.claim import Claim, Said, tree_of
-from rbpsym.kernel.claims import Source
+from rbpsym.kernel.claim import Proposition, SaidByStep, tree_of
+from rbpsym.kernel.claims import ClaimSource
 from rbpsym.kernel.components import started
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled
 from rbpsym.mechanics.study import Study
@@ -79,7 +79,7 @@ def written_of(study: Study, filed: dict[str, Filed]) -> Written:
     read = {key: _read(item) for key, item in filed.items()}
     works = dict(next(iter(filed.values())).ground.motion.ledger)
     letters = Context(study, facts=dict(facts_of(study)), works=works)
-    found = Written(Source(Derivation(study, (), letters=letters)))
+    found = Written(ClaimSource(Derivation(study, (), letters=letters)))
     common, further = _facts(found.source, works)
     for place, (key, item) in enumerate(filed.items(), 1):
         try:
@@ -88,10 +88,10 @@ def written_of(study: Study, filed: dict[str, Filed]) -> Written:
                 raise node
             assumed = {name: tree_of(value) for name, value in item.ground.premises.items()}
             constant = {name: value for name, value in assumed.items() if name in found.source.constants}
-            given = [Claim(t.Sym(name), value) for name, value in assumed.items() if name not in constant]
+            given = [Proposition(t.Sym(name), value) for name, value in assumed.items() if name not in constant]
             found.source.moves(f"{name} " for (name, _), bound in item.ground.bounds.items() if bound.kind == "unknown")
-            claims = common | named(f"given{place}", Said(tuple(given)))
-            own = named(f"claim{place}", Said(assertions=tuple(_claims(node, item.ground, found.source))))
+            claims = common | named(f"given{place}", SaidByStep(tuple(given)))
+            own = named(f"claim{place}", SaidByStep(assertions=tuple(_claims(node, item.ground, found.source))))
             known = (_put(claims, constant, f"'at{place}"), _put(further, constant, f"'at{place}"))
             own = _put(own, constant, "")
             found.lemmas[key] = [lemma_of(found, name, claim, (), known) for name, claim in own.items()]
@@ -108,25 +108,25 @@ def _read(item: Filed) -> t.Node | RbpsymError:
         return error
 
 
-def _facts(source: Source, works: dict[str, Scalar]) -> tuple[dict[str, Claim], dict[str, Claim]]:
+def _facts(source: ClaimSource, works: dict[str, Scalar]) -> tuple[dict[str, Proposition], dict[str, Proposition]]:
     """What is known of the motion: laws, starts, works; and its ranges."""
     facts = source.letters.facts
     ids = [id for id, fact in facts.items() if id == "law.motion" or fact.kind == "start"]
     common = {name: claim for id in ids for name, claim in named(id, source.fact(id)).items()}
     for name in works:
-        common |= named(f"def.{name}", Said(tuple(source.meaning(name))))
-    further: dict[str, Claim] = {}
+        common |= named(f"def.{name}", SaidByStep(tuple(source.meaning(name))))
+    further: dict[str, Proposition] = {}
     for id in (id for id, fact in facts.items() if fact.kind == "range"):
         further |= named(id, source.fact(id))
     return common, further
 
 
-def _put(claims: dict[str, Claim], values: Mapping[str, t.Node], mark: str) -> dict[str, Claim]:
+def _put(claims: dict[str, Proposition], values: Mapping[str, t.Node], mark: str) -> dict[str, Proposition]:
     """Claims at some values of parameters, named so: m = 0 is a limit, and beside m > 0 everything would follow from it."""
     return {f"{name}{mark}": _at(claim, values) for name, claim in claims.items()} if values else claims
 
 
-def _at(claim: Claim, values: Mapping[str, t.Node]) -> Claim:
+def _at(claim: Proposition, values: Mapping[str, t.Node]) -> Proposition:
     given = tuple(_at(item, values) for item in claim.given)
     return replace(claim, left=t.renamed(claim.left, values), right=t.renamed(claim.right, values), given=given)
 
@@ -134,7 +134,7 @@ def _at(claim: Claim, values: Mapping[str, t.Node]) -> Claim:
 # --- what a formula says
 
 
-def _claims(node: t.Node, ground: Ground, source: Source) -> Iterator[Claim]:
+def _claims(node: t.Node, ground: Ground, source: ClaimSource) -> Iterator[Proposition]:
     """The claims of a formula, in the letters of the problem."""
     conditions = getattr(node, "conditions", ())
     given = tuple(c for part in conditions for link in relations(part) for c in _link(link, ground, source))
@@ -144,7 +144,7 @@ def _claims(node: t.Node, ground: Ground, source: Source) -> Iterator[Claim]:
     yield from (replace(claim, given=given) for claim in found)
 
 
-def _link(link: t.Chain, ground: Ground, source: Source) -> Iterator[Claim]:
+def _link(link: t.Chain, ground: Ground, source: ClaimSource) -> Iterator[Proposition]:
     (left, right), [op] = link.items, link.ops
     if op not in KINDS:
         raise RbpsymError(f"“{op}” has no words for Rocq yet")
@@ -155,7 +155,7 @@ def _link(link: t.Chain, ground: Ground, source: Source) -> Iterator[Claim]:
         if kind in ("constant", "up to a constant"):
             value = _meant(other, ground) if kind == "constant" else t.Add((_meant(other, ground), t.Neg(_meant(one, ground))))
             for part, _ in source.components.equations(value, t.ZERO):
-                yield Claim(part, started(part, source.moving))
+                yield Proposition(part, started(part, source.moving))
             return
     sides = [_meant(side, ground) for side in (left, right)]
     if op == "=":
@@ -164,7 +164,7 @@ def _link(link: t.Chain, ground: Ground, source: Source) -> Iterator[Claim]:
         yield from source.relation(sides[0], "=", sides[1])
     else:
         low, high = sides if op == "<" else reversed(sides)
-        yield Claim(high, low, "more")
+        yield Proposition(high, low, "more")
 
 
 def _kind(node: t.Node, ground: Ground) -> str:

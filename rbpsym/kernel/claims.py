@@ -10,7 +10,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import Vector, names_in, short, symbol
 from rbpsym.kernel.begins import event, letters_then
-from rbpsym.kernel.claim import Claim, Said, letter, tree_of
+from rbpsym.kernel.claim import Proposition, SaidByStep, letter, tree_of
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.system import Force
@@ -18,7 +18,7 @@ from rbpsym.proof.mass import power
 from rbpsym.proof.step import Derivation, Step
 
 
-class Source:
+class ClaimSource:
     """The claims of a derivation's steps and facts, by id."""
 
     def __init__(self, derivation: Derivation) -> None:
@@ -34,7 +34,7 @@ class Source:
         self.event = event(derivation)
         self._defined: set[str] = set()
         self._introduced: set[t.Node] = set()
-        self.said: dict[str, Said] = {}
+        self.said: dict[str, SaidByStep] = {}
         for step in derivation.steps:
             self.said[step.id] = self._said(step)
 
@@ -66,30 +66,30 @@ class Source:
 
     # --- steps
 
-    def _said(self, step: Step) -> Said:
+    def _said(self, step: Step) -> SaidByStep:
         own = [row for row in t.chains(step.statement) if self._introduces(row)]
         self._introduced |= {part for part in t.walk(step.statement) if isinstance(part, t.Sym | t.Vec)}
         try:
             definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
         except RbpsymError as error:
             self.unsaid[step.id] = str(error)
-            return Said()
+            return SaidByStep()
         for claim in definitions:
             if claim.kind == "equal" and isinstance(claim.left, t.Sym) and any(map(self.moving, t.names(claim.right))):
                 self._defined.add(claim.left.name)
-        return Said(tuple(definitions), tuple(self._asserted(step)))
+        return SaidByStep(tuple(definitions), tuple(self._asserted(step)))
 
-    def _at_event(self, claim: Claim) -> Claim:
+    def _at_event(self, claim: Proposition) -> Proposition:
         """The claim; one with letters of the moment at which the phase ends is made of any time at which the event holds."""
         if not self.then.keys() & (t.names(claim.left) | t.names(claim.right)):
             return claim
         if self.event is None:
             raise RbpsymError("such an end of a phase has no words yet")
         left, right = (t.renamed(side, self.then) for side in (claim.left, claim.right))
-        there = (Claim(tree_of(self.event), t.ZERO), AHEAD)
+        there = (Proposition(tree_of(self.event), t.ZERO), AHEAD)
         return replace(claim, left=left, right=right, given=(*claim.given, *there))
 
-    def _asserted(self, step: Step) -> list[Claim]:
+    def _asserted(self, step: Step) -> list[Proposition]:
         """What a step claims; nothing, with the reason in `unsaid`, where the exporter has no words for it."""
         claims = [claim for row in t.chains(step.statement) for claim in self.row(row)]
         claims = [claim for claim in claims if claim.kind != "equal" or claim.left != claim.right] or claims[:1]
@@ -118,7 +118,7 @@ class Source:
         """All letters that the derivation introduces."""
         return frozenset({*self.letters.scalars, *self.letters.vectors, *self.letters.works})
 
-    def row(self, row: t.Chain) -> Iterator[Claim]:
+    def row(self, row: t.Chain) -> Iterator[Proposition]:
         """The claims of a chain: each relation, and across derivatives and integrals that have no value of their own."""
         kept = [(item, op) for item, op in zip(row.items, ("=", *row.ops), strict=True) if not isinstance(item, SILENT)]
         for place, (right, op) in enumerate(kept[1:], 1):
@@ -126,23 +126,23 @@ class Source:
             if isinstance(kept[place - 1][0], t.Deriv) and place > 1:
                 yield from self.relation(kept[place - 2][0], op, right)
 
-    def relation(self, left: t.Node, op: str, right: t.Node) -> Iterator[Claim]:
+    def relation(self, left: t.Node, op: str, right: t.Node) -> Iterator[Proposition]:
         """One relation by components."""
         if op == "!=":
-            yield Claim(self.components.plain(left), self.components.plain(right), "differ")
+            yield Proposition(self.components.plain(left), self.components.plain(right), "differ")
         elif op in ("<", ">"):
             low, high = (left, right) if op == "<" else (right, left)
-            yield Claim(self.components.plain(high), self.components.plain(low), "more")
+            yield Proposition(self.components.plain(high), self.components.plain(low), "more")
         elif op != "=":
             return
         else:
             for a, b in self.components.equations(left, right):
                 if isinstance(a, t.Deriv):
-                    yield Claim(self._once_less(a), b, "rate")
+                    yield Proposition(self._once_less(a), b, "rate")
                 elif isinstance(b, t.Deriv):
-                    yield Claim(self._once_less(b), a, "rate")
+                    yield Proposition(self._once_less(b), a, "rate")
                 else:
-                    yield Claim(a, b)
+                    yield Proposition(a, b)
 
     def _once_less(self, node: t.Deriv) -> t.Node:
         """What is derived once at the end of d^n/dt^n of a coordinate."""
@@ -151,72 +151,72 @@ class Source:
             of = tree_of(self.rates[letter(of)])
         return of
 
-    def conditions(self, step: Step) -> tuple[Claim, ...]:
+    def conditions(self, step: Step) -> tuple[Proposition, ...]:
         """The obligations of a step that nothing discharges: its claims hold where these do."""
         open_ones = [duty.relation for duty in step.certificate.verdict.open_obligations]
         return tuple(claim for node in open_ones for row in t.chains(node) for claim in self.row(row))
 
     # --- facts
 
-    def fact(self, id: str) -> Said:
+    def fact(self, id: str) -> SaidByStep:
         """What a fact says. Raises KeyError for an id that is none."""
         kind, _, rest = id.partition(".")
-        return Said(tuple(map(self._at_event, FACTS[kind](self, rest))))
+        return SaidByStep(tuple(map(self._at_event, FACTS[kind](self, rest))))
 
-    def _law(self, rest: str) -> Iterator[Claim]:
+    def _law(self, rest: str) -> Iterator[Proposition]:
         if (fact := self.letters.facts.get(f"law.{rest}")) and fact.rows:
-            yield from (Claim(tree_of(row), t.ZERO) for row in fact.rows)
+            yield from (Proposition(tree_of(row), t.ZERO) for row in fact.rows)
             return
         part, _, body = rest.partition(".")
         for owner, axis, value in newton_euler_rows(self.system):
             if part == "motion" or (body == owner and (axis == "rotation") == (part == "torque")):
-                yield Claim(tree_of(value), t.ZERO)
-        yield from (Claim(tree_of(one.value), t.ZERO) for one in self.system.implicit if part == "motion")
+                yield Proposition(tree_of(value), t.ZERO)
+        yield from (Proposition(tree_of(one.value), t.ZERO) for one in self.system.implicit if part == "motion")
 
-    def _start(self, name: str) -> Iterator[Claim]:
+    def _start(self, name: str) -> Iterator[Proposition]:
         for begun in (name, f"{name}_dot"):
             if begun in self.system.scope.start:
-                yield Claim(t.Sym(begun), tree_of(self.system.scope.start[begun]), "start")
+                yield Proposition(t.Sym(begun), tree_of(self.system.scope.start[begun]), "start")
 
-    def _range(self, name: str) -> Iterator[Claim]:
+    def _range(self, name: str) -> Iterator[Proposition]:
         """Where a motion sets out from an end of an open range, it is within from then on."""
         low, high = self.study.assumptions.ranges[name]
         given = (AHEAD,) if self.system.scope.start.get(name) in (low, high) and name in self.system.scope.start else ()
         if low is not None:
-            yield Claim(t.Sym(name), tree_of(low), "more", given)
+            yield Proposition(t.Sym(name), tree_of(low), "more", given)
         if high is not None:
-            yield Claim(tree_of(high), t.Sym(name), "more", given)
+            yield Proposition(tree_of(high), t.Sym(name), "more", given)
 
-    def meaning(self, letter: str) -> Iterator[Claim]:
+    def meaning(self, letter: str) -> Iterator[Proposition]:
         """What a letter stands for, in coordinates."""
         if letter in self.then:
             return
         if letter in self.letters.works:
-            yield Claim(t.Sym(letter), tree_of(self.letters.works[letter]), "rate")
-            yield Claim(t.Sym(letter), t.ZERO, "start")
+            yield Proposition(t.Sym(letter), tree_of(self.letters.works[letter]), "rate")
+            yield Proposition(t.Sym(letter), t.ZERO, "start")
         elif letter in self.letters.vectors:
             for axis, value in zip("xyz", self.letters.vectors[letter].components(), strict=True):
                 if axis in self.components.axes(t.Vec(letter)):
                     left = self.components.part(t.Vec(letter), axis)
-                    yield from () if tree_of(value) == left else (Claim(left, tree_of(value)),)
+                    yield from () if tree_of(value) == left else (Proposition(left, tree_of(value)),)
         else:
-            yield Claim(t.Sym(letter), tree_of(self.letters.scalars[letter]))
+            yield Proposition(t.Sym(letter), tree_of(self.letters.scalars[letter]))
 
 
 TIME = "t"
-AHEAD = Claim(t.Sym(TIME), t.ZERO, "more")
+AHEAD = Proposition(t.Sym(TIME), t.ZERO, "more")
 RATE = "'"  # ends the name of what is the rate of a letter
 SILENT = (t.PathIntegral, t.BodyIntegral)
-FACTS: Mapping[str, Callable[[Source, str], Iterator[Claim]]] = {
-    "law": Source._law,
-    "start": Source._start,
-    "range": Source._range,
+FACTS: Mapping[str, Callable[[ClaimSource, str], Iterator[Proposition]]] = {
+    "law": ClaimSource._law,
+    "start": ClaimSource._start,
+    "range": ClaimSource._range,
     "shape": lambda source, rest: iter(()),
-    "def": Source.meaning,
+    "def": ClaimSource.meaning,
 }
 
 
-def _by_first(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
+def _by_first(source: ClaimSource, step: Step, row: t.Chain) -> Iterator[Proposition]:
     """The letter is what stands next to it: a rate, an integral along the path, a formula."""
     items = row.items
     items = items[:1] + items[2:] if isinstance(items[1], t.BodyIntegral) else items
@@ -226,7 +226,7 @@ def _by_first(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
         yield from source.relation(items[0], "=", items[1])
 
 
-def _along(source: Source, work: t.Node, node: t.PathIntegral) -> Iterator[Claim]:
+def _along(source: ClaimSource, work: t.Node, node: t.PathIntegral) -> Iterator[Proposition]:
     """A work grows at the power, in which the rate of the path is a letter of its own, and is 0 at the start."""
     path = node.path
     if node.product == "dot":
@@ -237,17 +237,17 @@ def _along(source: Source, work: t.Node, node: t.PathIntegral) -> Iterator[Claim
     if not all(isinstance(place, t.Sym) for place, _ in pairs):
         raise RbpsymError("a work along a path that is no letter is not written yet")
     rates = [t.Sym(letter(place) + RATE) for place, _ in pairs]
-    yield from (Claim(place, rate, "rate") for (place, _), rate in zip(pairs, rates, strict=True))
-    yield Claim(work, t.add(*(t.Mul((force, rate)) for (_, force), rate in zip(pairs, rates, strict=True))), "rate")
-    yield Claim(work, t.ZERO, "start")
+    yield from (Proposition(place, rate, "rate") for (place, _), rate in zip(pairs, rates, strict=True))
+    yield Proposition(work, t.add(*(t.Mul((force, rate)) for (_, force), rate in zip(pairs, rates, strict=True))), "rate")
+    yield Proposition(work, t.ZERO, "start")
 
 
-def _by_place(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
+def _by_place(source: ClaimSource, step: Step, row: t.Chain) -> Iterator[Proposition]:
     """What the mechanics makes of the statement."""
     yield from source.meaning(letter(row.items[0]))
 
 
-def _by_forces(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
+def _by_forces(source: ClaimSource, step: Step, row: t.Chain) -> Iterator[Proposition]:
     """A force as its law gives it, a torque by components about its point."""
     name = letter(row.items[0])
     if not name.startswith("tau_"):
@@ -255,7 +255,7 @@ def _by_forces(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
         return
     about = (point for point in sorted(source.study.origins, key=len, reverse=True) if name.startswith(f"tau_{point}_"))
     origin = source.study.origins.get(next(about, ""), step.data["origin"])
-    yield Claim(t.Sym(name), t.Add((t.ZERO, *(_torque(force, origin) for force in step.data["forces"]))))
+    yield Proposition(t.Sym(name), t.Add((t.ZERO, *(_torque(force, origin) for force in step.data["forces"]))))
 
 
 def _torque(force: Force, origin: Vector) -> t.Node:
@@ -265,45 +265,46 @@ def _torque(force: Force, origin: Vector) -> t.Node:
     return t.Add((t.Mul((arms[0], fy)), t.Neg(t.Mul((arms[1], fx))), tree_of(force.couple)))
 
 
-DEFINED: Mapping[str, Callable[[Source, Step, t.Chain], Iterator[Claim]]] = {
+DEFINED: Mapping[str, Callable[[ClaimSource, Step, t.Chain], Iterator[Proposition]]] = {
     "statement": _by_place, "potential": _by_place, "torque": _by_forces,
 }  # fmt: skip
 
 
-def _conserved(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _conserved(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """And it stays what it is at the start."""
     ends = [end for row in t.chains(step.statement) for end in (row.items[0], row.items[-1]) if isinstance(end, t.Sym)]
-    return [*claims, *(Claim(end, started(end, source.moving)) for end in ends)]
+    return [*claims, *(Proposition(end, started(end, source.moving)) for end in ends)]
 
 
-def _lost(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _lost(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """And its rate is minus the power of the forces."""
     rate = tree_of(-power(source.system, step.data["forces"]))
-    return [*claims, Claim(t.chains(step.statement)[0].items[0], rate, "rate")]
+    return [*claims, Proposition(t.chains(step.statement)[0].items[0], rate, "rate")]
 
 
-def _at_rest(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _at_rest(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     speeds = (name for name in source.rates if name.endswith("_dot"))
-    still = tuple(Claim(t.Sym(name), t.ZERO) for name in dict.fromkeys([*speeds, *source.system.accelerations]))
-    return [Claim(claim.left, claim.right, given=still) for claim in claims]
+    still = tuple(Proposition(t.Sym(name), t.ZERO) for name in dict.fromkeys([*speeds, *source.system.accelerations]))
+    return [Proposition(claim.left, claim.right, given=still) for claim in claims]
 
 
-def _open_rest(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _open_rest(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """Where the body is at rest, the equation holds of its place."""
     item = step.data["balance"]
     there = {item.place: t.Sym(item.name)}
-    return [Claim(t.renamed(c.left, there), t.renamed(c.right, there), given=c.given) for c in _at_rest(source, step, claims)]
+    at_rest = _at_rest(source, step, claims)
+    return [Proposition(t.renamed(c.left, there), t.renamed(c.right, there), given=c.given) for c in at_rest]
 
 
-def _equilibrium(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _equilibrium(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """The equation of rest holds at the place."""
     place = {name: tree_of(value) for name, value in step.data["at"].items()}
     rest = (id for id, other in source.steps.items() if other.rule == "rest" and id in source.said)
     found = (claim for id in rest for claim in source.said[id].assertions)
-    return [Claim(t.renamed(c.left, place), t.renamed(c.right, place)) for c in found]
+    return [Proposition(t.renamed(c.left, place), t.renamed(c.right, place)) for c in found]
 
 
-def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _tangent(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """With the accelerations of the equations of motion, the sides of what is linear are alike at the place in value and
     derivatives."""
     found = []
@@ -313,20 +314,20 @@ def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
         apart = t.Add((t.renamed(row.items[0], solved), t.Neg(row.items[-1])))
         place, moved = _resting(source, step), sorted(filter(source.moving, t.names(apart)))
         place |= {each: t.ZERO for each in moved if each not in place}
-        found.append(Claim(t.renamed(apart, place), t.ZERO))
+        found.append(Proposition(t.renamed(apart, place), t.ZERO))
         for var in moved:
             others = {each: value for each, value in place.items() if each != var}
-            found.append(Claim(t.renamed(apart, others), t.ZERO, "slope", var=var, place=place[var]))
+            found.append(Proposition(t.renamed(apart, others), t.ZERO, "slope", var=var, place=place[var]))
     return found
 
 
-def _resting(source: Source, step: Step) -> dict[str, t.Node]:
+def _resting(source: ClaimSource, step: Step) -> dict[str, t.Node]:
     """The coordinates at the place of rest; one that may have any value there has a letter of its own."""
     free = {name: t.Sym(f"any_{name}") for name in source.system.independent if name not in step.data["at"]}
     return free | {name: t.renamed(tree_of(value), free) for name, value in step.data["at"].items()}
 
 
-def _mode(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _mode(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """If what is linear has a solution of this kind in which a coordinate takes part, the polynomial vanishes."""
     rate, linear = step.slots["letter"], source.steps[f"linear.{step.id.split('.')[1]}"]
     speed, gain = (t.ZERO, t.Neg(rate)) if step.rule == "secular" else (rate, t.Pow(rate, t.TWO))
@@ -334,33 +335,33 @@ def _mode(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     moved: dict[str, t.Node] = {name: t.Add((place, sizes[name])) for name, place in _resting(source, step).items()}
     moved |= {f"{name}_dot": t.Mul((speed, size)) for name, size in sizes.items()}
     moved |= {f"{name}_ddot": t.Mul((gain, size)) for name, size in sizes.items()}
-    solves = [Claim(t.renamed(row.items[0], moved), t.renamed(row.items[-1], moved)) for row in t.chains(linear.statement)]
-    taking = (Claim(size, t.ZERO, "differ") for size in sizes.values())
+    solves = [Proposition(t.renamed(row.items[0], moved), t.renamed(row.items[-1], moved)) for row in t.chains(linear.statement)]
+    taking = (Proposition(size, t.ZERO, "differ") for size in sizes.values())
     return [replace(claim, given=(*solves, part)) for claim in claims for part in taking]
 
 
-def _there(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _there(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """What a force is where another vanishes."""
     given = source.said[step.data["place"]].assertions[0].given
-    return [Claim(t.Sym(step.data["of"]), claim.right, given=given) for claim in claims]
+    return [Proposition(t.Sym(step.data["of"]), claim.right, given=given) for claim in claims]
 
 
-def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _vanishes(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """Where the equation holds the force vanishes."""
-    return [Claim(t.Sym(step.data["force"]), t.ZERO, given=tuple(claims))]
+    return [Proposition(t.Sym(step.data["force"]), t.ZERO, given=tuple(claims))]
 
 
-def _asked(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+def _asked(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """The force is a positive multiple of what is said not to be negative."""
     [(left, op, right)] = t.relations(step.statement)
     force, shown = t.Sym(step.data["force"]), t.add(left, t.neg(right)) if op == ">=" else t.add(right, t.neg(left))
     if shown == force:
-        return [Claim(force, force)]
+        return [Proposition(force, force)]
     ratio = tree_of(short(source.letters.along(symbol(force.name)) / source.letters.value(shown)))
-    return [Claim(force, t.Mul((ratio, shown))), Claim(ratio, t.ZERO, "more")]
+    return [Proposition(force, t.Mul((ratio, shown))), Proposition(ratio, t.ZERO, "more")]
 
 
-MORE: Mapping[str, Callable[[Source, Step, list[Claim]], list[Claim]]] = {
+MORE: Mapping[str, Callable[[ClaimSource, Step, list[Proposition]], list[Proposition]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
     "linearization": _tangent, "linear_system": _tangent, "secular": _mode, "polynomial": _mode, "vanishing": _vanishes,
     "value_there": _there, "asked": _asked,

@@ -13,9 +13,9 @@ from rbpsym.field import NOTHING, UNITY, Coefficient, Monomial, Poly, Scalar, at
 from rbpsym.field.calculus import names_in, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import bases_of, in_bases, is_zero
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, parted, reduced, wound
-from rbpsym.kernel.claim import Claim, tree_of
-from rbpsym.kernel.positive import Sum, is_wave
+from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, parted, reduced, wound
+from rbpsym.kernel.claim import Proposition, tree_of
+from rbpsym.kernel.positive import PositiveSum, is_wave
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import shown, signed
 from rbpsym.mechanics.elimination import solve_linear
@@ -112,7 +112,7 @@ def based(search: Search, value: Scalar) -> Scalar:
     return substitute(value, images) if images else value
 
 
-def gathered(search: Search) -> Iterator[Known]:
+def gathered(search: Search) -> Iterator[KnownEquation]:
     """Sines and cosines of the first term of a sum of two angles, by those of the sum and of the second."""
     circular = search.source.circular
     for node in [node for name, node in circular.items() if name.startswith("cos ")]:
@@ -128,13 +128,13 @@ def gathered(search: Search) -> Iterator[Known]:
         for kind, left, right in (("sin", (sb, cc), (cb, sc)), ("cos", (cb, cc), (sb, sc))):
             product = t.Mul(right) if is_sum == (kind == "sin") else t.Neg(t.Mul(right))
             search.told.add(f"{kind} {first}")
-            yield search.note("sum", Claim(t.Fn(kind, t.Sym(first)), t.Add((t.Mul(left), product))))
+            yield search.note("sum", Proposition(t.Fn(kind, t.Sym(first)), t.Add((t.Mul(left), product))))
 
 
 # --- denominators
 
 
-def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[Known]) -> Iterator[Have]:
+def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[KnownEquation]) -> Iterator[Have]:
     """Why what is divided by in some formulas does not vanish, where it takes more than signs of letters."""
     seen: set[Poly] = set()
     bound = {item.var for item in search.integrals.values()} - search.source.rates.keys()
@@ -149,7 +149,7 @@ def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[Known]) -> 
                 search.is_sure = False
 
 
-def surely(search: Search, value: Scalar, known: Sequence[Known]) -> tuple[Scalar, Sum, Multiples] | None:
+def surely(search: Search, value: Scalar, known: Sequence[KnownEquation]) -> tuple[Scalar, PositiveSum, Multiples] | None:
     """Why a value does not vanish: what it is by what is known, that as a sum of one sign, and by which multiples."""
     rest, by = search.follow(value, known) if any(map(search.order(), value.atoms())) else (value, Multiples())
     if (found := signed(search, rest)) is not None:
@@ -161,7 +161,7 @@ def surely(search: Search, value: Scalar, known: Sequence[Known]) -> tuple[Scala
         if ratio is not None and told is not None:
             sign = told.sign
             parts = tuple((search.tree(ratio * -1 * search.value(factor)), item) for factor, item in by.known)
-            return ratio * whole, Sum(sign, ratio * whole * sign, (), ()), Multiples(parts)
+            return ratio * whole, PositiveSum(sign, ratio * whole * sign, (), ()), Multiples(parts)
     return None
 
 
@@ -189,7 +189,7 @@ def _factors(node: t.Node) -> Iterator[t.Node]:
 # --- by a factor
 
 
-def cancelled(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
+def cancelled(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Proof:
     """A multiple of left - right vanishes, by a factor that does not."""
     values = [search.difference(item.claim, item.when) for item in known]
     rest, sums, rows = reduced(goal, values, search.order(), search.is_nonzero)
@@ -203,12 +203,12 @@ def cancelled(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
     raise Undecided("what stands beside it may vanish")
 
 
-def cancelled_rates(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
+def cancelled_rates(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Proof:
     """The same with the rates of what vanishes."""
     return cancelled(search, goal, [*known, *search.stills(known)])
 
 
-def multiplied(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
+def multiplied(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Proof:
     """left - right times what holds letters below it vanishes, and that does not."""
     order = search.order()
     below = {generator(i): -e for i, e in goal.num.content()[1] if e < 0 and order(i)}
@@ -223,7 +223,7 @@ def multiplied(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
     return search.proof(search.shown(goal * factor, known), factor=search.tree(factor))
 
 
-def met(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
+def met(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Proof:
     """left - right times what is given not to vanish vanishes."""
     for item in (item for item in search.met_by if item.kind == "differ" and item.right == t.ZERO):
         factor = search.value(item.left)
@@ -231,7 +231,7 @@ def met(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
     raise Undecided("nothing is given that does not vanish")
 
 
-def conjugated(search: Search, goal: Scalar, known: Sequence[Known]) -> Proof:
+def conjugated(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Proof:
     """left - right is linear in a root: times the same with the other root it vanishes, and that does not."""
     rest = search.follow(goal, known)[0]
     for name in sorted(names_in(rest) & search.roots.keys()):

@@ -13,7 +13,7 @@ from rbpsym.kernel.certificates import partner, wound
 MOST_TERMS = 60
 
 
-class Sum(Frozen):
+class PositiveSum(Frozen):
     """sign × value = Σ above + Σ factor × square² + Σ factor × (1 ± wave).
 
     above: terms that are positive; squares: (factor that is not negative, what is squared); waves: (factor that is
@@ -26,7 +26,7 @@ class Sum(Frozen):
     waves: tuple[tuple[Scalar, Scalar, int], ...]
 
 
-def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset()) -> Sum | None:
+def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset()) -> PositiveSum | None:
     """A polynomial, or what is opposite to it, as a sum of what is positive and of what is not negative.
 
     `positive`: atoms above 0; `least`: atoms that are at least 0. Sines and cosines are letters, sin² + cos² = 1 is used.
@@ -53,7 +53,7 @@ def is_wave(index: int) -> bool:
     return partner(index) is not None or partner(index, "cos") is not None
 
 
-def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int]) -> Sum | None:
+def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int]) -> PositiveSum | None:
     """The sum by its terms: even powers stay, what swings is at least minus its size, what is left are squares."""
     even: dict[Monomial, Coefficient] = {}
     waves: dict[tuple[Monomial, int, int], Coefficient] = {}
@@ -79,7 +79,7 @@ def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int]) -> Sum | Non
     found = [(Scalar(Poly({rest: c})), Scalar(Poly({((i, 1),): 1})), turn) for (rest, i, turn), c in waves.items()]
     if any(e % 2 and i not in fair for (rest, _, _) in waves for i, e in rest):
         return None
-    return Sum(sign, Scalar(Poly(above)), tuple(squares), tuple(found))
+    return PositiveSum(sign, Scalar(Poly(above)), tuple(squares), tuple(found))
 
 
 def _is_above(monomial: Monomial, positive: Collection[int]) -> bool:

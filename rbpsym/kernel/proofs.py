@@ -13,12 +13,12 @@ from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_alo
 from rbpsym.field.division import divide
 from rbpsym.field.evaluate import scalar
 from rbpsym.kernel import combining
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, formulas, parted, reduced, vanishes
-from rbpsym.kernel.claim import Claim, brief, is_along_time, letter, sides, tree_of
-from rbpsym.kernel.claims import TIME, Source
+from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, circles, formulas, parted, reduced, vanishes
+from rbpsym.kernel.claim import Proposition, brief, is_along_time, letter, sides, tree_of
+from rbpsym.kernel.claims import TIME, ClaimSource
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.integrals import courses, integrated
-from rbpsym.kernel.positive import Sum
+from rbpsym.kernel.positive import PositiveSum
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed, within
 from rbpsym.typeset.machine import to_machine
@@ -38,7 +38,7 @@ class Search:
     ranges keep above 0; `nonzero`: further letters that are not 0.
     """
 
-    def __init__(self, source: Source, given: Mapping[str, Claim], declared: Collection[str] = ()) -> None:
+    def __init__(self, source: ClaimSource, given: Mapping[str, Proposition], declared: Collection[str] = ()) -> None:
         self.source, self.given, self.declared = source, given, frozenset(declared)
         self.integrals = source.integrals
         self.met: list[t.Integral] = []
@@ -54,10 +54,10 @@ class Search:
         self.nonzero = {atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonzero"}
         self.least = frozenset(atoms.intern("symbol", name) for name, sign in signs.items() if sign == "nonnegative")
         self.gaps: set[int] = set()
-        self.met_by: tuple[Claim, ...] = ()  # what the claim is given
+        self.met_by: tuple[Proposition, ...] = ()  # what the claim is given
         self.later: set[int] = set()  # positive only where that holds
         self.shifts: dict[str, list[Scalar]] = {}  # what a letter is, by the gap to an end of its range
-        self.sums: dict[tuple[Poly, frozenset[int]], Sum | None] = {}
+        self.sums: dict[tuple[Poly, frozenset[int]], PositiveSum | None] = {}
         self.deep = False
         self.told: set[str] = set()  # sines and cosines that are put in terms of those of a sum
         self.is_sure = True  # whether nothing is divided by of which it is not known that it does not vanish
@@ -65,7 +65,7 @@ class Search:
         self.rates = {TIME: UNITY}
         self.starts: dict[str, t.Node] = {TIME + START: t.ZERO}
         self.rates |= {name: self.value(tree_of(rate)) for name, rate in source.rates.items()}
-        self.doubled: dict[str, Claim] = {}  # rates of formulas, and of letters that have one already
+        self.doubled: dict[str, Proposition] = {}  # rates of formulas, and of letters that have one already
         for claim in (claim for claim in given.values() if claim.kind == "start"):
             self.starts[letter(claim.left) + START] = claim.right
         for name, claim in given.items():
@@ -128,7 +128,7 @@ class Search:
             return any(map(self.moving, t.names(self.source.circular[name])))
         return self.source.moving(name) or (name in self.integrals and self.integrals[name].var in (*self.source.rates, TIME))
 
-    def difference(self, claim: Claim, when: str = "t") -> Scalar:
+    def difference(self, claim: Proposition, when: str = "t") -> Scalar:
         """left - right, now or at the start."""
         found = self.value(t.Add((claim.left, t.Neg(claim.right))))
         return found if when == "t" else self.at_start(found)
@@ -183,7 +183,7 @@ class Search:
         """A letter that is no coordinate, speed or integral: what is said of it is put in its place."""
         return not any(name in known for known in (self.source.rates, self.integrals, self.source.circular))
 
-    def follow(self, goal: Scalar, known: Sequence[Known], *, only: bool = False) -> tuple[Scalar, Multiples]:
+    def follow(self, goal: Scalar, known: Sequence[KnownEquation], *, only: bool = False) -> tuple[Scalar, Multiples]:
         """What is left of a value when multiples of known equations are taken off, and these."""
         values = [self.difference(item.claim, item.when) for item in known]
         order = self.order(self._defined if only else None)
@@ -201,7 +201,9 @@ class Search:
         rest = NOTHING if self.vanishes(rest) else rest
         return rest, self.summed(goal - rest, {place: -factor for place, factor in sums.items()}, known, values)
 
-    def summed(self, goal: Scalar, sums: Mapping[int, Scalar], known: Sequence[Known], values: Sequence[Scalar]) -> Multiples:
+    def summed(
+        self, goal: Scalar, sums: Mapping[int, Scalar], known: Sequence[KnownEquation], values: Sequence[Scalar]
+    ) -> Multiples:
         """The goal as a sum of multiples of what is known, and of sin² + cos² - 1."""
         used = {place: factor for place, factor in sums.items() if not vanishes(factor)}
         for place, factor in used.items():
@@ -218,7 +220,7 @@ class Search:
 
     # --- claims
 
-    def prove(self, claim: Claim) -> Proof:
+    def prove(self, claim: Proposition) -> Proof:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
         found = self._sought(claim)
         divided = [t.Div(t.ONE, found.factor)] if found.factor is not None else []
@@ -231,7 +233,7 @@ class Search:
         others = [have for have in found.steps if have.how not in SIGNS]
         return replace(found, steps=(*signs, *below, *others))
 
-    def _sought(self, claim: Claim) -> Proof:
+    def _sought(self, claim: Proposition) -> Proof:
         self.met_by = claim.given
         for item in claim.given:
             if item.kind == "differ":
@@ -254,7 +256,7 @@ class Search:
             self._count = len(self.haves)
             return self._found(claim, [*known, *sums])
 
-    def _found(self, claim: Claim, known: Sequence[Known]) -> Proof:
+    def _found(self, claim: Proposition, known: Sequence[KnownEquation]) -> Proof:
         goal = self.difference(claim)
         del self.haves[self._count :]
         if claim.kind == "slope":
@@ -288,34 +290,34 @@ class Search:
                 kept.append(have)
         return Proof(tuple(reversed(kept)), multiples, like, **more)
 
-    def _known(self, claim: Claim) -> Iterator[Known]:
+    def _known(self, claim: Proposition) -> Iterator[KnownEquation]:
         """The equations among the premises, now, and at the start if that is spoken of."""
         equal = {name: item for name, item in self.given.items() if item.kind == "equal"}
         equal |= {f"g{place}": item for place, item in enumerate(claim.given, 1) if item.kind == "equal"}
         for name, item in equal.items():
             if set(item.given) <= set(claim.given):
-                yield Known(name, item, by=tuple(f"g{claim.given.index(part) + 1}" for part in item.given))
+                yield KnownEquation(name, item, by=tuple(f"g{claim.given.index(part) + 1}" for part in item.given))
         spoken = {n for item in (claim, *equal.values()) for side in (item.left, item.right) for n in t.names(side)}
         if any(name.endswith(START) for name in spoken):
             for name, item in self.given.items():
                 if item.kind == "equal" and not item.given:
-                    yield Known(name, item, "0")
+                    yield KnownEquation(name, item, "0")
 
-    def _unique(self) -> Iterator[Known]:
+    def _unique(self) -> Iterator[KnownEquation]:
         """What is said to be the rate of a formula is the rate that the formula has."""
-        equal = [Known(name, item) for name, item in self.given.items() if item.kind == "equal" and not item.given]
+        equal = [KnownEquation(name, item) for name, item in self.given.items() if item.kind == "equal" and not item.given]
         for name, claim in self.doubled.items():
             with suppress(Undecided):
                 like, by = self.follow(self.value(claim.left), equal, only=True)
                 rate = self.tree(self._rate(like))
                 if rate != claim.right:
                     more = {"multiples": by, "parts": (self.tree(like),)} if by.known else {}
-                    yield self.note("unique", Claim(claim.right, rate), of=claim.left, source=name, **more)
+                    yield self.note("unique", Proposition(claim.right, rate), of=claim.left, source=name, **more)
 
-    def note(self, how: str, claim: Claim, **more: Any) -> Known:
+    def note(self, how: str, claim: Proposition, **more: Any) -> KnownEquation:
         """What is shown on the way, as something known."""
         self.haves.append(Have(f"q{len(self.haves) + 1}", how, claim, **more))
-        return Known(self.haves[-1].name, claim)
+        return KnownEquation(self.haves[-1].name, claim)
 
     def _rate(self, value: Scalar) -> Scalar:
         unknown = sorted(filter(self._unrated, names_in(value)))
@@ -335,7 +337,7 @@ class Search:
             raise Undecided(f"the rate of {node.name} is not written")
         return self.value(SLOPES[node.name](node.arg)) * self._rate(self.value(node.arg))
 
-    def shown(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
+    def shown(self, goal: Scalar, known: Sequence[KnownEquation]) -> Multiples:
         """By multiples; if that is not enough, with the rates of what vanishes as well."""
         rest, found = self.follow(goal, known)
         if self.vanishes(rest):
@@ -348,7 +350,7 @@ class Search:
             raise Undecided("it does not follow: of left - right stays " + brief(self.tree(rest)))
         return found
 
-    def stills(self, known: Sequence[Known]) -> Iterator[Known]:
+    def stills(self, known: Sequence[KnownEquation]) -> Iterator[KnownEquation]:
         """The rates of the equations, after letters without a rate are replaced."""
         now = [item for item in known if item.when == "t" and item.is_free]
         values, found = [self.difference(item.claim) for item in now], []
@@ -358,34 +360,34 @@ class Search:
                 names = names_in(row.value)
                 if row.value not in found and any(map(self.moving, names)) and not any(map(self._unrated, names)):
                     made = self.summed(row.value, row.multiples, now, values)
-                    claim = Claim(self.tree(self._rate(row.value)), t.ZERO)
+                    claim = Proposition(self.tree(self._rate(row.value)), t.ZERO)
                     found.append(row.value)
                     yield self.note("still", claim, of=self.tree(row.value), multiples=made)
 
-    def _squares(self, known: Sequence[Known]) -> Iterator[Known]:
+    def _squares(self, known: Sequence[KnownEquation]) -> Iterator[KnownEquation]:
         """The squares of the speeds that the first integral gives, if it follows."""
         if self.deep or not any(self.starts):
             return
         self.deep = True
         for name, value in self.source.study.squares.items():
-            claim = Claim(t.power(t.Sym(f"{name}_dot"), 2), tree_of(value))
+            claim = Proposition(t.power(t.Sym(f"{name}_dot"), 2), tree_of(value))
             with suppress(Undecided):
                 found = self.by_rates(self.difference(claim), known)
                 flat = self.haves[-1]
                 if len(found.known) == 1 and not found.circles and flat.how == "flat":
-                    yield Known(flat.name, flat.claim)
+                    yield KnownEquation(flat.name, flat.claim)
         self.deep = False
 
-    def by_rates(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
+    def by_rates(self, goal: Scalar, known: Sequence[KnownEquation]) -> Multiples:
         """left - right does not change and is 0 at the start."""
         known = [item for item in known if item.is_free]
         rest, by = self.follow(goal, known, only=True)
-        first = [Known(item.name, item.claim, "0") for item in known if item.name in self.given and item.when == "t"]
+        first = [KnownEquation(item.name, item.claim, "0") for item in known if item.name in self.given and item.when == "t"]
         begin, begun = self.follow(self.at_start(rest), first)
         if not self.vanishes(begin):
             raise Undecided("at the start, of left - right stays " + brief(self.tree(begin)))
         shown = self.shown(self._rate(rest), known)
-        claim = Claim(self.tree(rest), t.ZERO)
+        claim = Proposition(self.tree(rest), t.ZERO)
         return Multiples((*by.known, (t.ONE, self.note("flat", claim, multiples=shown, begin=begun))), by.circles)
 
     def ratio(self, value: Scalar, by: Scalar) -> Scalar | None:

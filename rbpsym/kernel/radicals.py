@@ -10,18 +10,18 @@ from typing import TYPE_CHECKING
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
-from rbpsym.kernel.certificates import Have, Known, Multiples
-from rbpsym.kernel.claim import Claim
+from rbpsym.kernel.certificates import Have, KnownEquation, Multiples
+from rbpsym.kernel.claim import Proposition
 from rbpsym.kernel.ranges import above, signed
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search
 
 
-def rootless(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Known]]]:
+def rootless(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, KnownEquation]]]:
     """The value with even powers of roots replaced, no roots below, and no root that is a multiple of another; and by which
     multiples of what is known of roots it differs."""
-    taken: list[tuple[Scalar, Known]] = []
+    taken: list[tuple[Scalar, KnownEquation]] = []
     while True:
         value, more = _once(search, value)
         taken += more
@@ -29,9 +29,9 @@ def rootless(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, 
             return value, taken
 
 
-def _once(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Known]]]:
+def _once(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, KnownEquation]]]:
     """The same for the roots that stand there now, not for those below them."""
-    taken: list[tuple[Scalar, Known]] = []
+    taken: list[tuple[Scalar, KnownEquation]] = []
     names = [name for name in sorted(names_in(value) & search.roots.keys()) if _is_certain(search, name)]
     for place, name in enumerate(names):
         node, arg = search.source.circular[name], search.roots[name]
@@ -52,21 +52,21 @@ def _once(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Kno
                 term = _head(value, index, 1) / symbol(name)
                 value = value - term * (symbol(name) - ratio * symbol(other))
                 right = t.mul(search.tree(ratio), search.source.circular[other])
-                same = search.notes.setdefault(f"m{number}", Have(f"m{number}", "multiple root", Claim(node, right)))
-                taken.append((term, Known(same.name, same.claim)))
+                same = search.notes.setdefault(f"m{number}", Have(f"m{number}", "multiple root", Proposition(node, right)))
+                taken.append((term, KnownEquation(same.name, same.claim)))
                 break
     return value, taken
 
 
-def _squared(search: Search, name: str, node: t.Sqrt, arg: Scalar) -> Known:
+def _squared(search: Search, name: str, node: t.Sqrt, arg: Scalar) -> KnownEquation:
     """The square of a root is what stands below it, which is positive."""
-    claim = Claim(t.Pow(node, t.TWO), node.arg)
+    claim = Proposition(t.Pow(node, t.TWO), node.arg)
     if name not in search.notes:
         by, parts = Multiples(), tuple[t.Node, ...]()
         with suppress(Undecided):
             by, parts = above(search, arg, ())
         search.notes[name] = Have(name, "root", claim, node.arg, by, parts=parts)
-    return Known(name, claim)
+    return KnownEquation(name, claim)
 
 
 def _head(value: Scalar, index: int, power: int) -> Scalar:

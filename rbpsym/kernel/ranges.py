@@ -12,9 +12,9 @@ from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, generator, substitute, symbol
 from rbpsym.field.evaluate import scalar
-from rbpsym.kernel.certificates import Have, Known, Multiples, circles, parted, partner, wound
-from rbpsym.kernel.claim import Claim, brief, tree_of
-from rbpsym.kernel.positive import Sum, positive_sum
+from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, circles, parted, partner, wound
+from rbpsym.kernel.claim import Proposition, brief, tree_of
+from rbpsym.kernel.positive import PositiveSum, positive_sum
 from rbpsym.typeset.machine import to_machine
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def _is_turn(search: Search, end: Scalar, kind: str) -> bool:
     return kind == "sin" and isinstance(node, t.Fn) and node.name == "asin" and search.is_positive(scalar(node.arg))
 
 
-def _is_in_force(search: Search, claim: Claim) -> bool:
+def _is_in_force(search: Search, claim: Proposition) -> bool:
     """Whether something is said to be more where the claim that is sought has to hold."""
     return claim.kind == "more" and set(claim.given) <= set(search.met_by)
 
@@ -55,7 +55,7 @@ def note_signs(search: Search, *, signed: bool) -> None:
             if below and above:
                 wave = t.Fn(kind, own)
                 given = ranges[below].given
-                search.note("sign", Claim(wave, t.ZERO, "more", given), source=f"{below} {above}")
+                search.note("sign", Proposition(wave, t.ZERO, "more", given), source=f"{below} {above}")
                 search.certain |= search.value(wave).atoms()
                 search.later |= search.value(wave).atoms() if given else set()
                 if signed and (not search.moving(name) or not {below, above} & search.declared):
@@ -65,19 +65,19 @@ def note_signs(search: Search, *, signed: bool) -> None:
 def note_gaps(search: Search) -> None:
     """What a range leaves between a letter and its end, as a positive letter; and π - 3."""
     ends = [(name, item) for name, item in search.given.items() if _is_in_force(search, item)]
-    for source, item in (*ends, ("", Claim(t.Sym("pi"), t.Num(3), "more"))):
+    for source, item in (*ends, ("", Proposition(t.Sym("pi"), t.Num(3), "more"))):
         node = t.Group(t.Add((item.left, t.Neg(item.right))))
         high, low, gap = scalar(item.left), scalar(item.right), symbol(f"gap {source}")
         for side, image in ((item.left, low + gap), (item.right, high - gap)):
             if isinstance(side, t.Sym):
                 search.shifts.setdefault(side.name, []).append(image)
         search.source.circular[f"gap {source}"] = node
-        search.note("gap", Claim(node, t.ZERO, "more", item.given), source=source)
+        search.note("gap", Proposition(node, t.ZERO, "more", item.given), source=source)
         search.gaps |= gap.atoms()
         search.later |= gap.atoms() if item.given else set()
 
 
-def signed(search: Search, value: Scalar, *, ranged: bool = True) -> Sum | None:
+def signed(search: Search, value: Scalar, *, ranged: bool = True) -> PositiveSum | None:
     """The value as a sum of one sign: by gaps, by what sines and cosines are at most, and if it is `ranged` by what ranges
     keep positive."""
     known = frozenset(search.positive | search.certain) if ranged else search.always
@@ -89,10 +89,10 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True) -> Sum | None:
     if num is None or not search.is_positive(den):
         return None
     squares = tuple((factor / den, root) for factor, root in num.squares)
-    return Sum(num.sign, num.above / den, squares, tuple((factor / den, wave, turn) for factor, wave, turn in num.waves))
+    return PositiveSum(num.sign, num.above / den, squares, tuple((factor / den, wave, turn) for factor, wave, turn in num.waves))
 
 
-def _sums(search: Search, poly: Poly, known: frozenset[int]) -> Iterator[Sum]:
+def _sums(search: Search, poly: Poly, known: frozenset[int]) -> Iterator[PositiveSum]:
     names = [name for name in search.shifts if atoms.intern("symbol", name) in poly.atoms()][:MOST]
     ways = [dict(zip(names, images, strict=True)) for images in product(*([None, *search.shifts[name]] for name in names))]
     for images in ways:
@@ -102,7 +102,7 @@ def _sums(search: Search, poly: Poly, known: frozenset[int]) -> Iterator[Sum]:
                 yield found
 
 
-def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: Multiples, kind: str = "differ") -> Have:
+def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: PositiveSum, by: Multiples, kind: str = "differ") -> Have:
     """± the formula, or what it is known to be, is positive and not negative parts, by sin² + cos² = 1."""
     node, value = of
     rest = [t.mul(search.tree(factor), t.Pow(search.tree(root), t.TWO)) for factor, root in found.squares]
@@ -121,7 +121,7 @@ def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: 
     pairs = (*found.squares, *((factor, wave) for factor, wave, _ in found.waves))
     parts = (found.above, *(part for pair in pairs for part in pair))
     given = search.met_by if any(part.atoms() & search.later for part in parts) else ()
-    return Have(name, how, Claim(node, t.ZERO, kind, given), side, Multiples(known, tuple(angles)), parts=(above, others))
+    return Have(name, how, Proposition(node, t.ZERO, kind, given), side, Multiples(known, tuple(angles)), parts=(above, others))
 
 
 def _above(search: Search, value: Scalar) -> t.Node:
@@ -144,12 +144,12 @@ def within(search: Search, nodes: Sequence[t.Node]) -> Iterator[Have]:
         inner = t.Add((t.ONE, t.Neg(t.Pow(arg, t.TWO))))
         try:
             by, parts = above(search, search.value(inner), ())
-            yield Have(f"w{place}", "positive", Claim(inner, t.ZERO, "more"), inner, by, parts=parts)
+            yield Have(f"w{place}", "positive", Proposition(inner, t.ZERO, "more"), inner, by, parts=parts)
         except Undecided:
             search.is_sure = False
 
 
-def above(search: Search, goal: Scalar, known: Sequence[Known]) -> tuple[Multiples, tuple[t.Node, ...]]:
+def above(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> tuple[Multiples, tuple[t.Node, ...]]:
     """left - right is a sum of something positive and of what is not negative: the multiples, and these two."""
     rest, by = search.follow(goal, known)
     num, den = Scalar(rest.num), Scalar(rest.den)

@@ -11,8 +11,8 @@ from typing import Any
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, Walker, field, replace
-from rbpsym.kernel.claim import Claim
-from rbpsym.kernel.claims import TIME, Source
+from rbpsym.kernel.claim import Proposition
+from rbpsym.kernel.claims import TIME, ClaimSource
 from rbpsym.kernel.components import START
 from rbpsym.kernel.rocq import identifier
 
@@ -122,12 +122,12 @@ class Meant(Frozen):
     """What a claim is to be read as, from its trees. `time`: the moment; `bound`: what integrals and slopes bind, by the
     `depth` at which they do."""
 
-    source: Source
+    source: ClaimSource
     time: Read = ("letter", "t")
     bound: Mapping[str, Read] = field(default_factory=dict)
     depth: int = 0
 
-    def claim(self, claim: Claim) -> tuple[Read, ...]:
+    def claim(self, claim: Proposition) -> tuple[Read, ...]:
         """The claim with what it is made of."""
         if claim.kind == "start":
             return (replace(self, time=ZERO).relation(claim),)
@@ -135,12 +135,12 @@ class Meant(Frozen):
             return (self.slope(claim),)
         return (("always",), *map(self.relation, claim.given), self.relation(claim))
 
-    def slope(self, claim: Claim) -> Read:
+    def slope(self, claim: Proposition) -> Read:
         """A derivative at a place."""
         inner = replace(self, bound={claim.var: ("letter", "#0")}, depth=1)
         return ("of", DERIVED, ("fun", inner.of(claim.left)), self.of(claim.place), self.of(claim.right))
 
-    def relation(self, claim: Claim) -> Read:
+    def relation(self, claim: Proposition) -> Read:
         """A relation between two sides."""
         left, right = self.of(claim.left), self.of(claim.right)
         if claim.kind == "rate":
@@ -209,7 +209,7 @@ SHAPES: dict[type, Callable[[Meant, Any], Read]] = {
 }  # fmt: skip
 
 
-def read_back(text: str, claim: Claim, source: Source) -> str:
+def read_back(text: str, claim: Proposition, source: ClaimSource) -> str:
     """The proposition, if it reads as the claim. Raises RbpsymError if it does not."""
     if proposition(text) != Meant(source).claim(claim):
         raise RbpsymError("what was written does not read as what was meant")

@@ -9,9 +9,9 @@ from typing import Any
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.kernel.certificates import Have, Known, Lemma, Multiples, Proof
-from rbpsym.kernel.claim import FUNCTIONS, Claim, is_along_time, tree_of
-from rbpsym.kernel.claims import TIME, Source
+from rbpsym.kernel.certificates import Have, KnownEquation, Lemma, Multiples, Proof
+from rbpsym.kernel.claim import FUNCTIONS, Proposition, is_along_time, tree_of
+from rbpsym.kernel.claims import TIME, ClaimSource
 from rbpsym.kernel.components import START
 
 RESERVED = frozenset((
@@ -126,7 +126,7 @@ RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "differ": 
 class Writer(Frozen):
     """How one problem is written."""
 
-    source: Source
+    source: ClaimSource
     terms: Terms
 
     def opening(self) -> Iterator[str]:
@@ -149,7 +149,7 @@ class Writer(Frozen):
             yield from () if name in names else (f"Variable {identifier(name)} : R -> R.",)
             yield f"Hypothesis steady'{name} : {TIMES}continuous {identifier(name)} t."
 
-    def letters(self, claims: Iterable[Claim]) -> Iterator[str]:
+    def letters(self, claims: Iterable[Proposition]) -> Iterator[str]:
         """Declarations of the letters in some claims."""
         told = {*self.source.rates, *self.source.system.accelerations, *self.source.system.unknowns, "pi"}
         told |= {*self.source.study.assumptions.signs, TIME}
@@ -157,7 +157,7 @@ class Writer(Frozen):
         for name in found:
             yield f"Variable {identifier(name)} : R{' -> R' if self.source.moving(name) else ''}."
 
-    def said(self, claim: Claim) -> str:
+    def said(self, claim: Proposition) -> str:
         """The proposition of a claim."""
         if claim.kind == "start":
             return self.relation(replace(claim, kind="equal"), "0")
@@ -168,7 +168,7 @@ class Writer(Frozen):
         given = "".join(f"{self.relation(item)} -> " for item in claim.given)
         return TIMES + given + self.relation(claim)
 
-    def relation(self, claim: Claim, time: str = "t") -> str:
+    def relation(self, claim: Proposition, time: str = "t") -> str:
         """The relation at a moment."""
         left, right = (self.terms.at(time).term(side) for side in (claim.left, claim.right))
         if claim.kind == "rate":
@@ -199,7 +199,7 @@ class Writer(Frozen):
         lines = ";\n  ".join([*enter, *haves, self.end(item.claim, item.proof, _finish(starts))])
         return f"timeout {LONGEST} ({lines})"
 
-    def end(self, claim: Claim, proof: Proof, finish: str) -> str:
+    def end(self, claim: Proposition, proof: Proof, finish: str) -> str:
         """From what was shown on the way to the claim."""
         if claim.kind == "slope":
             close = self.less(proof.multiples, "0") + finish
@@ -226,7 +226,7 @@ class Writer(Frozen):
         parts += [(factor, f"trig {at.term(angle)}") for factor, angle in multiples.circles]
         return "".join(f"apply (less {at.term(factor)} _ _ ({shown})); " for factor, shown in parts)
 
-    def reference(self, known: Known, time: str) -> str:
+    def reference(self, known: KnownEquation, time: str) -> str:
         """A known equation at a moment."""
         if known.name.startswith("g") and known.name[1:].isdigit():
             return known.name
@@ -303,7 +303,7 @@ def _bounds(have: Have) -> str:
     return "".join(f"pose proof (p_{name} t Ht{given}); " for name in have.source.split()) or "pose proof PI2_3_2; "
 
 
-def _head(claim: Claim) -> str:
+def _head(claim: Proposition) -> str:
     """The function that stands on the left, or the variable of the integral there."""
     assert isinstance(claim.left, t.Fn | t.Integral)
     return claim.left.name if isinstance(claim.left, t.Fn) else claim.left.var
@@ -320,7 +320,7 @@ def _finish(starts: Sequence[str]) -> str:
     return f"cbv beta; rewrite ?{', ?'.join(starts)}; rewrite ?RInt_none; fld" if starts else "fld"
 
 
-def _names(claim: Claim) -> set[str]:
+def _names(claim: Proposition) -> set[str]:
     inner = [claim.left, claim.right, claim.place]
     bound = {part.var for node in inner for part in t.walk(node) if isinstance(part, t.Integral)} | {claim.var}
     found = {n.removesuffix(START) for node in inner for n in t.names(node)}

@@ -73,7 +73,7 @@ def _work(power: t.Node) -> t.Node:
     return t.Integral(power, TIME, t.ZERO, t.Sym(TIME))
 
 
-class Told(Terms):
+class TheoryTerms(Terms):
     """Terms of the theory: letters of each particle; sums and rates bind all that they are functions of."""
 
     def term(self, node: t.Node) -> str:
@@ -112,7 +112,7 @@ class Sense(Meant):
         return ("fun", ("fun", bound.of(node))) if of_each else ("fun", bound.of(node))
 
 
-class Shown(Frozen):
+class ShownClaim(Frozen):
     """A claim of a step, and what it may use, by names."""
 
     name: str
@@ -129,14 +129,14 @@ class Theory:
     def __init__(self, lesson: Lesson) -> None:
         self.moving = moving
         self.components = Components(_turns, moving)
-        self.terms, self.sense = Told(moving, {}, {}), Sense(self)  # type: ignore[arg-type]  # of a source it needs no more
+        self.terms, self.sense = TheoryTerms(moving, {}, {}), Sense(self)  # type: ignore[arg-type]  # of a source it needs no more
         self.letters: dict[str, None] = {}
         self.met: set[t.Node] = set()
         self.claims: dict[str, str] = {}
         self.granted: dict[str, list[str]] = {}
         self.lemmas = {step.id: [*self._lemmas(step)] for step in lesson.steps}
 
-    def _lemmas(self, step: Step) -> Iterator[Shown]:
+    def _lemmas(self, step: Step) -> Iterator[ShownClaim]:
         where = t.rows(step.data["where"]) if "where" in step.data else ()
         granted = [*self._named(f"{step.id}.w", ((row.items[0], row.items[1]) for row in where))]
         links = [(row.items[0], item, not place) for row in t.rows(step.statement) for place, item in enumerate(row.items[1:])]
@@ -146,7 +146,7 @@ class Theory:
         self.met |= {part for part in t.walk(step.statement) if isinstance(part, t.Sym | t.Vec)}
         self.granted[step.id] = [*granted, *goals]
         before = (*(name for id in step.premises for name in self.granted[id]), *granted)
-        yield from (Shown(name, before) for name in goals)
+        yield from (ShownClaim(name, before) for name in goals)
 
     def _named(self, id: str, pairs: Iterable[tuple[t.Node, t.Node]]) -> Iterator[str]:
         """The propositions that some equations are, by components."""

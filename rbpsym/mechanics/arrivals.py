@@ -40,7 +40,7 @@ from rbpsym.statement.model import Phase
 from rbpsym.statement.scope import CLOCK
 
 
-class State(Frozen):
+class ArrivalState(Frozen):
     """Time since the start of the phase (None: no closed form), coordinates and speeds of all that the problem has; the
     conditions under which the motion comes there."""
 
@@ -55,22 +55,22 @@ class State(Frozen):
         return {**self.places, **by_letters(self.speeds), **({} if self.time is None else {"t": self.time})}
 
 
-def value_in(study: Study, value: Scalar, state: State) -> Scalar:
+def value_in(study: Study, value: Scalar, state: ArrivalState) -> Scalar:
     """What a value is in a state, accelerations and unknown forces too."""
     return short(substitute(study.begun(value), state.image))
 
 
-def at_start(study: Study, phase: Phase | None = None) -> State:
+def at_start(study: Study, phase: Phase | None = None) -> ArrivalState:
     """Coordinates and speeds of the declared start, dependent ones too."""
     if study.instant is not None:
-        return State(NOTHING, study.instant.places, study.instant.speeds)
+        return ArrivalState(NOTHING, study.instant.places, study.instant.speeds)
     start, places, speeds = study.system.scope.start, {}, {}
     for coordinate in study.problem.coordinates:
         name = coordinate.name
         value, rate = of_coordinate(study, name)
         places[name], speeds[name] = (short(substitute(part, start)) for part in (value, rate))
         _require_start(study, name, places[name], speeds[name])
-    return State(NOTHING, places, speeds)
+    return ArrivalState(NOTHING, places, speeds)
 
 
 def of_coordinate(study: Study, name: str) -> tuple[Scalar, Scalar]:
@@ -114,7 +114,7 @@ def _moving(study: Study) -> list[str]:
     ]
 
 
-def state_at(study: Study, name: str, place: Scalar, sense: int = 0) -> State:
+def state_at(study: Study, name: str, place: Scalar, sense: int = 0) -> ArrivalState:
     """All coordinates and speeds where the one that changes has a value, its speed from the first integral, in the `sense`
     in which it comes there (0: that at the sample numbers); a coordinate that is not known there is its own letter, and so is
     the speed of one that moves for itself."""
@@ -128,7 +128,7 @@ def state_at(study: Study, name: str, place: Scalar, sense: int = 0) -> State:
         here[other] = substitute(rate, {name: place, f"{name}_dot": speed})
     values = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
-    return State(None, places, speeds)
+    return ArrivalState(None, places, speeds)
 
 
 def followed(study: Study, name: str, other: str) -> Scalar | None:
@@ -270,7 +270,7 @@ def tie_to_time(system: System, name: str) -> Scalar | None:
     return ties[0] if is_linear and not depends_on(derivative(ties[0], CLOCK), CLOCK) else None
 
 
-def state_reached(study: Study, name: str, value: Scalar) -> State | None:
+def state_reached(study: Study, name: str, value: Scalar) -> ArrivalState | None:
     """The state when the coordinate has a value for the first time, if it changes in one sense on the way there from its
     start; None where it is not tied so."""
     if time := time_driven(study, name, value):
@@ -296,12 +296,12 @@ def time_driven(study: Study, name: str, value: Scalar) -> Scalar | None:
     return short((value - substitute(driven, {CLOCK: NOTHING})) / rate) if is_steady else None
 
 
-def _at(study: Study, time: Scalar, image: Mapping[str, Scalar], ahead: Demand | None = None) -> State | None:
+def _at(study: Study, time: Scalar, image: Mapping[str, Scalar], ahead: Demand | None = None) -> ArrivalState | None:
     """The state then; None where that lies before the start."""
     pairs = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], image)) for n, pair in pairs.items()} for k in (0, 1))
     valid = settle([ahead or Demand(time)], study.assumptions)
-    return None if valid is None else State(time, places, speeds, valid)
+    return None if valid is None else ArrivalState(time, places, speeds, valid)
 
 
 def sense_to(study: Study, name: str, ends: tuple[Scalar, Scalar]) -> int:

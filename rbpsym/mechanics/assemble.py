@@ -8,16 +8,16 @@ from dataclasses import replace
 from rbpsym.errors import StatementError
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
-from rbpsym.field.evaluate import Scope, scalar, time_derivative
+from rbpsym.field.evaluate import Meanings, scalar, time_derivative
 from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia, inertia
-from rbpsym.mechanics.interactions import LAWS, Setting
+from rbpsym.mechanics.interactions import LAWS, LawSetting
 from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.placing import locator, open_names, poses, still_open
-from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
+from rbpsym.mechanics.system import BodyState, ConstraintCondition, Force, Pose, System, at_point
 from rbpsym.mechanics.tying import Tied, tie
 from rbpsym.present.forms import present
 from rbpsym.statement.checks import unknowns_of
@@ -79,7 +79,7 @@ def _balanced(system: System) -> dict[str, Scalar]:
     return {}
 
 
-def with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose], tied: Iterable[Condition]) -> Scope:
+def with_clock(scope: Meanings, problem: Problem, placed: Mapping[str, Pose], tied: Iterable[ConstraintCondition]) -> Meanings:
     """The time runs where something depends on it explicitly."""
     values = [condition.value for condition in tied]
     values += [v for pose in placed.values() for v in (pose.angle, pose.origin.x, pose.origin.y)]
@@ -145,7 +145,7 @@ def _settled(pose: Pose, solved: Mapping[str, Scalar]) -> Pose:
     return Pose(pose.origin.substitute(solved), substitute(pose.angle, solved))
 
 
-def _refuse_frozen(problem: Problem, implicit: tuple[Condition, ...], free: tuple[str, ...]) -> None:
+def _refuse_frozen(problem: Problem, implicit: tuple[ConstraintCondition, ...], free: tuple[str, ...]) -> None:
     """As many implicit conditions as coordinates would leave no motion, unless one holds the time: then it drives."""
     for condition in implicit:
         used = [name for name in free if depends_on(condition.value, name)]
@@ -154,7 +154,7 @@ def _refuse_frozen(problem: Problem, implicit: tuple[Condition, ...], free: tupl
             raise contradiction(condition, element, to_machine(present(condition.value)))
 
 
-def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) -> tuple[Scope, tuple[str, ...]]:
+def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) -> tuple[Meanings, tuple[str, ...]]:
     """Time derivatives of coordinates and speeds; dependent speeds from the implicit conditions, unless all stay free."""
     speeds = {name: symbol(f"{name}_dot") for name in names}
     dependent = _dependent_speeds(names, tied, problem) if (tied.implicit or tied.speeds) and not free else {}
@@ -163,7 +163,7 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in names}
     start |= {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent}
-    return Scope(rates=rates, start=start), independent
+    return Meanings(rates=rates, start=start), independent
 
 
 def _dependent_speeds(free, tied: Tied, problem: Problem) -> dict[str, Scalar]:
@@ -179,7 +179,7 @@ def _dependent_speeds(free, tied: Tied, problem: Problem) -> dict[str, Scalar]:
     return solve_linear(rows, unknowns, keep_free=True).values
 
 
-def moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
+def moving(name: str, own: Inertia, pose: Pose, scope: Meanings) -> BodyState:
     """A body in motion, by the rates of what its pose holds."""
     center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
     velocity = vector_rate(center, scope)
@@ -187,12 +187,12 @@ def moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
     return BodyState(name, own, pose, center, velocity, omega, vector_rate(velocity, scope), time_derivative(omega, scope))
 
 
-def vector_rate(vector: Vector, scope: Scope) -> Vector:
+def vector_rate(vector: Vector, scope: Meanings) -> Vector:
     """d/dt of a plane vector."""
     return vector.rate(scope.rates)
 
 
-def setting_of(system: System, where) -> Setting:
+def setting_of(system: System, where) -> LawSetting:
     """What the laws of force may look at."""
     numbers = sample(system.problem)
     numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
@@ -203,7 +203,7 @@ def setting_of(system: System, where) -> Setting:
         found = number(value, numbers)
         return None if abs(found) < CLEAR else (_sure_sense(system.problem, value) or found) > 0
 
-    return Setting(
+    return LawSetting(
         where,
         lambda ref: vector_rate(where(ref), system.scope),
         system.bodies,
@@ -254,7 +254,7 @@ def _refuse_two_meanings(system: System, forces: tuple[Force, ...]) -> None:
             )
 
 
-def _in_coordinates(force: Force, solved: Mapping[str, Scalar], scope: Scope) -> Force:
+def _in_coordinates(force: Force, solved: Mapping[str, Scalar], scope: Meanings) -> Force:
     """The same force in the independent coordinates and speeds."""
     images = dict(solved)
     images |= {f"{name}_dot": time_derivative(value, scope) for name, value in solved.items()}

@@ -15,7 +15,7 @@ from rbpsym.mechanics.friction import FrictionNeed, friction_needs
 from rbpsym.mechanics.instant import Instant, has_start, start_of
 from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.study import MOST_PRODUCTS, Study
-from rbpsym.mechanics.system import Condition, System, by_letters
+from rbpsym.mechanics.system import ConstraintCondition, System, by_letters
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.statement.model import Problem
 
@@ -65,7 +65,7 @@ class StartStudy(Study):
         return self._free.has_clock
 
     @property
-    def ties(self) -> tuple[Condition, ...]:
+    def ties(self) -> tuple[ConstraintCondition, ...]:
         """The conditions that tie coordinates to each other without an explicit solution."""
         return self._free.implicit
 

@@ -33,24 +33,24 @@ from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import zeros
-from rbpsym.mechanics.system import Condition, Force, Pose
+from rbpsym.mechanics.system import ConstraintCondition, Force, Pose
 from rbpsym.statement.model import Coordinate, Element, Problem
 from rbpsym.statement.premises import declared
 
 CLOCK, RATE = "t", "rate"
 
 
-def rate_conditions(problem: Problem, geometry: Geometry) -> list[Condition]:
+def rate_conditions(problem: Problem, geometry: Geometry) -> list[ConstraintCondition]:
     """The conditions of all constraints that are linear in the speeds, at the states of `geometry`."""
     return [c for element in problem.constraints for c in _condition_of(element, geometry)]
 
 
-def _condition_of(element: Element, geometry: Geometry) -> list[Condition]:
+def _condition_of(element: Element, geometry: Geometry) -> list[ConstraintCondition]:
     joint = JOINTS[element.kind]
     wanted = joint.rates(element, geometry)
     forces = joint.forces(element, geometry) if wanted else ()
     return [
-        Condition(element.name, short(factor * _power_of_unit(forces, name, geometry)), RATE)
+        ConstraintCondition(element.name, short(factor * _power_of_unit(forces, name, geometry)), RATE)
         for name, factor in wanted
     ]
 
@@ -94,7 +94,7 @@ def full_rates(names: Sequence[str]) -> dict[str, Scalar]:
     return {name: symbol(f"{name}_dot") for name in names} | {CLOCK: UNITY}
 
 
-def all_conditions(problem: Problem, geometry: Geometry) -> tuple[Condition, ...]:
+def all_conditions(problem: Problem, geometry: Geometry) -> tuple[ConstraintCondition, ...]:
     """Every scalar condition of every constraint on the position, as `value = 0`, in the poses as given."""
     given = declared(problem.parameters).assumptions
     found = (c for element in problem.constraints for c in _of(element, problem, geometry))
@@ -102,20 +102,20 @@ def all_conditions(problem: Problem, geometry: Geometry) -> tuple[Condition, ...
     return tuple(replace(c, value=neat(c.value, given)) if has_roots(c.value) else c for c in found)
 
 
-def _of(element: Element, problem: Problem, geometry: Geometry) -> list[Condition]:
+def _of(element: Element, problem: Problem, geometry: Geometry) -> list[ConstraintCondition]:
     joint, found, where, placed = JOINTS[element.kind], [], geometry.where, geometry.poses
     for first, second in joint.joins(element):
         found += _meeting(element, first, where(second), where, problem)
     for join in joint.angles(element):
-        found.append(Condition(element.name, _turned(join, placed, problem), "angle"))
+        found.append(ConstraintCondition(element.name, _turned(join, placed, problem), "angle"))
     for touch in joint.touches(element):
         at, line = where(touch.point), touch.line
         value = scalar(line.a) * at.x + scalar(line.b) * at.y - scalar(line.c)
-        found.append(Condition(element.name, value, "line"))
-    return found + [Condition(element.name, value, what) for value, what in joint.gaps(element, geometry)]
+        found.append(ConstraintCondition(element.name, value, "line"))
+    return found + [ConstraintCondition(element.name, value, what) for value, what in joint.gaps(element, geometry)]
 
 
-def _meeting(element: Element, first, second: Vector, where: Callable, problem: Problem) -> list[Condition]:
+def _meeting(element: Element, first, second: Vector, where: Callable, problem: Problem) -> list[ConstraintCondition]:
     """Two points in one place; a pivot without a place holds its point where the pose has it."""
     if first is None:
         moving = [c.name for c in problem.coordinates if second.derivative(c.name)]
@@ -126,11 +126,11 @@ def _meeting(element: Element, first, second: Vector, where: Callable, problem: 
                 instead='pivot a point that stays in place, or say where it is held: at = ["0", "0"].',
                 place=element.place,
             )
-        return [Condition(element.name, NOTHING, what) for what in "xy"]
+        return [ConstraintCondition(element.name, NOTHING, what) for what in "xy"]
     difference = second - where(first)
     if not difference:
-        return [Condition(element.name, NOTHING, what) for what in "xy"]
-    return [Condition(element.name, difference.x, "x"), Condition(element.name, difference.y, "y")]
+        return [ConstraintCondition(element.name, NOTHING, what) for what in "xy"]
+    return [ConstraintCondition(element.name, difference.x, "x"), ConstraintCondition(element.name, difference.y, "y")]
 
 
 def _turned(join, placed: Mapping[str, Pose], problem: Problem) -> Scalar:
@@ -142,8 +142,8 @@ def _turned(join, placed: Mapping[str, Pose], problem: Problem) -> Scalar:
 
 
 def solve_explicitly(
-    conditions: tuple[Condition, ...], names: tuple[str, ...], problem: Problem
-) -> tuple[dict[str, Scalar], tuple[Condition, ...]]:
+    conditions: tuple[ConstraintCondition, ...], names: tuple[str, ...], problem: Problem
+) -> tuple[dict[str, Scalar], tuple[ConstraintCondition, ...]]:
     """(dependent coordinates in terms of the others, conditions that stay implicit).
 
     A condition is solved for the last-named coordinate in which it is linear with a coefficient
@@ -161,7 +161,7 @@ def solve_explicitly(
             name = next((n for n in reversed(names) if n not in solved and _is_linear(value, n, names)), None)
             image = _held(value, names, problem) if name is None else _linear_zero(value, name)
             if image is None:
-                left.append(Condition(condition.constraint, value, condition.what))
+                left.append(ConstraintCondition(condition.constraint, value, condition.what))
                 continue
             name = name or _names_in(value, names)[0]
             solved = {n: substitute(old, {name: image}) for n, old in solved.items()} | {name: image}
@@ -232,7 +232,7 @@ def _is_allowed(place: float, coordinate: Coordinate, numbers: Mapping[str, floa
     return all(node is None or side * (place - number(scalar(node), numbers)) > -1e-9 for node, side in bounds)
 
 
-def contradiction(condition: Condition, element: Element, text: str) -> StatementError:
+def contradiction(condition: ConstraintCondition, element: Element, text: str) -> StatementError:
     """The sentence for a condition that the given poses can't satisfy while they move."""
     if condition.what in APART:
         return StatementError(

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rbpsym.elements.constraints import CONSTRAINTS
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.field import EX, EY, ORIGIN, Scalar, symbol
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry
@@ -63,7 +63,7 @@ class Joint(Frozen):
         return ((toucher(element), element["line"]),)
 
 
-JOINTS: Parts[Joint] = Parts(CONSTRAINTS, "law", "JOINT")
+JOINTS: KindParts[Joint] = KindParts(CONSTRAINTS, "law", "JOINT")
 
 
 def joining(element: Element, *ends: End) -> tuple[Force, ...]:

@@ -17,15 +17,15 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics import slipping, solutions
 from rbpsym.mechanics.demands import existence
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_linear, solve_matrix
-from rbpsym.mechanics.forms import Form, driven_form
+from rbpsym.mechanics.forms import AccelerationForm, driven_form
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.roots import numerator_factors, zeros
-from rbpsym.mechanics.solutions import Course, Given
+from rbpsym.mechanics.solutions import Given, InTime
 from rbpsym.mechanics.study import Study
 
 
-class Linear(Frozen):
+class CoupledLinear(Frozen):
     """Accelerations h - K q of coordinates `names`, h functions of the time alone; what is declared or shown of the stiffness
     K: that no mode runs away (`is_stable`)."""
 
@@ -35,7 +35,7 @@ class Linear(Frozen):
     is_stable: bool = False
 
 
-def exact(study: Study) -> Linear | None:
+def exact(study: Study) -> CoupledLinear | None:
     """The accelerations of the coordinates that are linear and hold no other coordinate and no speed; None if there are none."""
     gains = {} if study.at_start or study.ties else study.dynamics.accelerations or {}
     moving = {*study.system.scope.rates, *study.system.speeds} - {"t"}
@@ -45,12 +45,12 @@ def exact(study: Study) -> Linear | None:
         rest = {n: short(gains[f"{n}_ddot"] + _sum(rows[n], map(symbol, names))) for n in names}
         kept = tuple(n for n in names if not any(names_in(value) & moving for value in (*rows[n], rest[n])))
         if kept == names:
-            return Linear(names, tuple(rows.values()), tuple(rest.values()))
+            return CoupledLinear(names, tuple(rows.values()), tuple(rest.values()))
         names = kept
     return None
 
 
-def small(study: Study) -> Linear | None:
+def small(study: Study) -> CoupledLinear | None:
     """The accelerations to first order about the one stable place of rest of all coordinates."""
     item, names = swinging(study), study.system.independent
     if item is None or item.linear.is_damped or not {*names} <= item.at.keys():
@@ -58,10 +58,10 @@ def small(study: Study) -> Linear | None:
     columns = [solve_matrix(item.inertia, column) for column in zip(*item.stiffness, strict=True)]
     stiffness = tuple(zip(*columns, strict=True))
     at = [item.at[name] for name in names]
-    return Linear(tuple(names), stiffness, tuple(short(_sum(row, at)) for row in stiffness), is_stable=True)
+    return CoupledLinear(tuple(names), stiffness, tuple(short(_sum(row, at)) for row in stiffness), is_stable=True)
 
 
-def courses(study: Study, law: Linear | None, solved: Callable[[Given], Course | None]) -> dict[str, Course]:
+def courses(study: Study, law: CoupledLinear | None, solved: Callable[[Given], InTime | None]) -> dict[str, InTime]:
     """Each coordinate as the sum of the normal motions, each `solved`; none where one of them is not known."""
     start = study.system.scope.start
     if law is None or not {*law.names} <= start.keys():
@@ -73,7 +73,7 @@ def courses(study: Study, law: Linear | None, solved: Callable[[Given], Course |
     begun = [[start.get(f"{name}{dot}", NOTHING) for name in law.names] for dot in ("", "_dot")]
     modes, count = [], len([value for value, _ in rows if value])
     for number, (value, row) in enumerate(rows, 1):
-        form = driven_form(Form(short(_sum(row, law.rest)), value))
+        form = driven_form(AccelerationForm(short(_sum(row, law.rest)), value))
         place, speed = (short(_sum(row, part)) for part in begun)
         known = form and Given(form, place, speed, study, "", mark=f"_{number}" if count > 1 else "")
         mode = known and solved(known)
@@ -86,12 +86,12 @@ def courses(study: Study, law: Linear | None, solved: Callable[[Given], Course |
     return {name: replace(one, valid=(*one.valid, *held)) for name, one in found.items()}
 
 
-def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
+def courses_of(study: Study, manner: str = "") -> dict[str, InTime]:
     """The solution for each coordinate for which there is one, in the case that is named, of `small` oscillations, or
     what is left of it at last (`steady`). Raises NotApplicable where there is none."""
     case = next((case for case in solutions.CASES if case in manner), "")
 
-    def solved(known: Given) -> Course | None:
+    def solved(known: Given) -> InTime | None:
         if solutions.STEADY not in manner:
             return solutions.course(known, case)
         return solutions.driven(known) if known.form.drive or (known.form.stiffness and not known.name) else None
@@ -110,7 +110,7 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
     return found
 
 
-def _led(study: Study, known: Mapping[str, Course], solved: Callable[[Given], Course | None]) -> dict[str, Course]:
+def _led(study: Study, known: Mapping[str, InTime], solved: Callable[[Given], InTime | None]) -> dict[str, InTime]:
     """The coordinates whose accelerations are functions of the time where those of which the motion is known are put in."""
     at = {name: one.whole for name, one in known.items()} | {f"{name}_dot": one.speed for name, one in known.items()}
     left = [name for name in study.system.independent if name not in known] if known else []
@@ -118,7 +118,7 @@ def _led(study: Study, known: Mapping[str, Course], solved: Callable[[Given], Co
     return {name: one for name, of in given if of is not None and (one := solved(of)) is not None}
 
 
-def _separated(study: Study, name: str) -> Course | None:
+def _separated(study: Study, name: str) -> InTime | None:
     """From the speed as a function of the place: what dq over it adds up to is the time, which is solved for the place."""
     given, begin = study.assumptions, study.system.scope.start.get(name)
     way = sign(study.system.scope.start.get(f"{name}_dot", NOTHING), given).sense
@@ -126,19 +126,19 @@ def _separated(study: Study, name: str) -> Course | None:
     gone = definite(UNITY / speed, name, begin, symbol(name)) if speed else None
     places = zeros(short(gone - symbol("t")), name) if gone is not None else ()
     begun = [place for place in places if is_zero(neat(substitute(place, {"t": NOTHING}), given) - begin)]
-    return Course(begun[0], valid=existence(begun[0])) if len(begun) == 1 else None
+    return InTime(begun[0], valid=existence(begun[0])) if len(begun) == 1 else None
 
 
-def _summed(value: Scalar, modes: list[Course]) -> Course:
+def _summed(value: Scalar, modes: list[InTime]) -> InTime:
     """A sum of modes, with what these ask."""
     taking = {f"mode {k}": mode for k, mode in enumerate(modes) if derivative(value, f"mode {k}")}
     place = total(short(derivative(value, name)) * mode.place for name, mode in taking.items())
     letters = {letter: known for mode in taking.values() for letter, known in mode.letters.items()}
     case = solutions.STEADY if all(mode.case == solutions.STEADY for mode in taking.values()) else ""
-    return Course(place, letters, case, tuple(dict.fromkeys(one for mode in taking.values() for one in mode.valid)))
+    return InTime(place, letters, case, tuple(dict.fromkeys(one for mode in taking.values() for one in mode.valid)))
 
 
-def _roots(law: Linear, study: Study) -> Mapping[Scalar, bool] | None:
+def _roots(law: CoupledLinear, study: Study) -> Mapping[Scalar, bool] | None:
     """The roots s of det(K - s), and whether they are surely positive or zero; None where one has no closed form."""
     letter, size, given = symbol(LETTER), range(len(law.names)), study.assumptions
     whole = determinant(tuple(tuple(law.stiffness[i][j] - letter * (UNITY if i == j else NOTHING) for j in size) for i in size))

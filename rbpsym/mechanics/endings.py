@@ -18,7 +18,7 @@ from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.arrivals import (
     EDGE,
-    State,
+    ArrivalState,
     at_start,
     first_met,
     mover,
@@ -44,7 +44,7 @@ from rbpsym.statement.scope import CLOCK
 # --- events
 
 
-def slip_ends(study: Study, phase: Phase) -> State:
+def slip_ends(study: Study, phase: Phase) -> ArrivalState:
     """The moment at which a slip that changes uniformly has gone."""
     element = study.system.element(phase.subject)
     if element.values.get("coefficient") is None:
@@ -67,7 +67,7 @@ def slip_ends(study: Study, phase: Phase) -> State:
     return _after(study, phase, start, short(-(first / gain)), asked)
 
 
-def _at_rest(study: Study, phase: Phase, slip: Scalar) -> State:
+def _at_rest(study: Study, phase: Phase, slip: Scalar) -> ArrivalState:
     """Where the one coordinate that moves comes to rest, and with it the slip."""
     name = mover(study)
     if name is None or not is_zero(substitute(slip, {f"{name}_dot": NOTHING})):
@@ -75,7 +75,7 @@ def _at_rest(study: Study, phase: Phase, slip: Scalar) -> State:
     return _met(study, phase, name, "stops slipping", study.squares[name])
 
 
-def contact_lost(study: Study, phase: Phase) -> State:
+def contact_lost(study: Study, phase: Phase) -> ArrivalState:
     """The place at which a contact is lost, and the speed there from the first integral."""
     element = study.system.element(phase.subject)
     if not pushes(element):
@@ -90,7 +90,7 @@ def contact_lost(study: Study, phase: Phase) -> State:
     return _met(study, phase, name, "is lost", along[phase.subject], gives_way=True)
 
 
-def value_reached(study: Study, phase: Phase) -> State:
+def value_reached(study: Study, phase: Phase) -> ArrivalState:
     """The moment or the place at which a coordinate has a value."""
     value = scalar(phase.value)
     if found := state_reached(study, phase.subject, value):
@@ -105,7 +105,7 @@ def value_reached(study: Study, phase: Phase) -> State:
     return _met(study, phase, name, "", of_coordinate(study, phase.subject)[0] - value)
 
 
-def force_taken(study: Study, phase: Phase) -> State:
+def force_taken(study: Study, phase: Phase) -> ArrivalState:
     """The place at which an unknown force has a value."""
     along, name = study.reactions_along_motion, mover(study)
     if not along or name is None:
@@ -113,7 +113,7 @@ def force_taken(study: Study, phase: Phase) -> State:
     return _met(study, phase, name, "", along[phase.subject] - scalar(phase.value))
 
 
-def grip_ends(study: Study, phase: Phase) -> State:
+def grip_ends(study: Study, phase: Phase) -> ArrivalState:
     """The place at which static friction reaches its limit: |f| = μ N."""
     element = study.system.element(phase.subject)
     if element.values.get("limit") is None:
@@ -124,7 +124,7 @@ def grip_ends(study: Study, phase: Phase) -> State:
     return _met(study, phase, name, "slips", *spare(element, along.__getitem__), gives_way=True)
 
 
-def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar, gives_way: bool = False) -> State:
+def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar, gives_way: bool = False) -> ArrivalState:
     """The state at the first place at which one of the values vanishes (what `gives_way` there holds at the start). Raises
     StatementError if it is never met, and for a coordinate that has its value at none of the numbers tried (`what` is empty)."""
     start = study.system.scope.start
@@ -139,7 +139,7 @@ def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar, gives_
     return replace(state_at(study, name, place, sense), valid=possible(asked, study.assumptions, _never(study, phase)))
 
 
-def comes_to_rest(study: Study, phase: Phase) -> State:
+def comes_to_rest(study: Study, phase: Phase) -> ArrivalState:
     """The first moment or place after the start at which the speed of a coordinate vanishes."""
     if _are_uniform(study):
         start, gain = at_start(study), _gain(study, phase, phase.subject)
@@ -155,17 +155,17 @@ def comes_to_rest(study: Study, phase: Phase) -> State:
     return _met(study, phase, name, "comes to rest", study.squares[name])
 
 
-def time_gone(study: Study, phase: Phase) -> State:
+def time_gone(study: Study, phase: Phase) -> ArrivalState:
     """The state after a stated time."""
     return _after(study, phase, at_start(study), scalar(phase.value), [Demand(scalar(phase.value))])
 
 
-def uniform_motion(study: Study, time: Scalar) -> State:
+def uniform_motion(study: Study, time: Scalar) -> ArrivalState:
     """All coordinates and speeds at a time after the start. Raises NotApplicable where the accelerations are not constant."""
     return _after(study, Phase("", "at once", None, (), study.problem), at_start(study), time, ())
 
 
-def is_before(study: Study, first: State, second: State) -> bool:
+def is_before(study: Study, first: ArrivalState, second: ArrivalState) -> bool:
     """Whether one state comes before another, or with it, at the sample numbers."""
     numbers, start = sample(study.problem), at_start(study)
     if None not in (first.time, second.time):
@@ -179,7 +179,7 @@ def gap(element: Element, geometry: Geometry) -> Scalar:
     return strings.gap(element, geometry) if "path" in element.values else meeting(element, geometry).gap
 
 
-def gap_closes(study: Study, phase: Phase) -> State:
+def gap_closes(study: Study, phase: Phase) -> ArrivalState:
     """The moment or the place at which what the phase brings closes: a body lands, a string goes taut."""
     value = short(substitute(gap(phase.gap, geometry_of(study.system)), study.system.dependent))
     name, start, numbers = mover(study), at_start(study), sample(study.problem)
@@ -259,7 +259,7 @@ def _gain(study: Study, phase: Phase, name: str, *besides: str) -> Scalar:
     return gain
 
 
-def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterable[Demand]) -> State:
+def _after(study: Study, phase: Phase, start: ArrivalState, time: Scalar, asked: Iterable[Demand]) -> ArrivalState:
     """The places and speeds that the accelerations, constants or functions of the time, give; what follows from these and the
     time, from its formula. Raises StatementError if what is asked is never met."""
     valid = possible(asked, study.assumptions, _never(study, phase))
@@ -273,7 +273,7 @@ def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterab
         image |= {name: start.places[name] + speed * time + substitute(way, to), f"{name}_dot": speed + substitute(gone, to)}
     pairs = {name: [substitute(value, image) for value in of_coordinate(study, name)] for name in start.places}
     places = {name: short(without_even_roots(place)) for name, (place, _) in pairs.items()}
-    return State(time, places, {name: short(without_even_roots(speed)) for name, (_, speed) in pairs.items()}, valid)
+    return ArrivalState(time, places, {name: short(without_even_roots(speed)) for name, (_, speed) in pairs.items()}, valid)
 
 
 def _time_until(study: Study, phase: Phase, way: Scalar, speed: Scalar, gain: Scalar) -> tuple[Scalar, list[Demand]]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rbpsym.mechanics.solutions import Given
 
 
-class Form(Frozen):
+class AccelerationForm(Frozen):
     """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive (alone, what is
     `constant` may be any function of the time); or `law`, another function of q̇; or -q̇ times a function of the time, `drawn`,
     as of what is drawn in or let out while it turns."""
@@ -47,10 +47,10 @@ class Form(Frozen):
         return short(without_even_roots(self.stiffness - self.damping**2 / 4))
 
 
-def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
+def form_of(value: Scalar, name: str, moving: set[str]) -> AccelerationForm | None:
     """The form of an acceleration; None for another one."""
     speed = f"{name}_dot"
-    slope, law = derivative(value, speed), Form(NOTHING, law=value) if names_in(value) & moving == {speed} else None
+    slope, law = derivative(value, speed), AccelerationForm(NOTHING, law=value) if names_in(value) & moving == {speed} else None
     try:
         parts = (derivative(value, name), substitute(slope, {speed: NOTHING}), derivative(slope, speed) / 2)
     except ZeroDivisionError:  # it grows beyond all bounds where the speed vanishes
@@ -58,12 +58,12 @@ def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
     stiffness, damping, drag = (short(-part) for part in parts)
     left = short(value + stiffness * symbol(name) + damping * symbol(speed) + drag * symbol(speed) ** 2)
     if not (stiffness or drag or left) and names_in(damping) & moving == {"t"}:
-        return Form(NOTHING, drawn=damping)
+        return AccelerationForm(NOTHING, drawn=damping)
     if any(names_in(part) & moving for part in (stiffness, damping, drag)) or names_in(left) & (moving - {"t"}):
         return law
     if drag and (stiffness or damping or depends_on(left, "t")):
         return None
-    return driven_form(Form(left, stiffness, damping, drag))
+    return driven_form(AccelerationForm(left, stiffness, damping, drag))
 
 
 def gathered(rate: Scalar) -> Scalar | None:
@@ -71,7 +71,7 @@ def gathered(rate: Scalar) -> Scalar | None:
     return definite(rate, "t", NOTHING, symbol("t"))
 
 
-def driven_form(form: Form) -> Form | None:
+def driven_form(form: AccelerationForm) -> AccelerationForm | None:
     """The form with what swings taken out of what is constant; as it is where it is a function of the time alone."""
     if not depends_on(form.constant, "t"):
         return form

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.elements.impulses import IMPULSES
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import StatementError
 from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
@@ -23,7 +23,7 @@ from rbpsym.mechanics.system import Force, System, in_state
 from rbpsym.statement.model import Element, PointRef
 
 if TYPE_CHECKING:
-    from rbpsym.mechanics.arrivals import State
+    from rbpsym.mechanics.arrivals import ArrivalState
     from rbpsym.mechanics.study import Study
 
 Values = Mapping[str, Scalar]
@@ -34,11 +34,11 @@ class Strike(Frozen):
     if it is one-sided; what must be so just before (`check`, with the system after), else a sentence."""
 
     forces: Callable[[Element, Geometry], tuple[Force, ...]]
-    check: Callable[[Study, Element, State, System], None] = lambda study, element, before, after: None
+    check: Callable[[Study, Element, ArrivalState, System], None] = lambda study, element, before, after: None
     is_one_sided: bool = False
 
 
-STRIKES: Parts[Strike] = Parts(IMPULSES, "law", "STRIKE")
+STRIKES: KindParts[Strike] = KindParts(IMPULSES, "law", "STRIKE")
 
 
 class Struck(Frozen):
@@ -50,7 +50,7 @@ class Struck(Frozen):
     asked: Mapping[str, tuple[Demand, ...]]
 
 
-class Moment(Frozen):
+class BeforeAndAfter(Frozen):
     """The systems before and after, at one configuration."""
 
     before: System
@@ -74,7 +74,7 @@ class Moment(Frozen):
 
 def strike(before: System, after: System, impulses: tuple[Element, ...], places: Values, speeds: Values) -> Struck:
     """Raises StatementError if the impulses contradict the constraints."""
-    moment = Moment(before, after, places, speeds)
+    moment = BeforeAndAfter(before, after, places, speeds)
     rows = [row for name in after.bodies for row in body_rows(moment, name, impulses)]
     rows += [parting(moment, e, name, factor) for e in impulses for name, factor in restitutions(e).items()]
     rows += [moment.new(time_derivative(c.value, after.scope)) for c in after.implicit]
@@ -93,7 +93,7 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
     return Struck(_all_speeds(moment, solution.values), found, asked)
 
 
-def _asked(moment: Moment, element: Element, values: Values) -> Iterator[Demand]:
+def _asked(moment: BeforeAndAfter, element: Element, values: Values) -> Iterator[Demand]:
     """A contact pushes, a string pulls; friction that holds stays within its limit, what slips goes on in its sense."""
     pushed: Iterable[str] = pushes(element) if element.kind in CONSTRAINTS else ()
     if element.kind in IMPULSES and STRIKES[element.kind].is_one_sided:
@@ -124,7 +124,7 @@ def restitutions(element: Element) -> dict[str, Scalar]:
     return found | ({element["friction"]: scalar(element["tangential"])} if is_holding(element) else {})
 
 
-def _all_speeds(moment: Moment, values: Values) -> dict[str, Scalar]:
+def _all_speeds(moment: BeforeAndAfter, values: Values) -> dict[str, Scalar]:
     """Speeds of dependent coordinates follow."""
     found, system = {}, moment.after
     for coordinate in system.problem.coordinates:
@@ -135,7 +135,7 @@ def _all_speeds(moment: Moment, values: Values) -> dict[str, Scalar]:
     return found
 
 
-def body_rows(moment: Moment, name: str, impulses: tuple[Element, ...]) -> list[Scalar]:
+def body_rows(moment: BeforeAndAfter, name: str, impulses: tuple[Element, ...]) -> list[Scalar]:
     """m ΔV - Σ Ĵ (x and y) and I Δω - Σ moments of one body."""
     new, old = moment.after.bodies[name], moment.before.bodies[name]
     forces = [force for force in impulsive(moment.after, impulses) if force.on == name]
@@ -168,7 +168,7 @@ def at_points(element: Element, geometry: Geometry, *ends: tuple[PointRef, Vecto
     )
 
 
-def parting(moment: Moment, element: Element, name: str, factor: Scalar) -> Scalar:
+def parting(moment: BeforeAndAfter, element: Element, name: str, factor: Scalar) -> Scalar:
     """The speed of parting along an impulse just after, and e times that before: 0."""
     before, after = (approach(system, element, name, moment.after) for system in (moment.before, moment.after))
     return moment.new(after) + factor * moment.old(before)

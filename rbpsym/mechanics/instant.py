@@ -14,7 +14,7 @@ from rbpsym.field import NOTHING, Scalar, is_zero, names_in, substitute, symbol,
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.elimination import Solution, solve_linear
-from rbpsym.mechanics.system import Condition, System
+from rbpsym.mechanics.system import ConstraintCondition, System
 from rbpsym.mechanics.unsolvable import contradictory, indistinct
 from rbpsym.statement.model import Problem
 
@@ -32,8 +32,8 @@ class Instant(Frozen):
     places: Values
     speeds: Values
     sought: tuple[str, ...]
-    rates: tuple[Condition, ...]
-    seconds: tuple[Condition, ...]
+    rates: tuple[ConstraintCondition, ...]
+    seconds: tuple[ConstraintCondition, ...]
     accelerations: Values
     reactions: Values
     followers: int = 0
@@ -56,7 +56,7 @@ def start_of(system: System, tidy: Callable[[Scalar], Scalar]) -> Instant:
     """
     _check_places(system)
     given = system.scope.start
-    rows = [Condition(c.constraint, time_derivative(c.value, system.scope), c.what) for c in system.implicit]
+    rows = [ConstraintCondition(c.constraint, time_derivative(c.value, system.scope), c.what) for c in system.implicit]
     rows += system.speed_ties
     speeds, sought, first = _speeds(system, rows, tidy)
     here = {**given, **speeds}
@@ -64,7 +64,7 @@ def start_of(system: System, tidy: Callable[[Scalar], Scalar]) -> Instant:
     def at_start(value: Scalar) -> Scalar:
         return tidy(substitute(value, here))
 
-    second = [Condition(c.constraint, at_start(time_derivative(c.value, system.scope)), c.what) for c in rows]
+    second = [ConstraintCondition(c.constraint, at_start(time_derivative(c.value, system.scope)), c.what) for c in rows]
     laws = [at_start(value) for _, _, value in newton_euler_rows(system)]
     unknowns = (*system.accelerations, *system.unknowns)
     solution = solve_linear([*(c.value for c in second), *laws], unknowns)
@@ -101,7 +101,9 @@ def _check_places(system: System) -> None:
             )
 
 
-def _speeds(system: System, rows: list[Condition], tidy) -> tuple[Values, tuple[str, ...], tuple[Condition, ...]]:
+def _speeds(
+    system: System, rows: list[ConstraintCondition], tidy
+) -> tuple[Values, tuple[str, ...], tuple[ConstraintCondition, ...]]:
     """All speeds at the start, those that follow from the others, and the rates of the conditions in these.
 
     A speed other than zero is given; the others follow where something moves, and nothing moves that they leave open.
@@ -109,7 +111,7 @@ def _speeds(system: System, rows: list[Condition], tidy) -> tuple[Values, tuple[
     given = system.scope.start
     known = {name: given[name] for name in system.speeds if not is_zero(given[name])}
     places = {name: given[name] for name in given if name not in system.speeds}
-    first = [Condition(c.constraint, tidy(substitute(c.value, {**places, **known})), c.what) for c in rows]
+    first = [ConstraintCondition(c.constraint, tidy(substitute(c.value, {**places, **known})), c.what) for c in rows]
     _check_distinct(system, rows, places)
     resting = dict.fromkeys(system.speeds, NOTHING)
     if all(is_zero(substitute(c.value, resting)) for c in first):
@@ -122,7 +124,7 @@ def _speeds(system: System, rows: list[Condition], tidy) -> tuple[Values, tuple[
     return {**resting, **known, **found}, tuple(n for n in system.speeds if n in found), tuple(first)
 
 
-def _check_distinct(system: System, rows: list[Condition], places: Values) -> None:
+def _check_distinct(system: System, rows: list[ConstraintCondition], places: Values) -> None:
     """No condition asks at the start for what the others ask: else they tie the speeds no more (bars in one line)."""
     here = [substitute(condition.value, places) for condition in rows]
     for place, condition in enumerate(rows):
@@ -136,7 +138,7 @@ def _check_distinct(system: System, rows: list[Condition], places: Values) -> No
             )
 
 
-def _wrong_speeds(system: System, rows: list[Condition], loose: list[str]) -> StatementError:
+def _wrong_speeds(system: System, rows: list[ConstraintCondition], loose: list[str]) -> StatementError:
     names = ", ".join(f"“{name}”" for name in dict.fromkeys(c.constraint for c in rows))
     if loose:
         return StatementError(

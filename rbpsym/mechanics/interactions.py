@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from rbpsym.elements.interactions import INTERACTIONS
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import StatementError
 from rbpsym.expr.tree import ONE
 from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root, tidy
@@ -24,7 +24,7 @@ from rbpsym.statement.model import Element, PointRef
 HALF = Fraction(1, 2)
 
 
-class Setting(Frozen):
+class LawSetting(Frozen):
     """What a law may look at: positions and velocities of points, states of bodies, signs (`sign`: at the start), the names
     of unknown forces."""
 
@@ -41,15 +41,15 @@ class Law(Frozen):
     """forces(element, setting); potential(element, setting) is None where there is none; `taken`: what is positive
     where the formula of the force holds."""
 
-    forces: Callable[[Element, Setting], tuple[Force, ...]]
-    potential: Callable[[Element, Setting], Scalar | None] = lambda element, setting: None
-    taken: Callable[[Element, Setting], tuple[Scalar, ...]] = lambda element, setting: ()
+    forces: Callable[[Element, LawSetting], tuple[Force, ...]]
+    potential: Callable[[Element, LawSetting], Scalar | None] = lambda element, setting: None
+    taken: Callable[[Element, LawSetting], tuple[Scalar, ...]] = lambda element, setting: ()
 
 
-LAWS: Parts[Law] = Parts(INTERACTIONS, "law", "LAW")
+LAWS: KindParts[Law] = KindParts(INTERACTIONS, "law", "LAW")
 
 
-def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
+def stretch(element: Element, setting: LawSetting) -> tuple[Vector, Scalar]:
     """(unit vector from the first end to the second, their distance). Raises StatementError where they are one place."""
     first, second = element["between"]
     apart = (setting.where(second) - setting.where(first)).settled()
@@ -63,20 +63,20 @@ def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
     return apart * distance.inverse(), distance
 
 
-def ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]:
+def ends(element: Element, setting: LawSetting, pull: Vector) -> tuple[Force, ...]:
     """The pull on the first end (towards the second) and its opposite on the second."""
     both = ((ref.body, setting.where(ref), ref.label) for ref in element["between"])
     return opposed(element.name, both, pull, law=element.kind)
 
 
-def sure_distance(element: Element, setting: Setting) -> tuple[Scalar, ...]:
+def sure_distance(element: Element, setting: LawSetting) -> tuple[Scalar, ...]:
     """The distance of the ends, if it is no root and the force hangs on its sign."""
     first, second = element["between"]
     is_line = len((setting.where(second) - setting.where(first)).settled().parts) == 1
     return (stretch(element, setting)[1],) if is_line and scalar(element.values.get("natural_length", ONE)) else ()
 
 
-def couples(element: Element, first: str, second: str, on_second: Scalar, setting: Setting) -> tuple[Force, ...]:
+def couples(element: Element, first: str, second: str, on_second: Scalar, setting: LawSetting) -> tuple[Force, ...]:
     """A couple on the second body, and its opposite on the first."""
     pairs = ((second, first, on_second), (first, second, -on_second))
     return tuple(
@@ -86,22 +86,22 @@ def couples(element: Element, first: str, second: str, on_second: Scalar, settin
     )
 
 
-def angle(name: str, setting: Setting) -> Scalar:
+def angle(name: str, setting: LawSetting) -> Scalar:
     """Angle of a body, 0 for the ground."""
     return setting.states[name].pose.angle if name in setting.states else NOTHING
 
 
-def spin(name: str, setting: Setting) -> Scalar:
+def spin(name: str, setting: LawSetting) -> Scalar:
     """Angular velocity of a body, 0 for the ground."""
     return setting.states[name].omega if name in setting.states else NOTHING
 
 
-def resisted_by(element: Element, setting: Setting) -> Resisted:
+def resisted_by(element: Element, setting: LawSetting) -> Resisted:
     """What a resistance is against. Raises StatementError as `resisted`."""
     return resisted(element, setting.velocity, lambda name: spin(name, setting), setting.sign)
 
 
-def unknowns_in(element: Element, push: Scalar, setting: Setting) -> tuple[str, ...]:
+def unknowns_in(element: Element, push: Scalar, setting: LawSetting) -> tuple[str, ...]:
     """The unknown forces in a size. Raises StatementError where it is not linear in them."""
     found = tuple(sorted(names_in(push) & setting.unknowns))
     if any(names_in(derivative(push, name)) & setting.unknowns for name in found):

@@ -14,12 +14,12 @@ from itertools import combinations
 
 from rbpsym.field import EX, EY, NOTHING, ORIGIN, Scalar, Vector, cartesian, depends_on, is_zero, short, substitute
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.arrivals import State, at_start
+from rbpsym.mechanics.arrivals import ArrivalState, at_start
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.energy import orbital_momentum, spin_momentum
 from rbpsym.mechanics.geometry import components
-from rbpsym.mechanics.impulse import Moment, body_rows, impulsive, parting, restitutions
+from rbpsym.mechanics.impulse import BeforeAndAfter, body_rows, impulsive, parting, restitutions
 from rbpsym.mechanics.placing import origins
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System, by_letters
@@ -43,7 +43,7 @@ class Jump(Frozen):
     silent: tuple[Force, ...]
 
 
-def road(moment: Moment, impulses: tuple[Element, ...]) -> tuple[Jump, ...]:
+def road(moment: BeforeAndAfter, impulses: tuple[Element, ...]) -> tuple[Jump, ...]:
     """The jumps that determine all speeds just after, with what collisions say; () where there are not enough of them,
     or where the equations of the single bodies are as few.
 
@@ -63,17 +63,17 @@ def road(moment: Moment, impulses: tuple[Element, ...]) -> tuple[Jump, ...]:
     return tuple(chosen) if is_short else ()
 
 
-def _price(moment: Moment, jump: Jump) -> tuple[bool, int, int]:
+def _price(moment: BeforeAndAfter, jump: Jump) -> tuple[bool, int, int]:
     speeds = sum(depends_on(jump.after, name) for name in moment.after.speeds)
     return bool(jump.given), speeds, len(moment.old(jump.before).num)
 
 
-def _lines(moment: Moment, impulses: tuple[Element, ...]) -> int:
+def _lines(moment: BeforeAndAfter, impulses: tuple[Element, ...]) -> int:
     """How many equations the single bodies have in which something happens."""
     return sum(not is_zero(row) for name in moment.after.bodies for row in body_rows(moment, name, impulses))
 
 
-def _jumps(moment: Moment, impulses: tuple[Element, ...]) -> Iterator[Jump]:
+def _jumps(moment: BeforeAndAfter, impulses: tuple[Element, ...]) -> Iterator[Jump]:
     """Those without unknown impulses in which a speed stands."""
     forces = impulsive(moment.after, impulses)
     unknown = {name for force in forces for name in force.unknowns} | {n for e in impulses for n in restitutions(e)}
@@ -97,7 +97,7 @@ def _holds(force: Force, names: set[str]) -> bool:
     return any(depends_on(part, name) for part in parts for name in names)
 
 
-def _is_undone(moment: Moment, force: Force, other: Force) -> bool:
+def _is_undone(moment: BeforeAndAfter, force: Force, other: Force) -> bool:
     """Whether the two are action and reaction, along one line."""
     if force.name != other.name or force.on == other.on:
         return False
@@ -119,7 +119,7 @@ def _momentum(system: System, bodies: tuple[str, ...], where: Vector, *, is_turn
     return total
 
 
-def _places(moment: Moment, outer: list[Force]) -> Iterator[tuple[str, Vector, bool]]:
+def _places(moment: BeforeAndAfter, outer: list[Force]) -> Iterator[tuple[str, Vector, bool]]:
     """Fixed points that have names, and where an impulse acts."""
     named = origins(moment.after)
     yield from ((label, moment.there(place), True) for label, place in named.items())
@@ -161,7 +161,7 @@ def _is_connected(subset: tuple[str, ...], links: Collection[tuple[str, str]]) -
     return len(reached) == len(subset)
 
 
-class Kept(Frozen):
+class KeptMomentum(Frozen):
     """L of a set of bodies about a fixed point, `label` "" where that has no name: of the outer forces `silent` ones have no
     torque about it, those that `cancel` have torques whose sum vanishes on the motion."""
 
@@ -173,7 +173,7 @@ class Kept(Frozen):
     cancel: tuple[Force, ...]
 
 
-def angular_momenta(study: Study) -> Iterator[Kept]:
+def angular_momenta(study: Study) -> Iterator[KeptMomentum]:
     """Those that are kept, change with some speed and hold no coordinate; of small sets first."""
     system = study.system
     for bodies in connected_sets(tuple(system.bodies), {(force.on, force.by) for force in system.forces}):
@@ -187,7 +187,7 @@ def angular_momenta(study: Study) -> Iterator[Kept]:
             turns = [(force, short(force.torque(where))) for force in outer]
             if is_zero(study.on_motion(sum((turn for _, turn in turns), NOTHING))):
                 silent, cancel = (tuple(f for f, turn in turns if bool(turn) is told) for told in (False, True))
-                yield Kept(bodies, label, where, value, silent, cancel)
+                yield KeptMomentum(bodies, label, where, value, silent, cancel)
 
 
 def _fixed_places(study: Study) -> Iterator[tuple[str, Vector]]:
@@ -199,7 +199,7 @@ def _fixed_places(study: Study) -> Iterator[tuple[str, Vector]]:
             yield "", cartesian(a * c, b * c)
 
 
-def until_no_slip(study: Study, slip: Scalar, end: State) -> tuple[Kept, ...]:
+def until_no_slip(study: Study, slip: Scalar, end: ArrivalState) -> tuple[KeptMomentum, ...]:
     """The angular momenta that, with a slip that has gone, give all speeds at the end of a phase; () if they do not."""
     wanted, start = study.system.speeds, at_start(study)
     begun = by_letters(start.speeds)

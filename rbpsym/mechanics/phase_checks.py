@@ -9,7 +9,7 @@ from dataclasses import replace
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.field import Scalar, substitute
 from rbpsym.mechanics.contacts import meeting, side_taken, slip_speed
-from rbpsym.mechanics.endings import State
+from rbpsym.mechanics.endings import ArrivalState
 from rbpsym.mechanics.friction import geometry_of, slips
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.study import Study
@@ -18,7 +18,7 @@ from rbpsym.statement.model import Element, Phase
 CLOSE = 1e-7
 
 
-def check_still_slipping(study: Study, phase: Phase, state: State) -> None:
+def check_still_slipping(study: Study, phase: Phase, state: ArrivalState) -> None:
     """What slips at the start slips until the phase ends, in the same sense."""
     known = numbers_then(study, state)
     for name, slip in slips(study.system).items():
@@ -33,7 +33,7 @@ def check_still_slipping(study: Study, phase: Phase, state: State) -> None:
             )
 
 
-def check_in_place(study: Study, phase: Phase, placed: Study, state: State) -> None:
+def check_in_place(study: Study, phase: Phase, placed: Study, state: ArrivalState) -> None:
     """The constraints of the new phase hold where the bodies are."""
     known = numbers_then(study, state)
     for name, value in placed.system.dependent.items():
@@ -55,7 +55,7 @@ def _apart(phase: Phase, placed: Study, name: str) -> StatementError:
     )
 
 
-def with_senses(study: Study, phase: Phase, state: State) -> Phase:
+def with_senses(study: Study, phase: Phase, state: ArrivalState) -> Phase:
     """The phase with the side and the sense of slip of what begins, and of bounces, as just before where nothing says them."""
     geometry, begun = geometry_of(study.system), phase.gap
 
@@ -80,7 +80,7 @@ def wrong(element: Element, what: str, cure: str) -> StatementError:
     return StatementError(f"the {element.kind} “{element.name}” {what}", instead=cure, place=element.place)
 
 
-def numbers_then(study: Study, state: State) -> dict[str, float]:
+def numbers_then(study: Study, state: ArrivalState) -> dict[str, float]:
     """Sample numbers with the places and speeds of a state: the first at which the motion comes there."""
     for known in samples(study.problem):
         with suppress(NoNumber):

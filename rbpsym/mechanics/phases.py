@@ -19,7 +19,7 @@ from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, possible
-from rbpsym.mechanics.endings import ENDINGS, State, at_start
+from rbpsym.mechanics.endings import ENDINGS, ArrivalState, at_start
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import STRIKES, Struck, is_holding, restitutions, strike
 from rbpsym.mechanics.phase_checks import check_in_place, check_still_slipping, with_senses
@@ -67,7 +67,7 @@ class HandOver(Frozen):
     `asked` of coefficients of restitution, so that no energy is gained, and for contacts to be `held`, by their names; the
     `phase` with the sides and senses of what strikes."""
 
-    before: State
+    before: ArrivalState
     speeds: Mapping[str, Scalar]
     impulses: Mapping[str, Scalar]
     energy_lost: Scalar
@@ -179,7 +179,7 @@ def _not_so(element: Element) -> StatementError:
     )
 
 
-def _taken(study: Study, end: State) -> Scalar | None:
+def _taken(study: Study, end: ArrivalState) -> Scalar | None:
     """The energy at the start of a phase less that at its end."""
     if study.potential is None or study.system.has_clock:
         return None
@@ -188,7 +188,7 @@ def _taken(study: Study, end: State) -> Scalar | None:
     return short(without_even_roots(first - last))
 
 
-def _check(study: Study, phase: Phase, placed: Study, before: State) -> None:
+def _check(study: Study, phase: Phase, placed: Study, before: ArrivalState) -> None:
     """Raises StatementError if the phase can't begin so."""
     check_still_slipping(study, phase, before)
     check_in_place(study, phase, placed, before)

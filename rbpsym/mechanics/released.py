@@ -8,8 +8,8 @@ from fractions import Fraction
 from rbpsym.errors import NotApplicable
 from rbpsym.field import (
     NOTHING,
+    Meanings,
     Scalar,
-    Scope,
     cartesian,
     depends_on,
     derivative,
@@ -29,7 +29,7 @@ from rbpsym.mechanics.friction import geometry_of, slip_senses
 from rbpsym.mechanics.geometry import Geometry, start_numbers
 from rbpsym.mechanics.numbers import sample
 from rbpsym.mechanics.placing import locator, open_name
-from rbpsym.mechanics.system import Condition, Pose, System
+from rbpsym.mechanics.system import ConstraintCondition, Pose, System
 from rbpsym.present.forms import present
 from rbpsym.quantities import LENGTH, NUMBER, Quantity
 from rbpsym.statement.model import Coordinate, Element, Problem
@@ -61,7 +61,7 @@ def released(tight: System) -> System:
         body: Pose(cartesian(*(own[open_name(body, axis)] for axis in "xy")), own.get(open_name(body, "angle"), NOTHING))
         for body in tight.bodies
     }
-    scope = Scope(rates=full_rates(names) | {f"{n}_dot": symbol(f"{n}_ddot") for n in names})
+    scope = Meanings(rates=full_rates(names) | {f"{n}_dot": symbol(f"{n}_ddot") for n in names})
     states = {name: moving(name, state.inertia, placed[name], scope) for name, state in tight.bodies.items()}
     where = locator(problem, {name: state.inertia for name, state in tight.bodies.items()}, placed)
     geometry = Geometry(where, placed, start_numbers(problem), states)
@@ -115,7 +115,9 @@ def _images(tight: System, told: Values) -> dict[str, Scalar]:
     return found | {name: substitute(value, found) for name, value in tied.items()}
 
 
-def _one_sided(conditions: tuple[Condition, ...], problem: Problem, geometry: Geometry) -> Iterator[Condition]:
+def _one_sided(
+    conditions: tuple[ConstraintCondition, ...], problem: Problem, geometry: Geometry
+) -> Iterator[ConstraintCondition]:
     """The conditions; of what pushes or pulls only, positive where it is open."""
     pushing = {e.name: e for e in problem.constraints if pushes(e)}
     for condition in conditions:

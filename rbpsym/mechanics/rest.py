@@ -233,7 +233,7 @@ def _of_forces(system: System, dynamics: Dynamics, at: At, given: Assumptions) -
 OPPOSITE = {"positive": "negative", "negative": "positive"}
 
 
-class Balance(Frozen):
+class AtRest(Frozen):
     """The one coordinate, the generalized `force` along it at rest and its derivative (the `slope`).
 
     `stable`: whether the slope is negative (positive: False) throughout the range, None if its sign
@@ -253,7 +253,7 @@ class Balance(Frozen):
     decay: tuple[Scalar, Scalar] | None = None
 
 
-def balance(system: System, dynamics: Dynamics, assumptions: Assumptions) -> Balance | None:
+def balance(system: System, dynamics: Dynamics, assumptions: Assumptions) -> AtRest | None:
     """The position of rest of a system with one coordinate whose equation has no solution in closed form."""
     if len(system.independent) != 1:
         return None
@@ -266,9 +266,9 @@ def balance(system: System, dynamics: Dynamics, assumptions: Assumptions) -> Bal
     square = short(-(substitute(slope, there) / mass)) if stable else None
     ends = _ends(system, force, name, assumptions)
     if square is None or not drag:
-        return Balance(name, force, slope, stable, ends, place, square)
+        return AtRest(name, force, slope, stable, ends, place, square)
     decay = (square, short(-(drag / mass))) if sign(drag, assumptions).kind == "negative" else None
-    return Balance(name, force, slope, stable, ends, place, None, decay)
+    return AtRest(name, force, slope, stable, ends, place, None, decay)
 
 
 def _drag(system: System, dynamics: Dynamics, there: dict[str, Scalar]) -> Scalar:

@@ -7,11 +7,11 @@ from collections.abc import Iterator, Mapping
 from rbpsym.field import depends_on, derivative, names_in, short, substitute, without_even_roots
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.friction import slips
-from rbpsym.mechanics.solutions import TIME, Course, Given
+from rbpsym.mechanics.solutions import TIME, Given, InTime
 from rbpsym.mechanics.solved import time_to
 
 
-def lasting(known: Given, found: Mapping[str, Course]) -> Iterator[Demand]:
+def lasting(known: Given, found: Mapping[str, InTime]) -> Iterator[Demand]:
     """What is asked of the time: that no slip has changed its sense since the start. That is said as t ≤ the first time at
     which one vanishes, if there surely is one and a formula gives it, else of the slip as far as the courses `found` tell
     it, which has to be met from the start on."""

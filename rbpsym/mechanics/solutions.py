@@ -21,7 +21,7 @@ from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.forms import Form, form_of, gathered, power_law, raised
+from rbpsym.mechanics.forms import AccelerationForm, form_of, gathered, power_law, raised
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.orbit import swinging
@@ -35,7 +35,7 @@ SURE = {"positive": (WEAK,), "negative": (STRONG,), "zero": (CRITICAL,)}
 STEADY, SMALL = "steady", "small"
 
 
-class Course(Frozen):
+class InTime(Frozen):
     """A coordinate as a function of the time since the start, in `letters` that stand for these values; where that is so:
     the demands `valid`, and `where` a parameter has a value. `steady`: a driven motion, which `is_left` at last or goes on beside
     the free one."""
@@ -62,7 +62,7 @@ class Given(Frozen):
     """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics, the coordinate;
     what it asks for; a `mark` of its letters. A sum of coordinates has no name."""
 
-    form: Form
+    form: AccelerationForm
     place: Scalar
     speed: Scalar
     study: Study
@@ -112,31 +112,31 @@ def given(study: Study, name: str, *, small: bool = False, others: Mapping[str, 
     return Given(found, start[name], speed, study, name, item.valid if item else ())
 
 
-def form_along(study: Study, name: str, others: Mapping[str, Scalar] | None = None) -> Form | None:
+def form_along(study: Study, name: str, others: Mapping[str, Scalar] | None = None) -> AccelerationForm | None:
     """The form of the acceleration of a coordinate on the motion, with what is known of `others`; None where it has none."""
     gained = None if study.at_start or study.ties else (study.dynamics.accelerations or {}).get(f"{name}_ddot")
     gained = gained if gained is None or not others else short(substitute(gained, others))
     return None if gained is None else form_of(gained, name, {*study.system.scope.rates, "t"})
 
 
-def _small(study: Study, name: str, item: Equilibrium | None) -> Form | None:
+def _small(study: Study, name: str, item: Equilibrium | None) -> AccelerationForm | None:
     """The acceleration to first order about a place of rest of one degree of freedom."""
     if item is None or name not in item.at or len(study.system.independent) != 1:
         return None
     [[mass]], [[drag]], [[pull]] = (lambda n: (n.inertia, n.damping, n.stiffness))(item.linear)
     stiffness = short(pull / mass)
-    return Form(short(stiffness * item.at[name]), stiffness, short(drag / mass))
+    return AccelerationForm(short(stiffness * item.at[name]), stiffness, short(drag / mass))
 
 
 # --- solutions
 
 
-def courses(known: Given) -> Iterator[Course]:
+def courses(known: Given) -> Iterator[InTime]:
     """All solutions, each for its own case: one where the declared signs tell which. Each with what it asks of the time."""
     return (lasting(known, replace(one, valid=(*one.valid, *known.valid))) for one in _cases(known))
 
 
-def lasting(known: Given, one: Course) -> Course:
+def lasting(known: Given, one: InTime) -> InTime:
     """The course, valid as long as kinetic friction keeps its sense on it; of other coordinates the one course that each has."""
     from rbpsym.mechanics import slipping
     if not known.name or not slips(known.study.system):
@@ -147,13 +147,13 @@ def lasting(known: Given, one: Course) -> Course:
     return replace(one, valid=(*one.valid, *slipping.lasting(known, {**alone, known.name: one})))
 
 
-def driven(known: Given) -> Course:
+def driven(known: Given) -> InTime:
     """The motion with the frequency of the drive alone; it is left at last where a damped spring lets the free one die out."""
     dies = all(sign(value, known.assumptions).kind == "positive" for value in (known.form.stiffness, known.form.damping))
-    return lasting(known, Course(steady(known), case=STEADY, is_left=dies))
+    return lasting(known, InTime(steady(known), case=STEADY, is_left=dies))
 
 
-def _cases(known: Given) -> Iterator[Course]:
+def _cases(known: Given) -> Iterator[InTime]:
     kind = kind_of(known.form)
     if kind != "damped":
         found = SOLVED[kind](known)
@@ -166,7 +166,7 @@ def _cases(known: Given) -> Iterator[Course]:
             yield found if len(sure) > 1 else replace(found, valid=())
 
 
-def course(known: Given, case: str = "") -> Course | None:
+def course(known: Given, case: str = "") -> InTime | None:
     """The solution in the case that is named, else in that of the author's numbers, or that which swings; None where that case
     can't be."""
     found = list(courses(known))
@@ -176,7 +176,7 @@ def course(known: Given, case: str = "") -> Course | None:
     return next((one for one in found if one.case == case), None)
 
 
-def kind_of(form: Form) -> str:
+def kind_of(form: AccelerationForm) -> str:
     """Which of the solved forms it is: a key of SOLVED, or “damped”."""
     if form.drag or form.law or form.drawn:
         return "dragged" if form.drag else "slowed" if form.law else "drawn"
@@ -205,14 +205,14 @@ def _free(known: Given) -> tuple[Scalar, Scalar, Scalar]:
     return left, place, speed
 
 
-def _uniform(known: Given) -> Course | None:
+def _uniform(known: Given) -> InTime | None:
     left, place, speed = _free(known)
     gone = gathered(known.form.constant)
     way = None if gone is None else gathered(gone)
-    return None if way is None else Course(left + place + speed * TIME + way)
+    return None if way is None else InTime(left + place + speed * TIME + way)
 
 
-def _swinging(known: Given) -> Course | None:
+def _swinging(known: Given) -> InTime | None:
     left, place, speed = _free(known)
     stiffness = known.form.stiffness
     way = known.sense(stiffness, open_=1)
@@ -224,7 +224,7 @@ def _swinging(known: Given) -> Course | None:
     else:
         grows, dies = function("exp", rate * TIME), function("exp", -rate * TIME)
         moved = (place + speed / rate) / 2 * grows + (place - speed / rate) / 2 * dies
-    return Course(left + moved, _named(rate, root(short(stiffness * way))), valid=valid) if way else None
+    return InTime(left + moved, _named(rate, root(short(stiffness * way))), valid=valid) if way else None
 
 
 def _named(*pairs: Scalar) -> dict[str, Scalar]:
@@ -232,24 +232,24 @@ def _named(*pairs: Scalar) -> dict[str, Scalar]:
     return {next(iter(names_in(letter))): value for letter, value in zip(pairs[::2], pairs[1::2], strict=True)}
 
 
-def _weak(known: Given, gap: Scalar) -> Course | None:
+def _weak(known: Given, gap: Scalar) -> InTime | None:
     left, place, speed = _free(known)
     decay, rate = known.letter("gamma"), known.letter("vartheta_d")
     swung = place * function("cos", rate * TIME) + (speed + decay * place) / rate * function("sin", rate * TIME)
     letters = _named(decay, known.form.damping / 2, rate, root(gap))
-    return Course(left + function("exp", -decay * TIME) * swung, letters, WEAK, (Demand(gap),))
+    return InTime(left + function("exp", -decay * TIME) * swung, letters, WEAK, (Demand(gap),))
 
 
-def _strong(known: Given, gap: Scalar) -> Course | None:
+def _strong(known: Given, gap: Scalar) -> InTime | None:
     left, place, speed = _free(known)
     decay, rate = known.letter("gamma"), known.letter("eta")
     slow, fast = (function("exp", (way * rate - decay) * TIME) for way in (1, -1))
     moved = (speed + (decay + rate) * place) * slow - (speed + (decay - rate) * place) * fast
     letters = _named(decay, known.form.damping / 2, rate, root(-gap))
-    return Course(left + moved / rate / 2, letters, STRONG, (Demand(-gap),))
+    return InTime(left + moved / rate / 2, letters, STRONG, (Demand(-gap),))
 
 
-def _critical(known: Given, gap: Scalar) -> Course | None:
+def _critical(known: Given, gap: Scalar) -> InTime | None:
     """Where 4 s = b², or one parameter, to which the damping is proportional, has the value that makes it so."""
     form, where = known.form, None
     for name in (q.name for q in known.study.problem.parameters if not is_zero(gap)):
@@ -262,10 +262,10 @@ def _critical(known: Given, gap: Scalar) -> Course | None:
     left, place, speed = (substitute(part, dict([where] if where else ())) for part in _free(known))
     rate = known.letter("vartheta")
     moved = (place + (speed + rate * place) * TIME) * function("exp", -rate * TIME)
-    return Course(left + moved, _named(rate, root(form.stiffness)), CRITICAL, where=where)
+    return InTime(left + moved, _named(rate, root(form.stiffness)), CRITICAL, where=where)
 
 
-def _resisted(known: Given) -> Course | None:
+def _resisted(known: Given) -> InTime | None:
     """The speed tends to c/b, at the rate b."""
     if known.form.drive:
         return None
@@ -273,16 +273,16 @@ def _resisted(known: Given) -> Course | None:
     last = known.letter("u") if limit else NOTHING
     gone = (UNITY - function("exp", -rate * TIME)) / rate
     letters = _named(rate, known.form.damping, *((last, short(limit)) if limit else ()))
-    return Course(known.place + last * TIME + (known.speed - last) * gone, letters)
+    return InTime(known.place + last * TIME + (known.speed - last) * gone, letters)
 
 
-def _dragged(known: Given) -> Course | None:
+def _dragged(known: Given) -> InTime | None:
     """(ln of a sum of exponentials, or of sines and cosines)/k."""
     form, speed = known.form, known.speed
     if not form.constant:
         ahead = (Demand(form.drag * speed),)
         valid = () if sign(ahead[0].value, known.study.assumptions).is_nonnegative else ahead
-        return Course(known.place + function("ln", 1 + form.drag * speed * TIME) / form.drag, valid=valid)
+        return InTime(known.place + function("ln", 1 + form.drag * speed * TIME) / form.drag, valid=valid)
     way = known.sense(form.constant * form.drag)
     sure = sign(form.constant * form.drag, known.study.assumptions).kind in ("positive", "negative")
     valid = () if sure else (Demand(form.constant * form.drag * way),)
@@ -290,15 +290,15 @@ def _dragged(known: Given) -> Course | None:
     letters = _named(rate, root(short(form.constant * form.drag * way)))
     if way < 0:
         swung = function("cos", rate * TIME) - speed * rate / form.constant * function("sin", rate * TIME)
-        return Course(known.place + function("ln", swung) / form.drag, letters, valid=valid)
+        return InTime(known.place + function("ln", swung) / form.drag, letters, valid=valid)
     last = known.letter("u")
     letters |= _named(last, short(form.constant / letters[next(iter(letters))]))
     gone = function("exp", -rate * TIME * 2)
     part = (last + speed + (last - speed) * gone) / last / 2
-    return Course(known.place + last * TIME + function("ln", part) / form.drag, letters, valid=valid) if way else None
+    return InTime(known.place + last * TIME + function("ln", part) / form.drag, letters, valid=valid) if way else None
 
 
-def _slowed(known: Given) -> Course | None:
+def _slowed(known: Given) -> InTime | None:
     """Where u̇ = k uⁿ, u^(1 - n) grows at the rate (1 - n) k; where q̈ = k e^{c q̇}, e^{-c q̇} at the rate -c k."""
     speed, rate, law = f"{known.name}_dot", known.letter("lamda"), power_law(known)
     if law is None:
@@ -309,7 +309,7 @@ def _slowed(known: Given) -> Course | None:
         letters = _named(rate, short(-slope * substitute(known.form.law, {speed: NOTHING})))
         grown = begun + rate * TIME
         moved = grown * (1 - function("ln", grown)) - begun * (slope * known.speed + 1)
-        return Course(known.place + moved / slope / rate, letters, valid=(Demand(substitute(grown, letters)),))
+        return InTime(known.place + moved / slope / rate, letters, valid=(Demand(substitute(grown, letters)),))
     first, second = 1 - law.power, 2 - law.power
     grown = law.grown(first, TIME, rate) if first and second else None
     moved = [raised(one, Fraction(second) / first) for one in grown[:2]] if grown else [None]
@@ -317,10 +317,10 @@ def _slowed(known: Given) -> Course | None:
         return None
     letters, size = _named(rate, law.rate(first)), grown[2] * law.way * first / second
     going = Demand(substitute(grown[0], letters), ">=" if 0 < law.power < 1 else ">")  # with the place at which it rests
-    return Course(known.place + (moved[0] - moved[1]) * size / rate, letters, valid=(going,))
+    return InTime(known.place + (moved[0] - moved[1]) * size / rate, letters, valid=(going,))
 
 
-def _drawn(known: Given) -> Course | None:
+def _drawn(known: Given) -> InTime | None:
     """q̇ fⁿ stays what it is, where q̈ = -n (f'/f) q̇: with a linear function f of the time, or with n = 1 and a quadratic one
     that has no zero, as the moment of inertia of an arm along which a mass is moved steadily."""
     lever = Scalar(known.form.drawn.den)
@@ -334,14 +334,14 @@ def _drawn(known: Given) -> Course | None:
             return None
         size = known.root(gap)
         turned = function("atan", rate / size) - function("atan", first / size)
-        return Course(known.place + known.speed * begun * 2 / size * turned, valid=(Demand(gap),))
+        return InTime(known.place + known.speed * begun * 2 / size * turned, valid=(Demand(gap),))
     if not isinstance(power, int) or power < 2 or bend:
         return None
     place = known.place + known.speed * begun / rate / (power - 1) * (1 - (begun / lever) ** (power - 1))
-    return Course(short(place), valid=(Demand(short(lever * begun)),))
+    return InTime(short(place), valid=(Demand(short(lever * begun)),))
 
 
-SOLVED: Mapping[str, Callable[[Given], Course | None]] = {
+SOLVED: Mapping[str, Callable[[Given], InTime | None]] = {
     "uniform": _uniform,
     "swinging": _swinging,
     "resisted": _resisted,
@@ -349,4 +349,4 @@ SOLVED: Mapping[str, Callable[[Given], Course | None]] = {
     "slowed": _slowed,
     "drawn": _drawn,
 }
-DAMPED: Mapping[str, Callable[[Given, Scalar], Course | None]] = {WEAK: _weak, CRITICAL: _critical, STRONG: _strong}
+DAMPED: Mapping[str, Callable[[Given, Scalar], InTime | None]] = {WEAK: _weak, CRITICAL: _critical, STRONG: _strong}

@@ -29,7 +29,7 @@ class Segment(Frozen):
     length: Scalar
 
 
-class Crossing(Exception):
+class StringCrosses(Exception):
     """A string can't leave or reach a circle as it is said to: it would have to run through it."""
 
     def __init__(self, first: Turn, second: Turn) -> None:
@@ -48,7 +48,7 @@ def segment(first: Turn, second: Turn, geometry: Geometry) -> Segment:
     apart = (there - here).settled()
     found = _straight(apart, arriving - leaving, geometry)
     if found is None:
-        raise Crossing(first, second)
+        raise StringCrosses(first, second)
     along, length = found
     across = along.turned()
     return Segment(first, second, here - across * leaving, there - across * arriving, along, length)
@@ -94,7 +94,7 @@ def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list
             raise no_direction(element, first.center.label, second.center.label)
     try:
         return segments(run, geometry)
-    except Crossing as fault:
+    except StringCrosses as fault:
         first, second = (turn.body or turn.center.label for turn in fault.ends)
         raise StatementError(
             f"the string “{element.name}” would have to cross its pulley between “{first}” and “{second}” at the start",

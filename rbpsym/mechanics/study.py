@@ -17,7 +17,7 @@ from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.instant import Instant, has_start
 from rbpsym.mechanics.placing import origins
-from rbpsym.mechanics.system import Condition, System
+from rbpsym.mechanics.system import ConstraintCondition, System
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.present.style import COEFFICIENT, OTHER, Style
 from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
@@ -60,7 +60,7 @@ class Study(Frozen):
         return letters_of(self.problem)
 
     @property
-    def ties(self) -> tuple[Condition, ...]:
+    def ties(self) -> tuple[ConstraintCondition, ...]:
         """The conditions that tie coordinates to each other without an explicit solution."""
         return self.system.implicit
 
@@ -252,7 +252,7 @@ class Study(Frozen):
         return rest.rest(self.system, self.dynamics, self.assumptions)
 
     @kept
-    def open_balance(self) -> rest.Balance | None:
+    def open_balance(self) -> rest.AtRest | None:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
         return rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from rbpsym.field import NOTHING, ORIGIN, QUARTER, Scalar, Scope, Vector, kept, substitute, time_derivative
+from rbpsym.field import NOTHING, ORIGIN, QUARTER, Meanings, Scalar, Vector, kept, substitute, time_derivative
 from rbpsym.field.vector import vector_sum
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.inertia import Inertia
@@ -82,7 +82,7 @@ def opposed(
     )
 
 
-class Condition(Frozen):
+class ConstraintCondition(Frozen):
     """One scalar geometric condition `value = 0` of a constraint."""
 
     constraint: str
@@ -104,11 +104,11 @@ class System(Frozen):
     dependent: Mapping[str, Scalar]
     bodies: Mapping[str, BodyState]
     forces: tuple[Force, ...]
-    conditions: tuple[Condition, ...]
-    implicit: tuple[Condition, ...] = ()
-    scope: Scope = field(default_factory=Scope)
+    conditions: tuple[ConstraintCondition, ...]
+    implicit: tuple[ConstraintCondition, ...] = ()
+    scope: Meanings = field(default_factory=Meanings)
     independent: tuple[str, ...] = ()
-    speed_ties: tuple[Condition, ...] = ()
+    speed_ties: tuple[ConstraintCondition, ...] = ()
 
     def named(self, name: str) -> list[Force]:
         """The forces of a name on all bodies."""

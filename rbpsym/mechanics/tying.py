@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.errors import StatementError
-from rbpsym.field import Scalar, Scope, depends_on, is_zero, substitute, time_derivative
+from rbpsym.field import Meanings, Scalar, depends_on, is_zero, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, integrated, rate_conditions, solve_explicitly
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import locator
-from rbpsym.mechanics.system import BodyState, Condition, Pose, at_point
+from rbpsym.mechanics.system import BodyState, ConstraintCondition, Pose, at_point
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
 from rbpsym.typeset.machine import to_machine
 
-Rates = dict[int, Condition]  # conditions on the speeds by their place among all of them
+Rates = dict[int, ConstraintCondition]  # conditions on the speeds by their place among all of them
 
 
 class Tied(Frozen):
@@ -25,9 +25,9 @@ class Tied(Frozen):
     `speeds`: conditions on the speeds that are no rates; `conditions`: all on the position."""
 
     solved: Mapping[str, Scalar]
-    implicit: tuple[Condition, ...]
-    speeds: tuple[Condition, ...]
-    conditions: tuple[Condition, ...]
+    implicit: tuple[ConstraintCondition, ...]
+    speeds: tuple[ConstraintCondition, ...]
+    conditions: tuple[ConstraintCondition, ...]
 
 
 def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, Pose], names: tuple[str, ...]) -> Tied:
@@ -49,7 +49,9 @@ def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, P
     return Tied(solved, implicit, tuple(waiting.values()), conditions)
 
 
-def _check_kept(found: Condition, again: Condition | None, solved: Mapping[str, Scalar], implicit, problem) -> None:
+def _check_kept(
+    found: ConstraintCondition, again: ConstraintCondition | None, solved: Mapping[str, Scalar], implicit, problem
+) -> None:
     """A condition that was solved holds from then on, unless its solution turned the geometry over (a string that
     would run upwards instead of downwards, since nothing says where its end is)."""
     if again is None or any(condition.constraint == found.constraint for condition in implicit):
@@ -66,7 +68,7 @@ def _check_kept(found: Condition, again: Condition | None, solved: Mapping[str, 
     )
 
 
-def _begins_nowhere(found: Condition, solved: Mapping[str, Scalar], problem: Problem) -> StatementError | None:
+def _begins_nowhere(found: ConstraintCondition, solved: Mapping[str, Scalar], problem: Problem) -> StatementError | None:
     """The sentence for a place that follows up to a constant, of which nothing says where it begins."""
     for c in problem.coordinates:
         if c.start is None and c.name in solved and depends_on(found.value, c.name):
@@ -85,23 +87,23 @@ def _geometry(problem: Problem, inertias: Mapping[str, Inertia], placed: Mapping
 def _rates(problem: Problem, inertias, given, solved: Mapping[str, Scalar], names: tuple[str, ...]) -> Rates:
     """The conditions on the speeds that do not hold identically, in the names that are left."""
     placed = {n: Pose(p.origin.substitute(solved), substitute(p.angle, solved)) for n, p in given.items()}
-    scope = Scope(rates=full_rates([name for name in names if name not in solved]))
+    scope = Meanings(rates=full_rates([name for name in names if name not in solved]))
     geometry = _geometry(problem, inertias, placed)
     states = {name: _state(name, inertias[name], pose, scope) for name, pose in placed.items()}
     moving = Geometry(geometry.where, placed, geometry.numbers, states, geometry.unsaid)
     return {place: c for place, c in enumerate(rate_conditions(problem, moving)) if not is_zero(c.value)}
 
 
-def _state(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
+def _state(name: str, own: Inertia, pose: Pose, scope: Meanings) -> BodyState:
     center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
     return BodyState(name, own, pose, center, center.rate(scope.rates), time_derivative(pose.angle, scope))
 
 
-def _first_integral(waiting: Rates, names: tuple[str, ...], problem: Problem) -> tuple[int, Condition] | None:
+def _first_integral(waiting: Rates, names: tuple[str, ...], problem: Problem) -> tuple[int, ConstraintCondition] | None:
     """The first condition that is the rate of a position, integrated from the start, with its place."""
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None}
     for place, condition in waiting.items():
         found = integrated(condition.value, names)
         if found is not None:
-            return place, Condition(condition.constraint, from_start(found, names, start), condition.what)
+            return place, ConstraintCondition(condition.constraint, from_start(found, names, start), condition.what)
     return None

@@ -25,7 +25,7 @@ class Event(Frozen):
     most: float = 1
 
 
-class Path(Frozen):
+class Trajectory(Frozen):
     """A motion: the times at the ends of the steps, the times of each event, the state at any time between."""
 
     times: tuple[float, ...]
@@ -42,7 +42,7 @@ def followed(
     longest: float = math.inf,
     most: float = math.inf,
     tolerances: tuple[float, float] = (1e-12, 1e-14),
-) -> Path:
+) -> Trajectory:
     """The motion from the time 0 to `end`, or to an event, a singularity or the last of the `most` steps.
 
     `longest`: of a step; `tolerances`: relative and absolute. Raises NotApplicable where not a step can be taken.
@@ -66,7 +66,7 @@ def followed(
             before = after
     if not pieces:
         raise NotApplicable("the motion does not get beyond the time 0")
-    return Path(tuple(times), tuple(map(tuple, seen)), OdeSolution([*times[:-1], pieces[-1].t], pieces))
+    return Trajectory(tuple(times), tuple(map(tuple, seen)), OdeSolution([*times[:-1], pieces[-1].t], pieces))
 
 
 def _quiet(rate: Rate) -> Rate:

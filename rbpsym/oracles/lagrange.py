@@ -16,11 +16,11 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.decide.verdict import PROVED, Verdict, all_of, proved, undecided
 from rbpsym.elements.interactions import INTERACTIONS
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import LimitError, NotApplicable
 from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, at_most, derivative, names_in, substitute, symbol, total
 from rbpsym.field.division import vanishes_on
-from rbpsym.field.evaluate import Scope, scalar, time_derivative
+from rbpsym.field.evaluate import Meanings, scalar, time_derivative
 from rbpsym.field.modular import PRIME, NoImage
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.contacts import meeting, slip_sense
@@ -117,7 +117,7 @@ MOST_PRODUCTS = 2_000_000
 HALF = Fraction(1, 2)
 
 
-class Motion(Frozen):
+class FreeMotion(Frozen):
     """Positions and angles of a system, and their rates with every speed q̇ as a free symbol."""
 
     system: System
@@ -149,12 +149,12 @@ class Motion(Frozen):
         return sum(parts, place.derivative("t"))
 
 
-def motion_of(system: System) -> Motion:
+def motion_of(system: System) -> FreeMotion:
     """The kinematics that the poses of a system contain."""
-    return Motion(system, where_in(system))
+    return FreeMotion(system, where_in(system))
 
 
-def kinetic_energy(motion: Motion) -> Scalar:
+def kinetic_energy(motion: FreeMotion) -> Scalar:
     """T = Σ ½ M V² + ½ I_cm φ̇² with the speeds as free symbols."""
     total = NOTHING
     for state in motion.system.bodies.values():
@@ -165,10 +165,10 @@ def kinetic_energy(motion: Motion) -> Scalar:
 
 # --- what has no potential: Q(q), the virtual work for a variation of q
 
-VIRTUAL_WORKS: Parts[Callable[[Element, Motion, str], Scalar]] = Parts(INTERACTIONS, "work", "work")
+VIRTUAL_WORKS: KindParts[Callable[[Element, FreeMotion, str], Scalar]] = KindParts(INTERACTIONS, "work", "work")
 
 
-def generalized_force(motion: Motion, name: str) -> Scalar:
+def generalized_force(motion: FreeMotion, name: str) -> Scalar:
     """-∂U/∂q + Q, by the virtual works of what has no potential."""
     energies, total = potentials(motion.system), NOTHING
     for element in motion.system.problem.interactions:
@@ -186,7 +186,7 @@ def lagrange_expressions(system: System) -> dict[str, Scalar]:
     energy = kinetic_energy(motion)
     rates = {name: symbol(f"{name}_dot") for name in motion.names}
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in motion.names}
-    scope = Scope(rates=rates | {"t": symbol("t") ** 0})
+    scope = Meanings(rates=rates | {"t": symbol("t") ** 0})
     return {
         name: time_derivative(derivative(energy, f"{name}_dot"), scope)
         - derivative(energy, name)

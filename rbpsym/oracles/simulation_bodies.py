@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from rbpsym.elements.interactions import INTERACTIONS
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.expr.tree import Node, Sym, walk
 from rbpsym.field import Scalar
 from rbpsym.field.evaluate import scalar
@@ -183,7 +183,7 @@ def values(nodes: tuple[Node, ...], mechanism: Mechanism, coordinates: Coordinat
     return lambda where, speed: Values(coordinates(where, speed)).row(scalars)
 
 
-ROWS: Parts[Callable[[Element, Mechanism, Coordinates], Law]] = Parts(INTERACTIONS, "row", "row")
+ROWS: KindParts[Callable[[Element, Mechanism, Coordinates], Law]] = KindParts(INTERACTIONS, "row", "row")
 
 
 def laws(mechanism: Mechanism, coordinates: Coordinates) -> list[Law]:

@@ -15,12 +15,12 @@ from collections.abc import Callable
 import numpy as np
 
 from rbpsym.elements.constraints import CONSTRAINTS
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import FUNCTIONS, Values
 from rbpsym.oracles.simulation_bodies import Mechanism, Spot, State
-from rbpsym.oracles.simulation_joints import Drag, Entries, Kept, Row
+from rbpsym.oracles.simulation_joints import Drag, Entries, Kept, StateRow
 from rbpsym.statement.model import Element, PointRef
 
 STEP = 1e-30
@@ -72,12 +72,12 @@ def kept_by(
 ) -> Kept:
     """The condition that a unit force keeps; without a value it is one for the speeds alone."""
 
-    def row(where: State, speed: State) -> Row:
+    def row(where: State, speed: State) -> StateRow:
         shifted = [x + 1j * STEP * v for x, v in zip(where, speed, strict=True)]
         entries = _entries(pushes(shifted), shifted)
         bias = sum(entry.imag / STEP * speed[column] for column, entry in entries)
         gap = 0.0 if value is None else value(shifted).real
-        return Row(gap, [(column, entry.real) for column, entry in entries], bias)
+        return StateRow(gap, [(column, entry.real) for column, entry in entries], bias)
 
     return Kept(name, multiplier, row, value is not None, drags)
 
@@ -85,7 +85,7 @@ def kept_by(
 # --- contacts with lines and circles
 
 
-class Curve(Frozen):
+class CurveAtState(Frozen):
     """gap and unit normal (towards what touches) of a curve at a state, and the radius of what touches."""
 
     gap: Callable[[Complex], complex]
@@ -112,14 +112,14 @@ def _touching(element: Element, mechanism: Mechanism) -> tuple[Spot, float]:
     return mechanism.spot(element["point"]), 0.0
 
 
-def curve(element: Element, mechanism: Mechanism, start: State) -> Curve:
+def curve(element: Element, mechanism: Mechanism, start: State) -> CurveAtState:
     """The curve of a contact."""
     if element.values.get("curve") is not None:
         return _bent(element, mechanism, start)
     return (_circle if element.values.get("circle") is not None else _line)(element, mechanism, start)
 
 
-def _bent(element: Element, mechanism: Mechanism, start: State) -> Curve:
+def _bent(element: Element, mechanism: Mechanism, start: State) -> CurveAtState:
     """A curve by its parameter: an axis, or what is nearest to the point, followed from where the point starts."""
     touching, bend = mechanism.spot(element["point"]), element["curve"]
     side, place = -1 if element.values.get("side") == "negative" else 1, (scalar(bend.x), scalar(bend.y))
@@ -155,10 +155,10 @@ def _bent(element: Element, mechanism: Mechanism, start: State) -> Curve:
         (x, y), (nx, ny) = apart(where, parameter(where)), normal(where)
         return x * nx + y * ny
 
-    return Curve(gap, normal, touching, 0.0, -1)
+    return CurveAtState(gap, normal, touching, 0.0, -1)
 
 
-def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:
+def _line(element: Element, mechanism: Mechanism, start: State) -> CurveAtState:
     touching, rim = _touching(element, mechanism)
     line, bearer = element["line"], mechanism.body_number(element["of"])
     a, b, c = (mechanism.number(node) for node in (line.a, line.b, line.c))
@@ -177,7 +177,7 @@ def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:
     side = _side(
         element, touching, bearer, lambda p: height(list(map(complex, start)), p).real, across(start)[1].real, start
     )
-    return Curve(
+    return CurveAtState(
         lambda where: side * height(where, spot_at(touching, where)) - rim,
         lambda where: tuple(side * n for n in across(where)),
         touching,
@@ -198,7 +198,7 @@ def _side(element: Element, touching: Spot, bearer: int, height, rise: float, st
     return way * (-1 if found < -1e-9 else 1)
 
 
-def _circle(element: Element, mechanism: Mechanism, start: State) -> Curve:
+def _circle(element: Element, mechanism: Mechanism, start: State) -> CurveAtState:
     touching, rim = _touching(element, mechanism)
     middle, radius = mechanism.spot(element["circle"]), mechanism.number(element["radius"])
     side = _side_of_circle(element, touching, middle, radius, start)
@@ -212,7 +212,7 @@ def _circle(element: Element, mechanism: Mechanism, start: State) -> Curve:
         x, y, distance = apart(where)
         return side * x / distance, side * y / distance
 
-    return Curve(lambda where: side * (apart(where)[2] - reach), normal, touching, rim, middle.body)
+    return CurveAtState(lambda where: side * (apart(where)[2] - reach), normal, touching, rim, middle.body)
 
 
 def _side_of_circle(element: Element, touching: Spot, middle: Spot, radius: float, start: State) -> int:
@@ -225,11 +225,11 @@ def _side_of_circle(element: Element, touching: Spot, middle: Spot, radius: floa
     return -1 if abs(complex(x - cx.real, y - cy.real)) < radius - 1e-6 else 1
 
 
-def _normal(element: Element, bend: Curve, *drags: Drag) -> Kept:
+def _normal(element: Element, bend: CurveAtState, *drags: Drag) -> Kept:
     return kept_by(element.name, element.name, lambda where: bend.push(where, bend.normal(where)), bend.gap, drags)
 
 
-def _forward(bend: Curve, sign: int = 1) -> Pushes:
+def _forward(bend: CurveAtState, sign: int = 1) -> Pushes:
     """A unit force along the tangent: the normal turned clockwise."""
 
     def pushes(where: Complex) -> list[Push]:
@@ -278,7 +278,7 @@ def frame_of(bearer: int, mechanism: Mechanism) -> Spot:
     return Spot(bearer, *(-part for part in mechanism.centers[bearer])) if bearer >= 0 else GROUND_SPOT
 
 
-ROWS: Parts[Callable[[Element, Mechanism, State], list[Kept]]] = Parts(CONSTRAINTS, "row", "rows")
+ROWS: KindParts[Callable[[Element, Mechanism, State], list[Kept]]] = KindParts(CONSTRAINTS, "row", "rows")
 
 
 def conditions(mechanism: Mechanism, start: State) -> list[Kept]:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rbpsym.elements.interactions import INTERACTIONS, LETTERS
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.expr.tree import Node
 from rbpsym.field import derivative, names_in
 from rbpsym.field.evaluate import scalar
@@ -23,7 +23,7 @@ from rbpsym.statement.model import Element
 Entries = list[tuple[int, float]]
 
 
-class Row(Frozen):
+class StateRow(Frozen):
     """A condition at a state: value (to vanish), its derivatives by X and by t, and d²/dt² at A = 0."""
 
     value: float
@@ -48,7 +48,7 @@ class Kept(Frozen):
 
     name: str
     multiplier: str
-    at: Callable[[State, State], Row]
+    at: Callable[[State, State], StateRow]
     is_place: bool = True
     drags: tuple[Drag, ...] = ()
 
@@ -58,15 +58,15 @@ class Kept(Frozen):
         return self.name if self.is_place else self.multiplier
 
 
-Condition = Callable[[State, State], Row]
+Condition = Callable[[State, State], StateRow]
 
 
 def component(spot: Spot, dx: float, dy: float) -> Condition:
     """The place of a spot along a direction."""
 
-    def row(where: State, speed: State) -> Row:
+    def row(where: State, speed: State) -> StateRow:
         at = placed(spot, where, speed)
-        return Row(dx * at.place[0] + dy * at.place[1], at.along(dx, dy), dx * at.bias[0] + dy * at.bias[1])
+        return StateRow(dx * at.place[0] + dy * at.place[1], at.along(dx, dy), dx * at.bias[0] + dy * at.bias[1])
 
     return row
 
@@ -74,14 +74,14 @@ def component(spot: Spot, dx: float, dy: float) -> Condition:
 def turn(first: int, second: int) -> Condition:
     """φ_second - φ_first of two bodies by their numbers, -1 for the ground."""
     ends = [(3 * k + 2, sign) for k, sign in ((second, 1.0), (first, -1.0)) if k >= 0]
-    return lambda where, speed: Row(sum(sign * where[column] for column, sign in ends), ends, 0.0)
+    return lambda where, speed: StateRow(sum(sign * where[column] for column, sign in ends), ends, 0.0)
 
 
 def difference(first: Condition, second: Condition) -> Condition:
     """The second less the first."""
-    def row(where: State, speed: State) -> Row:
+    def row(where: State, speed: State) -> StateRow:
         a, b = first(where, speed), second(where, speed)
-        return Row(b.value - a.value, b.entries + [(k, -entry) for k, entry in a.entries], b.bias - a.bias)
+        return StateRow(b.value - a.value, b.entries + [(k, -entry) for k, entry in a.entries], b.bias - a.bias)
 
     return row
 
@@ -97,9 +97,9 @@ def turning(first: int, second: int, offset: float, element: Element) -> Kept:
     """φ_second - φ_first = offset; the couple is on the second."""
     angle = turn(first, second)
 
-    def row(where: State, speed: State) -> Row:
+    def row(where: State, speed: State) -> StateRow:
         found = angle(where, speed)
-        return Row(found.value - offset, found.entries, found.bias)
+        return StateRow(found.value - offset, found.entries, found.bias)
 
     return Kept(element["couple"], element["couple"], row)
 
@@ -116,10 +116,10 @@ def driven(name: str, multiplier: str, quantity: Condition, node: Node, mechanis
     speed_wanted = derivative(wanted, "t")
     gain_wanted = derivative(speed_wanted, "t")
 
-    def row(where: State, speed: State) -> Row:
+    def row(where: State, speed: State) -> StateRow:
         own = quantity(where, speed)
         at, rate, gain = (mechanism.at_time(value) for value in (wanted, speed_wanted, gain_wanted))
-        return Row(own.value - at, own.entries, own.bias - gain, -rate)
+        return StateRow(own.value - at, own.entries, own.bias - gain, -rate)
 
     return Kept(name, multiplier, row)
 
@@ -133,7 +133,7 @@ Sizes = Callable[[State, State, float], list[float]]
 Against = Callable[[State, State], tuple[float, list[Load]]]  # what the letter for the speed is, and the loads of size 1
 
 
-AGAINST: Parts[Callable[[Element, Mechanism, Coordinates], Against]] = Parts(INTERACTIONS, "row", "against")
+AGAINST: KindParts[Callable[[Element, Mechanism, Coordinates], Against]] = KindParts(INTERACTIONS, "row", "against")
 
 
 def _sizes(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> tuple[tuple[str, ...], Sizes]:

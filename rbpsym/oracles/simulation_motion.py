@@ -14,18 +14,18 @@ from rbpsym.errors import NotApplicable
 from rbpsym.frozen import Frozen
 from rbpsym.numeric.integration import Rate, followed
 from rbpsym.oracles.simulation_bodies import Law, Load, Mechanism, State
-from rbpsym.oracles.simulation_joints import Kept, Row
+from rbpsym.oracles.simulation_joints import Kept, StateRow
 
 STATES = 20  # that are looked at along a motion
 
 
-class Balance(Frozen):
+class Response(Frozen):
     """What the equations say at a state: accelerations of the bodies, multipliers, loads, rows."""
 
     gained: np.ndarray
     multipliers: np.ndarray
     loads: list[Load]
-    rows: list[Row]
+    rows: list[StateRow]
     where: State
     speed: State
 
@@ -40,7 +40,7 @@ class Equations:
         self.size = len(self.masses)
         self.bare = np.diag([*self.masses, *[0.0] * len(kept)]).tolist()  # plain lists: single entries are soon set
 
-    def at(self, where: np.ndarray, speed: np.ndarray) -> Balance:
+    def at(self, where: np.ndarray, speed: np.ndarray) -> Response:
         """Raises NotApplicable where the constraints leave a force undetermined."""
         where, speed = where.tolist(), speed.tolist()
         loads = [load for law in self.laws for load in law(where, speed)]
@@ -49,9 +49,9 @@ class Equations:
             found = np.linalg.solve(self._matrix(rows, where, speed), self._right(loads, rows))
         except np.linalg.LinAlgError:
             raise NotApplicable("the simulation can't tell the unknown forces apart at this state") from None
-        return Balance(found[: self.size], found[self.size :], loads, rows, where, speed)
+        return Response(found[: self.size], found[self.size :], loads, rows, where, speed)
 
-    def _matrix(self, rows: list[Row], where: State, speed: State) -> np.ndarray:
+    def _matrix(self, rows: list[StateRow], where: State, speed: State) -> np.ndarray:
         size = self.size
         matrix = [row[:] for row in self.bare]
         for k, row in enumerate(rows, size):
@@ -63,7 +63,7 @@ class Equations:
                 matrix[column][k] -= entry
         return np.array(matrix)
 
-    def _right(self, loads: list[Load], rows: list[Row]) -> np.ndarray:
+    def _right(self, loads: list[Load], rows: list[StateRow]) -> np.ndarray:
         right = [0.0] * self.size + [-row.bias for row in rows]
         for load in loads:
             k = 3 * load.body
@@ -76,7 +76,7 @@ class Equations:
         """Σ ½ M V² + ½ I_cm ω²."""
         return 0.5 * float(self.masses @ (speed * speed))
 
-    def powers(self, speed: np.ndarray, balance: Balance, account: dict[tuple[str, str, bool], int]) -> list[float]:
+    def powers(self, speed: np.ndarray, balance: Response, account: dict[tuple[str, str, bool], int]) -> list[float]:
         """Power of every force on every body, F·V_cm and τ_cm ω apart, in the order of `account`."""
         found, names, speeds = [0.0] * len(account), self.mechanism.problem.body_names, speed.tolist()
         for name, column, push in self._pushes(balance) if account else ():
@@ -89,7 +89,7 @@ class Equations:
         """The largest of M |V| and I_cm |ω|: a size to compare momenta with."""
         return float(np.abs(self.masses * speed).max(initial=0.0))
 
-    def torques(self, balance: Balance, levers: list[tuple[float, float]]) -> list[float]:
+    def torques(self, balance: Response, levers: list[tuple[float, float]]) -> list[float]:
         """Torque of all forces on all bodies about each of the fixed places."""
         net = [0.0] * self.size
         for _, column, push in self._pushes(balance) if levers else ():
@@ -97,7 +97,7 @@ class Equations:
         bodies = [(*balance.where[k : k + 2], *net[k : k + 3]) for k in range(0, self.size, 3)]
         return [sum((bx - x) * fy - (by - y) * fx + couple for bx, by, fx, fy, couple in bodies) for x, y in levers]
 
-    def _pushes(self, balance: Balance) -> Iterator[tuple[str, int, float]]:
+    def _pushes(self, balance: Response) -> Iterator[tuple[str, int, float]]:
         """(force, column of X, its component there)."""
         for load in balance.loads:
             for axis, push in enumerate((load.x, load.y, load.torque)):

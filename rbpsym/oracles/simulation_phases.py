@@ -14,7 +14,7 @@ from copy import copy
 import numpy as np
 
 from rbpsym.elements.impulses import IMPULSES
-from rbpsym.elements.kinds import Parts
+from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import NotApplicable
 from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, replace
@@ -242,7 +242,7 @@ class Parting(Frozen):
 
 
 Strikes = tuple[np.ndarray | float, list[Parting]]
-STRUCK: Parts[Callable[[Element, Bench, End], Strikes]] = Parts(IMPULSES, "row", "struck")
+STRUCK: KindParts[Callable[[Element, Bench, End], Strikes]] = KindParts(IMPULSES, "row", "struck")
 
 
 def struck(

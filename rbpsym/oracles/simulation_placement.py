@@ -54,7 +54,7 @@ class Stated:
         return total
 
 
-class Link(Frozen):
+class Placing(Frozen):
     """stated(q) = something of the body, whose value, derivative by X and bias `of` gives."""
 
     stated: Stated
@@ -74,15 +74,15 @@ class Placement:
         self.names = tuple(c.name for c in mechanism.problem.coordinates)
         self.links = [link for body in mechanism.problem.bodies for link in self._links(body)]
 
-    def _links(self, body) -> list[Link]:
+    def _links(self, body) -> list[Placing]:
         k, found = self.mechanism.place[body.name], []
         if body.placed is not None:
             point, place = body.placed
             spot = self.mechanism.spot_of(body, point)
             ways = zip(place, ((1.0, 0.0), (0.0, 1.0)), strict=True)
-            found += [Link(Stated(node, self.names), component(spot, *way)) for node, way in ways]
+            found += [Placing(Stated(node, self.names), component(spot, *way)) for node, way in ways]
         if body.angle is not None:
-            found.append(Link(Stated(body.angle, self.names), turn(-1, k)))
+            found.append(Placing(Stated(body.angle, self.names), turn(-1, k)))
         return found
 
     def numbers(self, q: State, speeds: State | None = None) -> dict[str, float]:

@@ -16,8 +16,8 @@ from rbpsym.expr.tree import Add, Bracket, Delta, Deriv, Integral, Limit, Node, 
 from rbpsym.field import (
     NOTHING,
     UNITY,
+    Meanings,
     Scalar,
-    Scope,
     Space,
     Value,
     Vector,
@@ -31,7 +31,7 @@ from rbpsym.field import (
 from rbpsym.field.exponentials import with_squares
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import Condition
+from rbpsym.mechanics.system import ConstraintCondition
 from rbpsym.proof.facts import Fact
 from rbpsym.proof.step import Step
 
@@ -39,13 +39,13 @@ from rbpsym.proof.step import Step
 INNER: Mapping[type[Node], str] = {Deriv: "of", Bracket: "arg", Limit: "arg", Integral: "integrand"}
 
 
-class Ground(Frozen):
+class BareGround(Frozen):
     """What a check asks beside values: here nothing is tied or unsolved, and all may be used without being noted."""
 
     is_hasty = False
 
     @property
-    def ties(self) -> tuple[Condition, ...]:
+    def ties(self) -> tuple[ConstraintCondition, ...]:
         """The conditions that tie coordinates to each other without an explicit solution."""
         return ()
 
@@ -65,7 +65,7 @@ class Ground(Frozen):
         return None
 
 
-class Context(Ground):
+class Context(BareGround):
     """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
 
     `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name. `introduced`: by which step or
@@ -92,7 +92,7 @@ class Context(Ground):
         return self.whole
 
     @property
-    def ties(self) -> tuple[Condition, ...]:
+    def ties(self) -> tuple[ConstraintCondition, ...]:
         """The conditions that tie coordinates to each other without an explicit solution."""
         return self.whole.ties
 
@@ -103,11 +103,11 @@ class Context(Ground):
         return self.whole.system.accelerations if is_open else ()
 
     @property
-    def scope(self) -> Scope:
+    def scope(self) -> Meanings:
         """The scope in which trees are evaluated; the time t goes on in it from the start."""
         base = self.whole.system.scope
         rates, start = {**base.rates, "t": UNITY}, {"t": NOTHING, **base.start}
-        return Scope(self.scalars, self.vectors, rates, start, self.body_integral, self.works)
+        return Meanings(self.scalars, self.vectors, rates, start, self.body_integral, self.works)
 
     @property
     def radius(self) -> str:

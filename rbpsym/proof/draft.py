@@ -244,8 +244,8 @@ def acceleration_symbol(name: str) -> t.Sym:
 
 def _without_repeats(statement: t.Node) -> t.Node:
     """a = b = b as a = b, in each row."""
-    if isinstance(statement, t.System):
-        return t.System(tuple(_without_repeats(row) for row in statement.rows))
+    if isinstance(statement, t.Relations):
+        return t.Relations(tuple(_without_repeats(row) for row in statement.rows))
     if not isinstance(statement, t.Chain) or len(statement.items) < 3:
         return statement
     pairs = zip(statement.items, statement.items[1:], statement.ops, strict=False)

@@ -23,7 +23,7 @@ from rbpsym.mechanics.numbers import number
 TINY = 1e-9
 
 
-class Row(Frozen):
+class SourcedRow(Frozen):
     """A value that vanishes, and the premises that say so."""
 
     value: Scalar
@@ -92,7 +92,7 @@ Pivots = dict[Monomial, Image]  # rows by the unknown that they are used for, in
 
 
 def used_by_numbers(
-    rows: Iterable[Row], goal: Scalar, unknown: Set[str], even: Set[str], known: dict[object, Any]
+    rows: Iterable[SourcedRow], goal: Scalar, unknown: Set[str], even: Set[str], known: dict[object, Any]
 ) -> frozenset[str] | None:
     """The sources of the rows of which a value is a linear combination, modulo a prime at one point; None if of none.
 
@@ -184,7 +184,7 @@ def _residue(value: Scalar, counts: Callable[[str], bool]) -> int:
     return value_of(value.num) * pow(value_of(value.den), -1, PRIME) % PRIME
 
 
-def known_by(rows: Iterable[Row], wanted: Set[str], unknown: Callable[[str], int], speeds: Set[str]) -> Known:
+def known_by(rows: Iterable[SourcedRow], wanted: Set[str], unknown: Callable[[str], int], speeds: Set[str]) -> Known:
     """What the rows say of the names that are `wanted`, and of those that they are tied to.
 
     `unknown` ranks the names that may be replaced (0: none of them); speeds are replaced by their squares alone.
@@ -206,7 +206,7 @@ def known_by(rows: Iterable[Row], wanted: Set[str], unknown: Callable[[str], int
     return Known(tuple(pivots), tuple(squares))
 
 
-def _concerned(rows: list[Row], wanted: Set[str], counts: Callable[[str], object]) -> list[Row]:
+def _concerned(rows: list[SourcedRow], wanted: Set[str], counts: Callable[[str], object]) -> list[SourcedRow]:
     """The rows in which a wanted name stands, or one that stands in such a row, and so on; in their order."""
     names = [{name for name in names_in(row.value) if counts(name)} for row in rows]
     near, kept = set(wanted), set()

@@ -16,62 +16,62 @@ from rbpsym.field import NOTHING, ONE, UNITY, Poly, Scalar, atoms, function, lif
 from rbpsym.frozen import Frozen
 
 
-class Series(Frozen):
+class FirstOrder(Frozen):
     """value + ε slope."""
 
     value: Scalar
     slope: Scalar = NOTHING
 
-    def __mul__(self, other: Series) -> Series:
-        return Series(self.value * other.value, self.value * other.slope + self.slope * other.value)
+    def __mul__(self, other: FirstOrder) -> FirstOrder:
+        return FirstOrder(self.value * other.value, self.value * other.slope + self.slope * other.value)
 
-    def __pow__(self, exponent: int) -> Series:
+    def __pow__(self, exponent: int) -> FirstOrder:
         if exponent < 0:
             under = self.value**exponent
-            return Series(under, self.slope * under / self.value * exponent)
-        return reduce(Series.__mul__, [self] * exponent, Series(UNITY))
+            return FirstOrder(under, self.slope * under / self.value * exponent)
+        return reduce(FirstOrder.__mul__, [self] * exponent, FirstOrder(UNITY))
 
 
-def _root(arg: Series) -> Series:
+def _root(arg: FirstOrder) -> FirstOrder:
     found = function("sqrt", arg.value)
-    return Series(found, arg.slope / found / 2) if arg.slope else Series(found)
+    return FirstOrder(found, arg.slope / found / 2) if arg.slope else FirstOrder(found)
 
 
-FUNCTIONS: Mapping[str, Callable[[Series], Series]] = {
-    "cos": lambda a: Series(function("cos", a.value), -a.slope * function("sin", a.value)),
-    "sin": lambda a: Series(function("sin", a.value), a.slope * function("cos", a.value)),
-    "atan": lambda a: Series(function("atan", a.value), a.slope / (UNITY + a.value * a.value)),
-    "exp": lambda a: Series(function("exp", a.value), a.slope * function("exp", a.value)),
-    "ln": lambda a: Series(function("ln", a.value), a.slope / a.value),
+FUNCTIONS: Mapping[str, Callable[[FirstOrder], FirstOrder]] = {
+    "cos": lambda a: FirstOrder(function("cos", a.value), -a.slope * function("sin", a.value)),
+    "sin": lambda a: FirstOrder(function("sin", a.value), a.slope * function("cos", a.value)),
+    "atan": lambda a: FirstOrder(function("atan", a.value), a.slope / (UNITY + a.value * a.value)),
+    "exp": lambda a: FirstOrder(function("exp", a.value), a.slope * function("exp", a.value)),
+    "ln": lambda a: FirstOrder(function("ln", a.value), a.slope / a.value),
     "root": _root,
 }
 
 
-def expanded(value: Scalar, images: Mapping[str, Series]) -> Series:
+def expanded(value: Scalar, images: Mapping[str, FirstOrder]) -> FirstOrder:
     """The value with series in the place of symbols. Raises Undecided for a function that has no rule here."""
     above = _poly(value.num, images)
     return above if value.den is ONE else above * _poly(value.den, images) ** -1
 
 
-def _poly(poly: Poly, images: Mapping[str, Series]) -> Series:
+def _poly(poly: Poly, images: Mapping[str, FirstOrder]) -> FirstOrder:
     known = {index: _atom(index, images) for index in poly.atoms()}
     terms = []
     for monomial, coefficient in poly.terms.items():
         powers = [known[index] ** exponent for index, exponent in monomial]
-        terms.append(reduce(Series.__mul__, powers, Series(lift(coefficient))))
-    return Series(total(term.value for term in terms), total(term.slope for term in terms))
+        terms.append(reduce(FirstOrder.__mul__, powers, FirstOrder(lift(coefficient))))
+    return FirstOrder(total(term.value for term in terms), total(term.slope for term in terms))
 
 
-def _atom(index: int, images: Mapping[str, Series]) -> Series:
+def _atom(index: int, images: Mapping[str, FirstOrder]) -> FirstOrder:
     found = atoms.atom(index)
     if found.kind == "symbol":
-        return images.get(found.arg) or Series(symbol(found.arg))
+        return images.get(found.arg) or FirstOrder(symbol(found.arg))
     arg = expanded(found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg), images)
     if found.kind in FUNCTIONS:
         return FUNCTIONS[found.kind](arg)
     if arg.slope:
         raise Undecided(f"no expansion of {found.kind} is known")
-    return Series(function(found.kind, arg.value))
+    return FirstOrder(function(found.kind, arg.value))
 
 
 def part(value: Scalar, name: str) -> Scalar:
@@ -115,9 +115,9 @@ def _nearby(
     at, tied = dict(places), dict(ties)
     shifts = {name: symbol(f"{name} away") for name in names}
     moved = {name: total(a * s for a, s in zip(parts, shifts.values(), strict=True)) for name, parts in tied.items()}
-    images = {n: Series(at.get(n, symbol(n)), shift) for n, shift in (shifts | moved).items()}
+    images = {n: FirstOrder(at.get(n, symbol(n)), shift) for n, shift in (shifts | moved).items()}
     rates = [(f"{name}{dots}", symbol(f"{name} {dots}")) for name in names for dots in ("_dot", "_ddot")]
-    images |= {name: Series(NOTHING, letter) for name, letter in rates}
+    images |= {name: FirstOrder(NOTHING, letter) for name, letter in rates}
     found = [expanded(row, images) for row in rows]
     held = [expanded(condition, images) for condition in conditions]
 

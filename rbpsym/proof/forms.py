@@ -24,8 +24,8 @@ class Forms:
 
     def kept(self, statement: t.Node, number: int = -1) -> Any:
         """The statement of a step of that number (-1 is never forgotten); what was printed before ends its rows in that form."""
-        if isinstance(statement, t.System):
-            return t.System(tuple(self.kept(row, number) for row in statement.rows))
+        if isinstance(statement, t.Relations):
+            return t.Relations(tuple(self.kept(row, number) for row in statement.rows))
         if not isinstance(statement, t.Chain) or set(statement.ops) != {"="} or not _is_plain(statement.items[-1]):
             return statement
         *before, last = statement.items

@@ -17,12 +17,12 @@ from weakref import proxy
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import EX, EY, Scalar, Scope, Space, Value, depends_on, names_in, substitute, symbol, value, with_squares
+from rbpsym.field import EX, EY, Meanings, Scalar, Space, Value, depends_on, names_in, substitute, symbol, value, with_squares
 from rbpsym.field.modular import NoImage
 from rbpsym.frozen import field
-from rbpsym.mechanics.system import Condition
+from rbpsym.mechanics.system import ConstraintCondition
 from rbpsym.proof.context import Context
-from rbpsym.proof.entailment import Known, Row, cofactors, known_by, used_by_numbers
+from rbpsym.proof.entailment import Known, SourcedRow, cofactors, known_by, used_by_numbers
 from rbpsym.proof.facts import MOTION, law_rows
 from rbpsym.proof.letters import fixed, introducers
 from rbpsym.proof.step import Step
@@ -109,7 +109,7 @@ class View(Context):
         return Granted(self)
 
     @property
-    def ties(self) -> tuple[Condition, ...]:
+    def ties(self) -> tuple[ConstraintCondition, ...]:
         """The conditions that tie coordinates: part of what the law of motion says."""
         if self.whole.at_start and MOTION not in self.premises:
             return ()
@@ -131,12 +131,12 @@ class View(Context):
     # --- letters
 
     @cached_property
-    def scope(self) -> Scope:
+    def scope(self) -> Meanings:
         """The meanings that the premises grant; the start state as far as it is a premise."""
         view = proxy(self)  # no circle: a view goes when nobody holds it any more
         kinds = (("scalars", View._opaque), ("vectors", View._opaque_vector), ("works", View._opaque_rate))
         scalars, vectors, works = (_Letters(view, getattr(self, kind), opaque) for kind, opaque in kinds)
-        return Scope(scalars, vectors, self._rates, self._starts, lambda f, body: view.body_integral(f, body), works)
+        return Meanings(scalars, vectors, self._rates, self._starts, lambda f, body: view.body_integral(f, body), works)
 
     @cached_property
     def _rates(self) -> dict[str, Scalar]:
@@ -345,7 +345,7 @@ class View(Context):
             self._opaque(name)
         return key
 
-    def _rows_of(self, id: str) -> Iterator[Row]:
+    def _rows_of(self, id: str) -> Iterator[SourcedRow]:
         """Values that vanish because of a premise, each with all that they rest on."""
         made = self.steps.get(id)
         if made is None:
@@ -353,12 +353,12 @@ class View(Context):
             for row in law_rows(self.whole, fact) if fact is not None and fact.kind == "law" and fact.subject else ():
                 with self.noting() as noted:
                     told = substitute(row, {name: self.scope.scalars[name] for name in names_in(row) & self.scalars.keys()})
-                yield Row(told, frozenset((id, *noted)))
+                yield SourcedRow(told, frozenset((id, *noted)))
             return
         for read in READERS:
             with suppress(RbpsymError, ZeroDivisionError), self.noting() as noted:
                 for row in read(self, made):
-                    yield Row(self._by_laws(row), frozenset((id, *noted)))
+                    yield SourcedRow(self._by_laws(row), frozenset((id, *noted)))
 
 
 def seen_by(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False) -> View:

@@ -8,7 +8,7 @@ from typing import Protocol
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import Condition
 from rbpsym.errors import StatementError, Undecided
-from rbpsym.field import NOTHING, Scalar, Scope, Space, Vector, depends_on, function, shorten, symbol
+from rbpsym.field import NOTHING, Meanings, Scalar, Space, Vector, depends_on, function, shorten, symbol
 from rbpsym.frozen import Frozen, field
 from rbpsym.quantities import Dimension
 
@@ -87,7 +87,7 @@ class Motion(Frozen):
     energy: what is conserved of it, None if that is not known. states: seeds with the numbers that they give, once looked at.
     """
 
-    scope: Scope
+    scope: Meanings
     assumptions: Assumptions
     moved: Callable[[Scalar], Scalar]
     squares: Mapping[str, Scalar] = field(default_factory=dict)

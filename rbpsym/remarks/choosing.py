@@ -39,7 +39,7 @@ STRENGTHS: Mapping[str, str] = {
 }  # of interactions, and of the friction of a contact: the value with which they disappear
 
 
-def without(result: Result) -> Iterator[Made]:
+def without(result: BoxedResult) -> Iterator[Made]:
     """What it would be without an interaction or without sliding friction, whose strength goes to zero."""
     elements = (*result.study.problem.interactions, *result.study.problem.constraints)
     strengths = [element.values.get(STRENGTHS.get(element.kind, "")) for element in elements]
@@ -51,13 +51,13 @@ def without(result: Result) -> Iterator[Made]:
             yield from _limit(result, name, *(("remark.without", {"force": t.Sym(force)}) if alone else ("remark.small", {})))
 
 
-def _disappears(force: str, name: str, result: Result) -> bool:
+def _disappears(force: str, name: str, result: BoxedResult) -> bool:
     """Are all parts of the force zero where its strength is?"""
     parts = (part for f in result.study.system.named(force) for part in (f.vector.x, f.vector.y, f.couple))
     return all(is_zero(substitute(part, {name: NOTHING})) for part in parts)
 
 
-def small(result: Result) -> Iterator[Made]:
+def small(result: BoxedResult) -> Iterator[Made]:
     """What it becomes where a length or a mass is small against another one in it."""
     kinds = {name: q.dimension for name, q in result.declared.items() if q.sign == "positive" and depends_on(result.value, name)}
     for name, dimension in sorted(kinds.items(), key=lambda pair: pair[1] != LENGTH):  # a body's size before its mass
@@ -70,7 +70,7 @@ def small(result: Result) -> Iterator[Made]:
             yield from _limit(result, name, "remark.small", {})
 
 
-def _limit(result: Result, name: str, key: str, slots: Mapping[str, object]) -> Iterator[Made]:
+def _limit(result: BoxedResult, name: str, key: str, slots: Mapping[str, object]) -> Iterator[Made]:
     """The limit where it is finite and not zero, and still a function of the same coordinates."""
     if not depends_on(result.value, name) or squeezed(result.value, name, NOTHING, result.given):
         return
@@ -101,7 +101,7 @@ def remarks(derivation: Derivation, detail: str) -> list[dict[str, list[Step]]]:
     return [{found.step.id: list(_chosen(found, detail, before)) for found in results(part)} for part in parts]
 
 
-def _chosen(result: Result, detail: str, before: set[object]) -> Iterator[Step]:
+def _chosen(result: BoxedResult, detail: str, before: set[object]) -> Iterator[Step]:
     is_short, count = detail != "full", 0
     for kind in KINDS:
         for made in () if kind in before else guarded(kind, result):
@@ -117,7 +117,7 @@ def _chosen(result: Result, detail: str, before: set[object]) -> Iterator[Step]:
             before |= {AT_ONE} & {step.phrase}
 
 
-def guarded(kind: Callable[[Result], Iterable[Made]], result: Result) -> list[Made]:
+def guarded(kind: Callable[[BoxedResult], Iterable[Made]], result: BoxedResult) -> list[Made]:
     """What cannot be decided is not said."""
     try:
         with at_most(MOST_PRODUCTS):
@@ -147,7 +147,7 @@ BALANCES = ("conservation", "work", "asked")  # rules of results that relate qua
 CAUSED = ("solution", "first_integral")  # those of how the system moves
 
 
-class Result(Frozen):
+class BoxedResult(Frozen):
     """A boxed step that gives a quantity: its name as it is printed, its value."""
 
     step: Step
@@ -169,7 +169,7 @@ class Result(Frozen):
         return {q.name: q for q in problem.parameters if q.name not in {*problem.implicit, *begun}}
 
 
-def results(derivation: Derivation) -> Iterator[Result]:
+def results(derivation: Derivation) -> Iterator[BoxedResult]:
     """The results of a derivation that give a quantity which is not zero, as a function of the place or of the state."""
     for step in derivation.steps:
         found = result_of(step, derivation)
@@ -177,7 +177,7 @@ def results(derivation: Derivation) -> Iterator[Result]:
             yield found
 
 
-def result_of(step: Step, derivation: Derivation) -> Result | None:
+def result_of(step: Step, derivation: Derivation) -> BoxedResult | None:
     """A step as a result; None for what is none."""
     row = step.statement
     if not step.is_result or step.rule in BALANCES or not isinstance(row, t.Chain) or set(row.ops) != {"="}:
@@ -193,14 +193,14 @@ def result_of(step: Step, derivation: Derivation) -> Result | None:
     known = rates if step.rule == "solution" else set(study.system.coordinates)
     if names - known - {"pi", "t", *(q.name for q in study.problem.parameters)} or names & (rates - known):
         return None  # unknown forces, a place of rest that an equation tells: these may depend on anything
-    found = Result(step, study, row.items[0], value)
+    found = BoxedResult(step, study, row.items[0], value)
     return None if step.rule == "first_integral" and not names & {*found.declared, *known} else found
 
 
 # --- what drops out of a result; on what it does not depend, why, and which way it goes with what it depends on
 
 
-def free_of(result: Result) -> Iterator[Made]:
+def free_of(result: BoxedResult) -> Iterator[Made]:
     """The declared parameters that do not stand in it: by their dimensions where these leave no choice."""
     letter = result.name.name if isinstance(result.name, t.Sym) else ""
     own = [name for name in result.declared if letter.startswith(f"{name}_")]  # c_crit is a value of c
@@ -223,14 +223,14 @@ def _is_free(value: Scalar, name: str) -> Verdict:
     return proved("its derivative vanishes") if is_zero(derivative(value, name)) and stays else undecided("it is not free of it")
 
 
-def _is_only_mass(name: str, result: Result) -> bool:
+def _is_only_mass(name: str, result: BoxedResult) -> bool:
     """Is it a mass, while the dimension of no other quantity that is given or moves holds one?"""
     problem = result.study.problem
     known = [*problem.parameters, *(coordinate.quantity for coordinate in problem.coordinates)]
     return result.declared[name].dimension == MASS and not any(q.dimension.mass for q in known if q.name != name)
 
 
-def _makes_no_number(names: Sequence[str], result: Result) -> bool:
+def _makes_no_number(names: Sequence[str], result: BoxedResult) -> bool:
     """Are these all that have a dimension, so that no pure number can be made of them, and the result is one?"""
     problem = result.study.problem
     known = [*problem.parameters, *(coordinate.quantity for coordinate in problem.coordinates)]
@@ -255,7 +255,7 @@ def _rank(dimensions: Sequence[Dimension]) -> int:
     return rank
 
 
-def monotone(result: Result) -> Iterator[Made]:
+def monotone(result: BoxedResult) -> Iterator[Made]:
     """With which parameters its size grows for all their values, and with which it falls."""
     ways = {name: _way(result, name) for name, q in result.declared.items() if q.sign == "positive"}
     grow, fall = ([t.Sym(name) for name, way in ways.items() if way == wanted] for wanted in ("positive", "negative"))
@@ -266,7 +266,7 @@ def monotone(result: Result) -> Iterator[Made]:
         yield Made(f"remark.{key}", slots, proved("the sign of its logarithmic derivative"), told)
 
 
-def _way(result: Result, name: str) -> str:
+def _way(result: BoxedResult, name: str) -> str:
     """The sign of the logarithmic derivative, "" where it is none for all values."""
     if not depends_on(result.value, name):
         return ""
@@ -278,7 +278,7 @@ def _way(result: Result, name: str) -> str:
     return kind if kind in ("positive", "negative") else ""
 
 
-def drops_out(result: Result) -> Iterator[Made]:
+def drops_out(result: BoxedResult) -> Iterator[Made]:
     """The forces of ideal constraints, together where they drop out for one reason."""
     study = result.study
     if result.step.rule not in CAUSED or names_in(result.value) & set(study.system.unknowns) or not study.system.independent:
@@ -296,14 +296,14 @@ def drops_out(result: Result) -> Iterator[Made]:
 ORDER = ("pair_turning", "pair", "across", "fixed_point")  # what holds bodies together before what holds them up
 
 
-def _is_needed(name: str, result: Result) -> bool:
+def _is_needed(name: str, result: BoxedResult) -> bool:
     """Does another force go by it, as sliding friction goes by the normal force?"""
     own = {unknown for force in result.study.system.named(name) for unknown in force.unknowns}
     others = (force for force in result.study.system.forces if force.name != name)
     return any(own & names_in(part) for force in others for part in (force.vector.x, force.vector.y, force.couple))
 
 
-def _reason(parts: list[Force], result: Result) -> tuple[str, ...]:
+def _reason(parts: list[Force], result: BoxedResult) -> tuple[str, ...]:
     """Why a force does no work: (what is said, its bodies); () where no short reason is found."""
     speeds = [_speed(part, result) for part in parts]
     bodies = [result.study.system.bodies[part.on] for part in parts]
@@ -322,7 +322,7 @@ def _reason(parts: list[Force], result: Result) -> tuple[str, ...]:
     return ("pair", *sorted({p.on for p in parts})) if is_pair and (speeds[0] - speeds[1]).vanishes() else ()
 
 
-def _speed(part: Force, result: Result) -> Vector:
+def _speed(part: Force, result: BoxedResult) -> Vector:
     """The velocity of the point of the body at which it acts."""
     state = result.study.system.bodies[part.on]
     return state.velocity + (part.point - state.center).turned() * state.omega

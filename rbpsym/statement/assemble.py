@@ -18,7 +18,7 @@ from rbpsym.statement.premises import declared
 from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.references import check_name, read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
-from rbpsym.statement.source import Table, kind_of
+from rbpsym.statement.source import SourceTable, kind_of
 from rbpsym.statement.translations import check_languages, check_translated_names, strings, worded
 
 # What each section of a file is for.
@@ -45,7 +45,7 @@ SECTIONS: dict[str, str] = {
 }
 
 
-def assemble(table: Table, name: str) -> Problem:
+def assemble(table: SourceTable, name: str) -> Problem:
     """The problem that the table of a file (or of Python) states."""
     table.check_keys(SECTIONS, "the problem")
     check_names_differ(table)
@@ -86,7 +86,7 @@ def assemble(table: Table, name: str) -> Problem:
     return problem
 
 
-def _about(table: Table, name: str) -> dict[str, Any]:
+def _about(table: SourceTable, name: str) -> dict[str, Any]:
     """What a file says about the problem, beside the physics."""
     return {
         "title": worded(table, "title", name),
@@ -107,7 +107,7 @@ def _scope_of(parameters: tuple[Quantity, ...], coordinates: tuple[Coordinate, .
     return Scope({q.name: q.dimension for q in parameters}, given=declared(parameters, coordinates))
 
 
-def _points(table: Table, scope: Scope) -> dict[str, Pair]:
+def _points(table: SourceTable, scope: Scope) -> dict[str, Pair]:
     section = table.table("points", "points")
     points: dict[str, Pair] = {"O": ORIGIN}
     for name in section.names():
@@ -116,7 +116,7 @@ def _points(table: Table, scope: Scope) -> dict[str, Pair]:
     return points
 
 
-def _origins(table: Table, around: Surroundings) -> dict[str, PointRef]:
+def _origins(table: SourceTable, around: Surroundings) -> dict[str, PointRef]:
     """The points of a list, by what they are called; O if the author names none."""
     item = table.item("origins", ["O"])
     if not isinstance(item.value, (list, tuple)):
@@ -125,19 +125,19 @@ def _origins(table: Table, around: Surroundings) -> dict[str, PointRef]:
     return {point.label: point for point in points}
 
 
-def _values(table: Table, key: str) -> dict[str, str]:
+def _values(table: SourceTable, key: str) -> dict[str, str]:
     """A table of values: texts with a unit, or plain numbers."""
     section = table.table(key, f"“{key}”")
     return {name: text_of(section.item(name), f"“{name}” of [{key}]") for name in section.names()}
 
 
-def _translations(table: Table, key: str, example: str) -> dict[str, dict[str, str]]:
+def _translations(table: SourceTable, key: str, example: str) -> dict[str, dict[str, str]]:
     section = table.table(key, key)
     check_languages(section, f'write [{key}.es] and, below it, {example} = "..."')
     return {language: strings(section, language) for language in section.names()}
 
 
-def _questions(table: Table) -> Iterator[tuple[str, Mapping[str, str]]]:
+def _questions(table: SourceTable) -> Iterator[tuple[str, Mapping[str, str]]]:
     """What is asked in [[ask]], with its words in other languages."""
     for row in table.rows("ask", "“ask”"):
         row.check_keys(("question", "said"), "a question")

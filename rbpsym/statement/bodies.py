@@ -15,14 +15,14 @@ from rbpsym.statement.premises import LEFT_OPEN, contradicts
 from rbpsym.statement.references import CM, check_name
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.solids import Material, compose, shape_of, shares, size_of, total_mass, weight
-from rbpsym.statement.source import SourceItem, Table
+from rbpsym.statement.source import SourceItem, SourceTable
 
 _BODY_KEYS = ("shape", "mass", "angle", "points", "meaning")
 _PART_KEYS = ("shape", "mass", "at", "angle", "removed", "name", "repeat")
 VARIABLE_DIMENSIONS = {"s": LENGTH, "x": LENGTH, "y": LENGTH, "r": LENGTH, "phi": NUMBER}
 
 
-def read_bodies(table: Table, scope: Scope) -> dict[str, Body]:
+def read_bodies(table: SourceTable, scope: Scope) -> dict[str, Body]:
     """The bodies by name; each may be placed by a point of one that stands before it."""
     found: dict[str, Body] = {}
     for name, part in table.tables("bodies", "bodies"):
@@ -30,7 +30,7 @@ def read_bodies(table: Table, scope: Scope) -> dict[str, Body]:
     return found
 
 
-def read_body(table: Table, name: str, scope: Scope, before: Mapping[str, Body]) -> Body:
+def read_body(table: SourceTable, name: str, scope: Scope, before: Mapping[str, Body]) -> Body:
     """One body; it may be placed by a point of one `before` it."""
     check_name(name, table)
     where = f"the body “{name}”"
@@ -54,7 +54,7 @@ def keys_of(kind: ShapeKind) -> tuple[str, ...]:
 # --- pose and points
 
 
-def _own_points(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Pair]:
+def _own_points(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Pair]:
     section = table.table("points", f"points of {where}")
     taken = {*_BODY_KEYS, *keys_of(kind)}
     points = {}
@@ -66,7 +66,7 @@ def _own_points(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict
     return points
 
 
-def _angle(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
+def _angle(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
     if "angle" not in table:
         return None
     if not kind.has_angle:
@@ -75,7 +75,7 @@ def _angle(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | No
 
 
 def _placed(
-    table: Table, points: tuple[str, ...], scope: Scope, before: Mapping[str, Body], where: str
+    table: SourceTable, points: tuple[str, ...], scope: Scope, before: Mapping[str, Body], where: str
 ) -> tuple[str, Pair] | None:
     given = [key for key in table.names() if key in points]
     if len(given) > 1:
@@ -116,13 +116,13 @@ def _place_of(item: SourceItem, before: Mapping[str, Body], what: str) -> Pair:
 # --- shape and mass
 
 
-def _shape(table: Table, kind: ShapeKind, scope: Scope, where: str) -> tuple[Shape, Node | None]:
+def _shape(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> tuple[Shape, Node | None]:
     if kind.name == "composite":
         return _composite(table, scope, where)
     return _simple(table, kind, scope, where, _own_mass(table, kind, scope, where))
 
 
-def _simple(table: Table, kind: ShapeKind, scope: Scope, where: str, mass: Node | None) -> tuple[Shape, Node | None]:
+def _simple(table: SourceTable, kind: ShapeKind, scope: Scope, where: str, mass: Node | None) -> tuple[Shape, Node | None]:
     sizes = _sizes(table, kind, scope, where)
     _check_extent(size_of(kind, sizes) if kind.size else ONE, table, scope, where, mass)
     density = _density(table, kind, scope, where) if mass is None or ("density" in table and kind.density) else None
@@ -132,7 +132,7 @@ def _simple(table: Table, kind: ShapeKind, scope: Scope, where: str, mass: Node 
         raise table.error(f"the density of {where} is zero in all", "write how it varies: 1 + s/ell.", "density") from None
 
 
-def _check_extent(size: Node, table: Table, scope: Scope, where: str, mass: Node | None = None) -> None:
+def _check_extent(size: Node, table: SourceTable, scope: Scope, where: str, mass: Node | None = None) -> None:
     """A size of either sign does no harm to one shape of known mass: its moments hold squares of its sizes."""
     found = contradicts(size, "positive", scope.given)
     if found and (found != LEFT_OPEN or mass is None):
@@ -141,7 +141,7 @@ def _check_extent(size: Node, table: Table, scope: Scope, where: str, mass: Node
         raise table.error(f"{where} has no extent: its size is {found}", cure, "shape")
 
 
-def _sizes(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Node]:
+def _sizes(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Node]:
     for field in kind.fields:
         if field.default is None:
             table.require(field.name, where, f"a {kind.name} needs {field.name}: its {field.meaning}.")
@@ -163,7 +163,7 @@ def _vertices(item: SourceItem, scope: Scope, what: str) -> dict[str, Node]:
     return {f"{axis}_{k}": place for k, pair in enumerate(corners, 1) for axis, place in zip("xy", pair, strict=True)}
 
 
-def _own_mass(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
+def _own_mass(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
     """The mass that the table states, also that of all of a density's proportions; None if it states a density instead."""
     if "density" in table and kind.density and "mass" not in table:
         return None
@@ -171,11 +171,11 @@ def _own_mass(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node |
     return _mass(table, scope, where)
 
 
-def _mass(table: Table, scope: Scope, where: str) -> Node:
+def _mass(table: SourceTable, scope: Scope, where: str) -> Node:
     return read_expression(table.item("mass"), scope, f"“mass” of {where}", MASS, sign="nonnegative")
 
 
-def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
+def _density(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> Node:
     inner = scope.with_variables({name: VARIABLE_DIMENSIONS[name] for name, _ in kind.density})
     dimension: Dimension | None = None if "mass" in table else DENSITY_DIMENSIONS[kind.element.kind if kind.element else ""]
     return read_expression(table.item("density"), inner, f"“density” of {where}", dimension, sign="nonnegative")
@@ -187,7 +187,7 @@ def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
 class _Part(Frozen):
     """A part of a composite, before the mass of the whole is shared out."""
 
-    table: Table
+    table: SourceTable
     kind: ShapeKind
     where: str
     removed: bool
@@ -198,7 +198,7 @@ class _Part(Frozen):
         return "mass" in self.table or "density" in self.table or self.kind.name == "composite"
 
 
-def _composite(table: Table, scope: Scope, where: str) -> tuple[Shape, Node | None]:
+def _composite(table: SourceTable, scope: Scope, where: str) -> tuple[Shape, Node | None]:
     parts = [_part(row, i, scope, where) for i, row in enumerate(table.rows("parts", f"“parts” of {where}"), 1)]
     if not parts:
         raise table.error(f"{where} is a composite without parts", 'add parts = [{ shape = "rod", ... }, ...]')
@@ -212,7 +212,7 @@ def _composite(table: Table, scope: Scope, where: str) -> tuple[Shape, Node | No
     return compose(placed), mass
 
 
-def _part(table: Table, number: int, scope: Scope, where: str) -> _Part:
+def _part(table: SourceTable, number: int, scope: Scope, where: str) -> _Part:
     kind = kind_of_element(table, SHAPES, "shape")
     part = table.string("name") or f"part {number}"
     label = f"{part} of {where}"
@@ -220,7 +220,7 @@ def _part(table: Table, number: int, scope: Scope, where: str) -> _Part:
     return _Part(table, kind, label, table.flag("removed"), _count(table, kind, scope, label))
 
 
-def _count(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
+def _count(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
     """How often a part is there, turned by equal angles about the origin of the composite."""
     if "repeat" not in table:
         return None
@@ -232,7 +232,7 @@ def _count(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | No
     return count
 
 
-def _masses(table: Table, parts: list[_Part], scope: Scope, where: str) -> Sequence[Node | None]:
+def _masses(table: SourceTable, parts: list[_Part], scope: Scope, where: str) -> Sequence[Node | None]:
     """The mass of each part: its own, or its share of the mass of the whole."""
     own = [part for part in parts if part.has_mass]
     if not own:
@@ -252,7 +252,7 @@ def _part_mass(part: _Part, scope: Scope) -> Node | None:
     return None if part.kind.name == "composite" else _own_mass(part.table, part.kind, scope, part.where)
 
 
-def _shared(table: Table, parts: list[_Part], scope: Scope, where: str) -> Sequence[Node | None]:
+def _shared(table: SourceTable, parts: list[_Part], scope: Scope, where: str) -> Sequence[Node | None]:
     first = parts[0].kind.element
     for part in parts:
         if part.kind.element is None or first is None or part.kind.element.kind != first.kind:

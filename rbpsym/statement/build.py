@@ -29,7 +29,7 @@ from rbpsym.elements.shapes import SHAPES
 from rbpsym.errors import StatementError
 from rbpsym.statement.assemble import assemble
 from rbpsym.statement.model import Problem
-from rbpsym.statement.source import Source, Table, check_characters, kind_of
+from rbpsym.statement.source import Source, SourceTable, check_characters, kind_of
 
 Stated = dict[str, object]
 
@@ -40,7 +40,7 @@ def problem(name: str, **sections: object) -> Problem:
         raise StatementError(
             f"the name of a problem is a text, not {kind_of(name)}", instead='write problem("ladder", ...)'
         )
-    table = Table(Source(name), (), {"name": name, **sections})
+    table = SourceTable(Source(name), (), {"name": name, **sections})
     check_characters(table)
     return assemble(table, name)
 

@@ -15,18 +15,18 @@ from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import fault_of_name, twice
-from rbpsym.statement.source import Table, did_you_mean, in_radians
+from rbpsym.statement.source import SourceTable, did_you_mean, in_radians
 
 MAX_BODIES = 64
 
 
-def check_problem(problem: Problem, table: Table) -> None:
+def check_problem(problem: Problem, table: SourceTable) -> None:
     """Refuse a problem that can't be meant."""
     for check in _CHECKS:
         check(problem, table)
 
 
-def check_unknowns(problem: Problem, table: Table) -> None:
+def check_unknowns(problem: Problem, table: SourceTable) -> None:
     """Refuse names of unknown forces that can't be; also for the problem of a later phase."""
     _unknowns_differ(problem, table)
     _unknown_names(problem)
@@ -47,7 +47,7 @@ def dimensions_with_unknowns(problem: Problem) -> dict[str, Dimension]:
     return problem.dimensions | {name: found for each in unknowns for name, found in each.items()}
 
 
-def _something(problem: Problem, table: Table) -> None:
+def _something(problem: Problem, table: SourceTable) -> None:
     if not problem.bodies:
         raise table.error("the problem has no bodies", "add [bodies.rod] with its shape, mass and place.")
     if problem.interactions and not problem.coordinates and not problem.constraints:  # with these it is one of statics
@@ -66,7 +66,7 @@ _THINGS = {
 }
 
 
-def check_names_differ(table: Table) -> None:
+def check_names_differ(table: SourceTable) -> None:
     """Refuse a name that two sections give: before anything is read, for it confuses the rest."""
     for sections in (_SYMBOLS, _THINGS):
         seen: dict[str, str] = {}
@@ -78,7 +78,7 @@ def check_names_differ(table: Table) -> None:
                 seen[name] = what
 
 
-def _unknowns_differ(problem: Problem, table: Table) -> None:
+def _unknowns_differ(problem: Problem, table: SourceTable) -> None:
     """An unknown force has a name that no other quantity has."""
     seen = {quantity.name: "a parameter" for quantity in problem.parameters}
     seen |= {coordinate.name: "a coordinate" for coordinate in problem.coordinates}
@@ -123,7 +123,7 @@ def _beside(problem: Problem) -> None:
             )
 
 
-def _ranges(problem: Problem, table: Table) -> None:
+def _ranges(problem: Problem, table: SourceTable) -> None:
     given = declared(problem.parameters)
     for coordinate in problem.coordinates:
         section = table.table("coordinates", "coordinates").table(coordinate.name, coordinate.name)
@@ -132,14 +132,14 @@ def _ranges(problem: Problem, table: Table) -> None:
             _check_start(coordinate, section, given)
 
 
-def _check_range(coordinate: Coordinate, section: Table, given: Declared) -> None:
+def _check_range(coordinate: Coordinate, section: SourceTable, given: Declared) -> None:
     if surely_above(coordinate.lower, coordinate.upper, given, or_equal=True):
         raise section.value_error(
             "range", f"the range of “{coordinate.name}” is empty", "write the smaller bound first."
         )
 
 
-def _check_start(coordinate: Coordinate, section: Table, given: Declared) -> None:
+def _check_start(coordinate: Coordinate, section: SourceTable, given: Declared) -> None:
     below = surely_above(coordinate.lower, coordinate.start, given)
     above = surely_above(coordinate.start, coordinate.upper, given)
     if below or above:
@@ -156,7 +156,7 @@ def _radians(coordinate: Coordinate) -> str:
     return in_radians(float(start.value), coordinate.quantity.dimension) if isinstance(start, Num) else ""
 
 
-def _coordinates_used(problem: Problem, table: Table) -> None:
+def _coordinates_used(problem: Problem, table: SourceTable) -> None:
     used = {name for node in _expressions(problem) for name in names(node)}
     for coordinate in problem.coordinates:
         if coordinate.name not in used:
@@ -180,7 +180,7 @@ def _pose(body: Body) -> Iterator[Node]:
         yield body.angle
 
 
-def _known_names(problem: Problem, table: Table) -> None:
+def _known_names(problem: Problem, table: SourceTable) -> None:
     """[notation], [example] and [meanings] speak of names that exist."""
     quantities = _quantity_names(problem)
     own = [quantity.name for quantity in problem.parameters]
@@ -194,7 +194,7 @@ def _known_names(problem: Problem, table: Table) -> None:
         _check_names(meanings.table(language, language), [*quantities, *problem.body_names, *_elements(problem)])
 
 
-def _check_names(section: Table, known: list[str]) -> None:
+def _check_names(section: SourceTable, known: list[str]) -> None:
     for name in section.names():
         if name not in known:
             raise section.error(
@@ -204,7 +204,7 @@ def _check_names(section: Table, known: list[str]) -> None:
             )
 
 
-def check_marks(section: Table, notation: Mapping[str, str]) -> None:
+def check_marks(section: SourceTable, notation: Mapping[str, str]) -> None:
     """How vectors and decimals are printed is one of the ways that exist."""
     for key, allowed in MARKS.items():
         if notation.get(key, allowed[0]) not in allowed:
@@ -227,7 +227,7 @@ def _elements(problem: Problem) -> list[str]:
     return [element.name for element in problem.elements]
 
 
-def _same_contact(problem: Problem, table: Table) -> None:
+def _same_contact(problem: Problem, table: SourceTable) -> None:
     """One point or body against one curve once."""
     seen: dict[tuple[str, ...], str] = {}
     for element in problem.constraints:
@@ -250,7 +250,7 @@ def _contact(element: Element) -> tuple[str, ...]:
     return touching, curve, str(values.get("of"))
 
 
-def _gravity_once(problem: Problem, table: Table) -> None:
+def _gravity_once(problem: Problem, table: SourceTable) -> None:
     """One field of gravity in one direction for each body."""
     seen: dict[tuple[object, str], str] = {}
     for element in (e for e in problem.interactions if e.kind == "gravity"):

@@ -15,7 +15,7 @@ from rbpsym.statement.checks import check_marks
 from rbpsym.statement.library import course_files
 from rbpsym.statement.loader import load_table
 from rbpsym.statement.own_text import OwnParagraph, Sentence, own_paragraphs
-from rbpsym.statement.source import Table, kind_of
+from rbpsym.statement.source import SourceTable, kind_of
 from rbpsym.statement.translations import strings, worded
 
 DETAILS = ("brief", "standard", "full")
@@ -67,7 +67,7 @@ class Course(Frozen):
     source: str = ""
     notation: Mapping[str, str] = field(default_factory=dict)
     file: str = ""
-    claims: Table | None = field(default=None, compare=False, repr=False)
+    claims: SourceTable | None = field(default=None, compare=False, repr=False)
 
 
 PART_KEYS = {
@@ -102,13 +102,13 @@ def load_course(file: Path) -> Course:
     )
 
 
-def _check_shape(table: Table) -> None:
+def _check_shape(table: SourceTable) -> None:
     table.check_keys(KEYS, "a course")
     if not table.data.get("part"):
         raise table.error("the course has no parts", 'add [[part]] and, below it, problem = "..."')
 
 
-def _part(row: Table) -> CoursePart:
+def _part(row: SourceTable) -> CoursePart:
     kind = _kind(row)
     row.check_keys((*PART_KEYS[kind], *COMMON), f"a {kind}")
     first, second = _pair(row) if kind == "comparison" else ("", "")
@@ -129,7 +129,7 @@ def _part(row: Table) -> CoursePart:
     )
 
 
-def _kind(row: Table) -> str:
+def _kind(row: SourceTable) -> str:
     """What the part is, by the key that only one kind has."""
     named = [kind for kind in ("theory", "problem", "comparison") if kind in row]
     if len(named) > 1:
@@ -144,18 +144,18 @@ def _kind(row: Table) -> str:
     )
 
 
-def _pair(row: Table) -> tuple[str, str]:
+def _pair(row: SourceTable) -> tuple[str, str]:
     pair = row.data["comparison"]
     if not isinstance(pair, list) or len(pair) != 2 or not all(isinstance(name, str) for name in pair):
         raise row.value_error("comparison", "a comparison takes two problems", 'write comparison = ["first", "second"]')
     return pair[0], pair[1]
 
 
-def _heading(row: Table) -> Mapping[str, str]:
+def _heading(row: SourceTable) -> Mapping[str, str]:
     return worded(row, "title") if "title" in row else {}
 
 
-def _paragraphs(row: Table, key: str) -> Mapping[str, tuple[OwnParagraph, ...]]:
+def _paragraphs(row: SourceTable, key: str) -> Mapping[str, tuple[OwnParagraph, ...]]:
     """The author's words, cut at empty lines."""
     place = row.source.value((*row.path, key)) if key in row else None
     return {language: own_paragraphs(text, place) for language, text in (worded(row, key) if key in row else {}).items()}

@@ -10,7 +10,7 @@ from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
 from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_curve, read_line, read_point
 from rbpsym.statement.scope import Scope, read_expression, read_pair
-from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, SourceTable, did_you_mean, kind_of
 
 
 class Surroundings(Frozen):
@@ -20,12 +20,14 @@ class Surroundings(Frozen):
     bodies: Mapping[str, Body]
 
 
-def read_elements(section: str, table: Table, kinds: Mapping[str, ElementKind], around: Surroundings) -> tuple[Element, ...]:
+def read_elements(
+    section: str, table: SourceTable, kinds: Mapping[str, ElementKind], around: Surroundings
+) -> tuple[Element, ...]:
     """All elements of the section [interactions] or [constraints]."""
     return tuple(read_element(part, name, kinds, around) for name, part in table.tables(section, section))
 
 
-def read_element(table: Table, name: str, kinds: Mapping[str, ElementKind], around: Surroundings) -> Element:
+def read_element(table: SourceTable, name: str, kinds: Mapping[str, ElementKind], around: Surroundings) -> Element:
     """One element: its kind, then the fields of the kind, then what the kind makes of them together."""
     check_name(name, table)
     kind = kind_of_element(table, kinds, "type")
@@ -38,7 +40,7 @@ def read_element(table: Table, name: str, kinds: Mapping[str, ElementKind], arou
     return element
 
 
-def kind_of_element(table: Table, kinds: Mapping[str, K], key: str) -> K:
+def kind_of_element(table: SourceTable, kinds: Mapping[str, K], key: str) -> K:
     """The kind that the table names under `key`."""
     known = known_names(kinds)
     where = ".".join(str(part) for part in table.path)
@@ -49,7 +51,7 @@ def kind_of_element(table: Table, kinds: Mapping[str, K], key: str) -> K:
     return kinds[known[word]]
 
 
-def _field(field: Field, table: Table, name: str, where: str, around: Surroundings) -> object:
+def _field(field: Field, table: SourceTable, name: str, where: str, around: Surroundings) -> object:
     if field.name not in table and field.default is None:
         table.require(field.name, where, f"{field.name}: {field.meaning}.")
     default = field.default.format(name=name) if isinstance(field.default, str) else field.default

@@ -14,14 +14,14 @@ from rbpsym.quantities import Dimension, Quantity
 from rbpsym.statement.model import Coordinate, Problem, Shape
 from rbpsym.statement.premises import OPS
 from rbpsym.statement.slots import ALL
-from rbpsym.statement.source import Table, unit_example
+from rbpsym.statement.source import SourceTable, unit_example
 from rbpsym.statement.units import unit_named
 
 MOST = 30  # no number is as large as 10^30 or as small as 10^-30 in SI units
 NEAR = 1e-9  # how exactly an end of a range is told in degrees
 
 
-def check_example(problem: Problem, section: Table) -> None:
+def check_example(problem: Problem, section: SourceTable) -> None:
     """Refuse a number that contradicts what is declared."""
     dimensions = problem.dimensions
     numbers = {name: _number(name, dimensions[name], section) for name in section.names()}
@@ -38,7 +38,7 @@ def check_example(problem: Problem, section: Table) -> None:
             )
 
 
-def _number(name: str, dimension: Dimension, section: Table) -> float:
+def _number(name: str, dimension: Dimension, section: SourceTable) -> float:
     """The number in SI units; a plain number is in SI units."""
     text = str(section.data[name]).strip()
     first, _, unit = text.partition(" ")
@@ -60,7 +60,7 @@ def _has_sign(value: float, sign: str) -> bool:
     return SIGNS[OPS[sign]](value) if sign in OPS else True
 
 
-def _check_ranges(problem: Problem, numbers: Mapping[str, float], section: Table) -> None:
+def _check_ranges(problem: Problem, numbers: Mapping[str, float], section: SourceTable) -> None:
     """Parameters within their bounds, coordinates and their starts within the range."""
     ranged: tuple[Quantity | Coordinate, ...] = (*problem.parameters, *problem.coordinates)
     bounds = [(q.name, q.lower, q.upper) for q in ranged]
@@ -73,7 +73,7 @@ def _check_ranges(problem: Problem, numbers: Mapping[str, float], section: Table
                 raise _contradiction(section, name, "declared to lie in another range")
 
 
-def _contradiction(section: Table, name: str, why: str) -> StatementError:
+def _contradiction(section: SourceTable, name: str, why: str) -> StatementError:
     text = str(section.data[name])
     return section.value_error(name, f"“{name}” can't be {text}: it is {why}", "change the number or the declaration.")
 

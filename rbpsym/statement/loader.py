@@ -19,7 +19,7 @@ from rbpsym.statement.files import check_size, text_in
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.model import Problem
 from rbpsym.statement.positions import index_positions, place_at
-from rbpsym.statement.source import Source, Table, check_characters, kind_of
+from rbpsym.statement.source import Source, SourceTable, check_characters, kind_of
 
 MAX_BYTES = 64 * 1024
 WHAT = "the problem file"
@@ -50,18 +50,18 @@ def load_text(text: str, file: str = "", name: str = "") -> Problem:
     return replace(assemble(table, name or Path(file).stem or "problem"), text=table.source.text)
 
 
-def table_of(text: str, file: str = "", most: int = MAX_BYTES) -> Table:
+def table_of(text: str, file: str = "", most: int = MAX_BYTES) -> SourceTable:
     """A TOML text as a table that knows its places, within the bounds of size and depth."""
     text = text.removeprefix("\ufeff").replace("\r\n", "\n")
     check_size(len(text.encode("utf-8", "surrogatepass")), most, WHAT, file)
     data = _parse(text, file)
     _check_depth(data, file)
-    table = Table(Source(file, index_positions(text)), (), data)
+    table = SourceTable(Source(file, index_positions(text)), (), data)
     check_characters(table)
     return table
 
 
-def load_table(path: Path, most: int = MAX_BYTES) -> Table:
+def load_table(path: Path, most: int = MAX_BYTES) -> SourceTable:
     """The table in a TOML file."""
     return table_of(_content(path, most), str(path), most)
 

@@ -26,7 +26,7 @@ from rbpsym.statement.elements import Surroundings, kind_of_element, read_elemen
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.premises import surely_above
 from rbpsym.statement.scope import read_expression
-from rbpsym.statement.source import Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceTable, did_you_mean, kind_of
 
 EVENTS: dict[str, str] = {
     "at once": "the phase begins at the start of the one before: a blow, a point suddenly held",
@@ -52,7 +52,7 @@ PHASE_KEYS = {
 }
 
 
-def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[Phase, ...]:
+def read_phases(table: SourceTable, problem: Problem, around: Surroundings) -> tuple[Phase, ...]:
     """The phases after the first, each with the problem that then holds (its start is left to the mechanics)."""
     current = {section: dict(table.table(section, section).data) for section in KINDS}
     found: list[Phase] = []
@@ -65,7 +65,7 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
         event, subject = _event(row, name, current["constraints"], around)
         value = _value(row, name, event, subject, around)
         current = _changed(row, name, current)
-        interactions, constraints = read_both(Table(row.source, row.path, current), around)
+        interactions, constraints = read_both(SourceTable(row.source, row.path, current), around)
         impulses = tuple(
             _checked(e, row, names) for e in read_elements("impulses", row, IMPULSES, around)
         )
@@ -76,7 +76,7 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
     return tuple(found)
 
 
-def _event(row: Table, name: str, current: Mapping[str, object], around: Surroundings) -> tuple[str, str | None]:
+def _event(row: SourceTable, name: str, current: Mapping[str, object], around: Surroundings) -> tuple[str, str | None]:
     event = row.string("event", "at once")
     if event not in EVENTS:
         raise row.value_error(
@@ -102,7 +102,7 @@ def _event(row: Table, name: str, current: Mapping[str, object], around: Surroun
     return event, subject
 
 
-def _value(row: Table, name: str, event: str, subject: str | None, around: Surroundings) -> Node | None:
+def _value(row: SourceTable, name: str, event: str, subject: str | None, around: Surroundings) -> Node | None:
     """The value that a coordinate reaches, or the time that goes."""
     if event == "time":
         row.require("at", f"the phase “{name}”", 'add at = "t_1": the time that goes.')
@@ -119,7 +119,7 @@ def _value(row: Table, name: str, event: str, subject: str | None, around: Surro
     return value
 
 
-def _needless(row: Table, name: str, event: str, keys: tuple[str, ...]) -> None:
+def _needless(row: SourceTable, name: str, event: str, keys: tuple[str, ...]) -> None:
     for key in keys:
         if key in row:
             raise row.value_error(
@@ -129,7 +129,7 @@ def _needless(row: Table, name: str, event: str, keys: tuple[str, ...]) -> None:
             )
 
 
-def read_both(table: Table, around: Surroundings) -> tuple[tuple[Element, ...], ...]:
+def read_both(table: SourceTable, around: Surroundings) -> tuple[tuple[Element, ...], ...]:
     """The interactions and the constraints of a table; the former may name the unknown forces of the latter."""
     found: dict[str, tuple[Element, ...]] = {}
     for section, kinds in reversed(KINDS.items()):
@@ -139,7 +139,7 @@ def read_both(table: Table, around: Surroundings) -> tuple[tuple[Element, ...], 
     return found["interactions"], found["constraints"]
 
 
-def _changed(row: Table, name: str, current: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+def _changed(row: SourceTable, name: str, current: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """The interactions and constraints of the phase as tables."""
     found = {section: dict(parts) for section, parts in current.items()}
     without = row.item("without", [])
@@ -163,19 +163,19 @@ def _changed(row: Table, name: str, current: Mapping[str, Mapping[str, Any]]) ->
     return found
 
 
-def _merged(old: Mapping[str, object], new: Table, kinds: Mapping[str, ElementKind]) -> dict[str, object]:
-    kind = kind_of_element(Table(new.source, new.path, {**old, **new.data}), kinds, "type")
+def _merged(old: Mapping[str, object], new: SourceTable, kinds: Mapping[str, ElementKind]) -> dict[str, object]:
+    kind = kind_of_element(SourceTable(new.source, new.path, {**old, **new.data}), kinds, "type")
     keys = {"type", *(field.name for field in kind.fields)}
     return {**{key: value for key, value in old.items() if key in keys}, **new.data}
 
 
-def _checked(element: Element, row: Table, names: Mapping[str, str]) -> Element:
+def _checked(element: Element, row: SourceTable, names: Mapping[str, str]) -> Element:
     if element.name in names:
         raise row.error(f"“{element.name}” is {names[element.name]} and an impulse", "rename one.", "impulses")
     return element
 
 
-def _check_begins(row: Table, phase: Phase) -> None:
+def _check_begins(row: SourceTable, phase: Phase) -> None:
     """What begins is apart before, and known to meet."""
     if phase.gap is None:
         raise row.value_error(

@@ -14,7 +14,7 @@ from rbpsym.statement.model import Coordinate
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import AXES, RESERVED, check_name, fault_of_name
 from rbpsym.statement.scope import Scope, read_expression, read_text
-from rbpsym.statement.source import SIGNS, SourceItem, Table, did_you_mean, for_a_dimension, kind_of
+from rbpsym.statement.source import SIGNS, SourceItem, SourceTable, did_you_mean, for_a_dimension, kind_of
 
 _PARAMETER_KEYS = ("dimension", "meaning", "sign", "range", "glyph")
 _COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "range", "glyph")
@@ -24,7 +24,7 @@ _EXAMPLE = (
 _RIGHT_ANGLE = Div(Sym("pi"), Num(2))
 
 
-def read_parameters(table: Table) -> tuple[Quantity, ...]:
+def read_parameters(table: SourceTable) -> tuple[Quantity, ...]:
     """The quantities of the section [parameters]. A bound may hold any of them."""
     section = table.table("parameters", "parameters")
     found: dict[str, Quantity] = {}
@@ -38,7 +38,7 @@ def read_parameters(table: Table) -> tuple[Quantity, ...]:
     return tuple(bounded.values())
 
 
-def _check_bounds(found: Mapping[str, Quantity], section: Table, given: Declared) -> None:
+def _check_bounds(found: Mapping[str, Quantity], section: SourceTable, given: Declared) -> None:
     """No quantity is its own bound, nor smaller than what is smaller than it."""
     above: dict[str, set[str]] = {name: set() for name in found}  # of each, what is surely greater
     for name, quantity in found.items():
@@ -54,7 +54,7 @@ def _check_bounds(found: Mapping[str, Quantity], section: Table, given: Declared
             raise section.error(f"the bounds of “{name}” contradict each other", "turn one of them round.", name)
 
 
-def _check_bounds_of(quantity: Quantity, section: Table, given: Declared) -> None:
+def _check_bounds_of(quantity: Quantity, section: SourceTable, given: Declared) -> None:
     """There is a number between the bounds, and of the sign that is declared."""
     floor = ZERO if quantity.sign in ("positive", "nonnegative") else None
     if any(surely_above(low, quantity.upper, given, or_equal=True) for low in (quantity.lower, floor)):
@@ -73,7 +73,7 @@ def _reached(name: str, above: Mapping[str, set[str]]) -> set[str]:
     return found
 
 
-def _parameter(name: str, section: Table) -> Quantity:
+def _parameter(name: str, section: SourceTable) -> Quantity:
     if isinstance(section.data[name], Mapping):
         return _parameter_of_table(name, section.table(name, f"parameters.{name}"))
     item = section.item(name)
@@ -88,7 +88,7 @@ def _parameter(name: str, section: Table) -> Quantity:
 _BOUND = re.compile(r"\s*([<>]=?|[≤≥])([^,]*)")  # an end that may be reached bounds the same open interval
 
 
-def _parameter_of_table(name: str, table: Table) -> Quantity:
+def _parameter_of_table(name: str, table: SourceTable) -> Quantity:
     table.check_keys(_PARAMETER_KEYS, f"the parameter “{name}”")
     table.require("dimension", f"the parameter “{name}”", 'add dimension = "length"')
     dimension = _dimension(table.item("dimension"), table.string("dimension"))
@@ -105,7 +105,7 @@ def _quantity(item: SourceItem, name: str, dimension: Dimension, meaning: str, s
     return Quantity(name, dimension, meaning, "positive", lower=ZERO, upper=_RIGHT_ANGLE)
 
 
-def _bounded(quantity: Quantity, section: Table, scope: Scope) -> Quantity:
+def _bounded(quantity: Quantity, section: SourceTable, scope: Scope) -> Quantity:
     """With the bounds of `range = ["a", ""]` or of the short form "length > a: ..."."""
     what = f"bound of “{quantity.name}”"
     if isinstance(section.data[quantity.name], Mapping):
@@ -144,7 +144,7 @@ def _sign(item: SourceItem, text: str, shift: int = 0) -> str:
 class CoordinateReader:
     """Reads [coordinates]; collects the constants that only a start names (`implicit`)."""
 
-    def __init__(self, table: Table, scope: Scope) -> None:
+    def __init__(self, table: SourceTable, scope: Scope) -> None:
         self.section = table.table("coordinates", "coordinates")
         self.scope = scope
         self.dimensions = {name: self._dimension(name) for name in self.section.names()}
@@ -162,7 +162,7 @@ class CoordinateReader:
             return NUMBER
         return _dimension(table.item("dimension"), table.string("dimension"))
 
-    def _coordinate(self, name: str, table: Table) -> Coordinate:
+    def _coordinate(self, name: str, table: SourceTable) -> Coordinate:
         where = f"the coordinate “{name}”"
         table.check_keys(_COORDINATE_KEYS, where)
         dimension = self.dimensions[name]
@@ -172,13 +172,13 @@ class CoordinateReader:
         speed = self._speed(table, where, dimension / TIME, name)
         return Coordinate(quantity, start, speed, lower, upper, table.source.key(table.path))
 
-    def _speed(self, table: Table, where: str, dimension: Dimension, name: str) -> Node | None:
+    def _speed(self, table: SourceTable, where: str, dimension: Dimension, name: str) -> Node | None:
         if "speed" not in table and "start" not in table:
             return None
         return self._value(table, "speed", f"speed of {where}", dimension, f"start speed of {name}", default="0")
 
     def _value(
-        self, table: Table, key: str, what: str, dimension: Dimension, meaning: str, default: str | None = None
+        self, table: SourceTable, key: str, what: str, dimension: Dimension, meaning: str, default: str | None = None
     ) -> Node | None:
         """The expression under `key`; a plain name that nobody declared becomes a constant."""
         item = table.item(key, default)
@@ -199,7 +199,7 @@ class CoordinateReader:
         implicit = {name: quantity.dimension for name, quantity in self.implicit.items()}
         return Scope({**self.scope.parameters, **implicit}, self.dimensions, self.scope.given)
 
-    def _range(self, table: Table, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
+    def _range(self, table: SourceTable, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
         if "range" not in table:
             return None, None
         return read_range(table.item("range"), self._scope(), where, dimension)

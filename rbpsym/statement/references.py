@@ -14,7 +14,7 @@ from rbpsym.expr.tree import ONE, ZERO, Node, Sym, add, div, mul, neg
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Curve, Line, PointRef
 from rbpsym.statement.scope import Scope, read_pair, read_text, text_of
-from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, SourceTable, did_you_mean, kind_of
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _FUNCTIONS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "arcsin", "arccos", "arctan",
@@ -43,7 +43,7 @@ def fault_of_name(name: str, reserved: dict[str, str] = RESERVED) -> tuple[str, 
     return "", ""
 
 
-def check_name(name: str, table: Table, reserved: dict[str, str] = RESERVED, key: str | None = None) -> None:
+def check_name(name: str, table: SourceTable, reserved: dict[str, str] = RESERVED, key: str | None = None) -> None:
     """Refuse a name that can't be; `table` is what bears the name, or holds it as `key`."""
     what, instead = fault_of_name(name, reserved)
     if what:
@@ -60,7 +60,7 @@ def check_name_item(item: SourceItem, what: str) -> str:
     return item.value
 
 
-def twice(name: str, first: str, second: str, table: Table, key: str | None = None) -> StatementError:
+def twice(name: str, first: str, second: str, table: SourceTable, key: str | None = None) -> StatementError:
     """The error of a name that two things bear."""
     return table.error(f"“{name}” is the name of {first} and of {second}", "give one of them another name.", key)
 

@@ -1,6 +1,6 @@
 """A statement as it was written: plain tables and strings, and where each of them stands.
 
-A TOML file and the Python functions of `build` give the same `Table`; only the places that
+A TOML file and the Python functions of `build` give the same `SourceTable`; only the places that
 errors tell differ: `file:line:column`, or the path of the key ("pendulum: bodies.rod.angle").
 """
 
@@ -73,7 +73,7 @@ class SourceItem(Frozen):
         return [SourceItem(self.source, (*self.path, i), part) for i, part in enumerate(self.value)]
 
 
-class Table(Frozen):
+class SourceTable(Frozen):
     """A table of a statement with its path."""
 
     source: Source
@@ -115,25 +115,25 @@ class Table(Frozen):
         if key not in self.data:
             raise self.error(f"{where} has no “{key}”", instead or f'add {key} = "..."')
 
-    def table(self, key: str, where: str) -> Table:
+    def table(self, key: str, where: str) -> SourceTable:
         """The table under `key`, empty if there is none."""
         value = self.data.get(key, {})
         if not isinstance(value, Mapping):
             raise self.value_error(key, f"{where} must be a table, not {kind_of(value)}", f"write [{key}]")
-        return Table(self.source, (*self.path, key), value)
+        return SourceTable(self.source, (*self.path, key), value)
 
-    def tables(self, key: str, where: str) -> Iterator[tuple[str, Table]]:
+    def tables(self, key: str, where: str) -> Iterator[tuple[str, SourceTable]]:
         """The named tables under `key`."""
         section = self.table(key, where)
         for name in section.names():
             yield name, section.table(name, f"{key}.{name}")
 
-    def rows(self, key: str, where: str) -> list[Table]:
+    def rows(self, key: str, where: str) -> list[SourceTable]:
         """The tables in the list under `key`, empty if there is none."""
         value = self.data.get(key, [])
         if not isinstance(value, (list, tuple)) or not all(isinstance(row, Mapping) for row in value):
             raise self.value_error(key, f"{where} must be a list of tables", f"write {key} = [{{ ... }}, {{ ... }}]")
-        return [Table(self.source, (*self.path, key, i), row) for i, row in enumerate(value)]
+        return [SourceTable(self.source, (*self.path, key, i), row) for i, row in enumerate(value)]
 
     def string(self, key: str, default: str = "") -> str:
         """The string under `key`."""
@@ -201,7 +201,7 @@ HARMLESS = "\n\t"
 HIDDEN = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")  # Unicode's control, format and unassigned characters
 
 
-def check_characters(table: Table) -> None:
+def check_characters(table: SourceTable) -> None:
     """Refuse a text or name that holds a character which is not seen, or turns the writing round."""
     for item in _texts(SourceItem(table.source, table.path, table.data)):
         for column, char in enumerate(item.value, 1):

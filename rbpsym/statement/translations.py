@@ -6,10 +6,10 @@ import re
 from collections.abc import Mapping
 
 from rbpsym.statement.model import Problem
-from rbpsym.statement.source import Table, did_you_mean
+from rbpsym.statement.source import SourceTable, did_you_mean
 
 
-def worded(table: Table, key: str, default: str = "") -> Mapping[str, str]:
+def worded(table: SourceTable, key: str, default: str = "") -> Mapping[str, str]:
     """A text by language; one that is not told apart is taken for English."""
     if not isinstance(table.data.get(key), Mapping):
         return {"en": table.string(key, default)}
@@ -18,14 +18,14 @@ def worded(table: Table, key: str, default: str = "") -> Mapping[str, str]:
     return texts
 
 
-def check_languages(section: Table, cure: str) -> None:
+def check_languages(section: SourceTable, cure: str) -> None:
     """The keys of a table by language are codes of languages."""
     for language in section.names():
         if not re.fullmatch(r"[a-z]{2,3}", language):
             raise section.error(f"“{language}” is no language", cure, language)
 
 
-def strings(table: Table, key: str) -> dict[str, str]:
+def strings(table: SourceTable, key: str) -> dict[str, str]:
     """A table of texts."""
     section = table.table(key, f"“{key}”")
     return {name: section.string(name) for name in section.names()}
@@ -34,7 +34,7 @@ def strings(table: Table, key: str) -> dict[str, str]:
 _WORD = re.compile(r"[^\W\d_]\w*")
 
 
-def check_translated_names(problem: Problem, table: Table) -> None:
+def check_translated_names(problem: Problem, table: SourceTable) -> None:
     """[names] speaks of what exists; in a language no two bodies or forces are called alike."""
     section = table.table("names", "names")
     in_formulas = (*problem.body_names, *(e.name for e in problem.elements))
@@ -53,13 +53,13 @@ def check_translated_names(problem: Problem, table: Table) -> None:
         _check_distinct(problem.names_in(language), in_formulas, language, table)
 
 
-def _check_known(name: str, known: tuple[str, ...], own: Table) -> None:
+def _check_known(name: str, known: tuple[str, ...], own: SourceTable) -> None:
     if name not in known:
         what = f"[{'.'.join(map(str, own.path))}] speaks of “{name}”, which is no body, force, point or phase"
         raise own.error(what, did_you_mean(name, known, "names"), name)
 
 
-def _check_word(name: str, own: Table) -> None:
+def _check_word(name: str, own: SourceTable) -> None:
     word = own.string(name)
     if not _WORD.fullmatch(word):
         raise own.error(
@@ -69,7 +69,7 @@ def _check_word(name: str, own: Table) -> None:
         )
 
 
-def _check_distinct(names: Mapping[str, str], in_formulas: tuple[str, ...], language: str, table: Table) -> None:
+def _check_distinct(names: Mapping[str, str], in_formulas: tuple[str, ...], language: str, table: SourceTable) -> None:
     """Two things that are called alike could not be told apart in a formula."""
     called = {name: names.get(name, name) for name in in_formulas}
     for name, word in called.items():

@@ -33,7 +33,7 @@ Gap = tuple[Scalar, Scalar]
 Known = Mapping[str, Scalar]
 
 
-class Course(Frozen):
+class Following(Frozen):
     """A motion, or a place of it: from where it starts (`begins`), how it goes on (`rates`), and what is known of other names."""
 
     begins: Known
@@ -47,10 +47,10 @@ class Course(Frozen):
         return [substitute(value, self.begins) for value in inner]
 
 
-class Moving(Frozen):
+class FollowedPoint(Frozen):
     """A course at one point of the parameters; `state`: the series of what moves, as far as they are known."""
 
-    course: Course
+    course: Following
     point: Point
     state: Mapping[str, Series]
     length: int
@@ -109,24 +109,24 @@ class Moving(Frozen):
         return name is None or name not in self.point.angles or (coefficient * self.point.parts[name]).denominator == 1
 
 
-def followed(course: Course, point: Point) -> Moving:
+def followed(course: Following, point: Point) -> FollowedPoint:
     """The course at a point. Raises Outside, or a KeyError for a name that the point does not have."""
-    now = Moving(course, point, {}, 1)
-    now = Moving(course, point, {name: now.value(value) for name, value in course.begins.items()}, 1)
+    now = FollowedPoint(course, point, {}, 1)
+    now = FollowedPoint(course, point, {name: now.value(value) for name, value in course.begins.items()}, 1)
     for length in range(2, course.length + 1):
         grown = {n: now.value(course.rates.get(n, NOTHING))[-1] * Fraction(1, length - 1) for n in now.state}
-        now = Moving(course, point, {name: (*known, grown[name]) for name, known in now.state.items()}, length)
+        now = FollowedPoint(course, point, {name: (*known, grown[name]) for name, known in now.state.items()}, length)
     return now
 
 
-def motion(study: Study, letters: Known) -> Course | None:
+def motion(study: Study, letters: Known) -> Following | None:
     """The motion from its start; None where it is not known that the start fulfils the conditions that tie coordinates."""
     system, start = study.system, study.system.scope.start
     if not study.at_start and any(not is_zero(substitute(tie.value, start)) for tie in study.ties):
         return None
     begins = {name: start.get(name, symbol(name)) for name in system.scope.rates} | {"t": NOTHING}
     known = {**letters, **solved(study)}
-    return Course(begins, {**system.scope.rates, "t": UNITY}, known, 1 if study.at_start else LENGTH)
+    return Following(begins, {**system.scope.rates, "t": UNITY}, known, 1 if study.at_start else LENGTH)
 
 
 def solved(study: Study) -> Known:
@@ -135,7 +135,7 @@ def solved(study: Study) -> Known:
     return {**study.system.tied(), **(found.accelerations or {}), **found.reactions}
 
 
-def way(study: Study, letters: Known) -> Course | None:
+def way(study: Study, letters: Known) -> Following | None:
     """A state on the way of one coordinate that leaves a rest, of which the motion from there tells nothing; None of others."""
     system, start = study.system, study.system.scope.start
     names, still = ([name for name, square in study.squares.items() if bool(square) is moves] for moves in (True, False))
@@ -144,33 +144,33 @@ def way(study: Study, letters: Known) -> Course | None:
         return None
     speed = root(study.squares[names[0]]) * sense(ProblemWorld(study).motion, names[0])
     begins = {**resting, names[0]: symbol(names[0]), f"{names[0]}_dot": speed}
-    return Course(begins, system.scope.rates, {**letters, **solved(study)}) if speed else None
+    return Following(begins, system.scope.rates, {**letters, **solved(study)}) if speed else None
 
 
-def is_at_rest(seen: Moving) -> bool:
+def is_at_rest(seen: FollowedPoint) -> bool:
     """Does nothing move in it?"""
     return not any(any(known[1:]) for name, known in seen.state.items() if name != "t")
 
 
-def places(study: Study, told: Iterable[Known], letters: Known) -> Iterator[Course]:
+def places(study: Study, told: Iterable[Known], letters: Known) -> Iterator[Following]:
     """The states at places of which the derivation tells: with either sense of the speeds that the motion has there."""
     start = {name: value for name, value in study.system.scope.start.items() if not name.endswith("_dot")}
     for at in told:
         there = {name: at.get(name, start.get(name, symbol(name))) for name in study.system.coordinates}
         for side in (1, -1):
             speeds = {f"{name}_dot": substitute(root(square) * side, there) for name, square in study.squares.items()}
-            yield Course({**there, **speeds}, {}, {**letters, **solved(study)}, 1)
+            yield Following({**there, **speeds}, {}, {**letters, **solved(study)}, 1)
 
 
-def rests(study: Study, equilibria: Iterable[Equilibrium], letters: Known) -> Iterator[Course]:
+def rests(study: Study, equilibria: Iterable[Equilibrium], letters: Known) -> Iterator[Following]:
     """The positions of rest."""
     speeds = {name: NOTHING for name in study.system.scope.rates if name.endswith("_dot")}
     for one in equilibria:
         there = {name: one.at.get(name, symbol(name)) for name in study.system.coordinates}
-        yield Course({**there, **speeds}, {}, {**letters, **solved(study)}, 1)
+        yield Following({**there, **speeds}, {}, {**letters, **solved(study)}, 1)
 
 
-def looks(course: Course, study: Study, path: Path | None = None) -> Iterator[Moving]:
+def looks(course: Following, study: Study, path: Path | None = None) -> Iterator[FollowedPoint]:
     """The course at a few points that the declared signs and ranges admit, so that it stays in the ranges as it sets out."""
     told = [*course.values(), *(symbol(q.name) for q in study.problem.parameters)]
     told = [value for value in told if names_in(value)]
@@ -183,7 +183,7 @@ def looks(course: Course, study: Study, path: Path | None = None) -> Iterator[Mo
                 yield seen
 
 
-def _stays(name: str, seen: Moving, study: Study) -> bool:
+def _stays(name: str, seen: FollowedPoint, study: Study) -> bool:
     """Does it not leave its declared range at once?"""
     lower, upper = study.assumptions.range_of(name)
     ends = [symbol(name) - lower] if lower is not None else []
@@ -191,7 +191,7 @@ def _stays(name: str, seen: Moving, study: Study) -> bool:
     return all(next(filter(None, map(e.sign_of, seen.value(gap))), 1) == 1 for gap in ends)
 
 
-def failing(pairs: Iterable[Gap], seen: list[Moving]) -> Verdict:
+def failing(pairs: Iterable[Gap], seen: list[FollowedPoint]) -> Verdict:
     """REFUTED at the first point at which the sides of one of the pairs have different series; else the key of a reason."""
     reason = "nowhere" if seen else "no_state"
     for a, b in pairs:
@@ -214,12 +214,12 @@ def _witness(point: Point, left: Number, right: Number, order: int) -> Witness:
     return Witness(tuple(point.numbers.items()), circle, left * factorial(order), right * factorial(order), whose)
 
 
-def first_looks(course: Course | None, study: Study) -> list[Moving]:
+def first_looks(course: Following | None, study: Study) -> list[FollowedPoint]:
     """The first few; none of a course that is not known."""
     return list(islice(looks(course, study), POINTS)) if course is not None else []
 
 
-def motion_looks(study: Study, letters: Known) -> list[Moving]:
+def motion_looks(study: Study, letters: Known) -> list[FollowedPoint]:
     """The first few of the motion from its start; on its way, where it starts from a rest."""
     found = first_looks(motion(study, letters), study)
     course = way(study, letters) if found and all(map(is_at_rest, found)) else None

@@ -74,11 +74,11 @@ class Refuter(Frozen):
             return None
 
     @cached_property
-    def _motion(self) -> list[f.Moving]:
+    def _motion(self) -> list[f.FollowedPoint]:
         return f.motion_looks(self.context.study, self.letters)
 
     @cached_property
-    def _places(self) -> list[list[f.Moving]]:
+    def _places(self) -> list[list[f.FollowedPoint]]:
         resting = [dict(one.at) for one in self._equilibria]
         told = [at for step in self.steps if (at := step.data.get("at")) and dict(at) not in resting]
         found = f.places(self.context.study, told, self.letters)
@@ -89,7 +89,7 @@ class Refuter(Frozen):
         return () if self.context.study.at_start else self.context.study.equilibria
 
     @cached_property
-    def _rests(self) -> list[list[f.Moving]]:
+    def _rests(self) -> list[list[f.FollowedPoint]]:
         study = self.context.study
         return [f.first_looks(course, study) for course in f.rests(study, self._equilibria, self.letters)]
 

@@ -27,7 +27,7 @@ from rbpsym.proof.checks import of_steps as checks
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Derivation, Step
 from rbpsym.studio.refuting import Refuter
-from rbpsym.studio.slips import Slip, slip
+from rbpsym.studio.slips import LineSlip, slip
 from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.typeset.latex import to_latex
@@ -37,7 +37,7 @@ IN_STATES, ORDERS = (checks.identity, checks.on_motion, checks.along_motion), ("
 INEQUALITY, PRINTED = re.compile(r"[<>≤≥]"), re.compile(r"[\\']")
 
 
-class Sheet(Frozen):
+class PhaseSheet(Frozen):
     """The steps of one phase; ids begin with `prefix`."""
 
     derivation: Derivation
@@ -224,12 +224,12 @@ class Sheet(Frozen):
     def _refuter(self) -> Refuter:
         return Refuter(self.context, tuple(self.steps.values()), self.begins)
 
-    def slip(self, read: t.Node) -> Slip:
+    def slip(self, read: t.Node) -> LineSlip:
         """How a wrong line differs from a step."""
         rows = [row for row in relations(read) if row.ops == ("=",)]
         steps = [row for _, row in self._rows]
         found = (slip(row, steps, valued) for row in rows for valued in (self.value, self.rate))
-        best = Slip()
+        best = LineSlip()
         for one in found:
             if one.kind:
                 return one
@@ -262,9 +262,9 @@ def is_same(one: Value | None, other: Value | None) -> bool:
     return one is not None and one == other
 
 
-def sheets(derivation: Derivation, language: str) -> Mapping[str, Sheet]:
+def sheets(derivation: Derivation, language: str) -> Mapping[str, PhaseSheet]:
     """The phases of a derivation by their names; the first is ""."""
-    found = {"": Sheet(derivation, language)}
+    found = {"": PhaseSheet(derivation, language)}
     for number, phase in enumerate(derivation.phases, 2):
-        found[phase.name] = Sheet(phase.derivation, language, f"phase{number}.", phase.begins)
+        found[phase.name] = PhaseSheet(phase.derivation, language, f"phase{number}.", phase.begins)
     return found

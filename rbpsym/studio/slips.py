@@ -14,7 +14,7 @@ from rbpsym.frozen import Frozen, replace
 Valued = Callable[[t.Node], Value | None]
 
 
-class Slip(Frozen):
+class LineSlip(Frozen):
     """The kind of a slip (a phrase “tutor.slip.KIND”), the part in which it is, how many of so many terms are right, and by
     what number the part is too large."""
 
@@ -25,9 +25,9 @@ class Slip(Frozen):
     by: str = ""
 
 
-def slip(wrong: t.Chain, steps: Iterable[t.Chain], value: Valued) -> Slip:
+def slip(wrong: t.Chain, steps: Iterable[t.Chain], value: Valued) -> LineSlip:
     """The first step beside which it is one; else the most terms that are right beside one."""
-    best = Slip()
+    best = LineSlip()
     rows = tuple(steps)
     alike = (operator.eq, lambda one, other: value(one) is not None and value(one) == value(other))
     for side, goal in (pair for is_same in alike for step in rows for pair in _beside(wrong, step, is_same)):
@@ -52,31 +52,31 @@ def _beside(wrong: t.Chain, step: t.Chain, is_same: Callable[[t.Node, t.Node], b
                 yield wrong.items[this], step.items[goal]
 
 
-def _told(side: t.Node, goal: t.Node, given: Any, true: Any, value: Valued) -> Slip:
+def _told(side: t.Node, goal: t.Node, given: Any, true: Any, value: Valued) -> LineSlip:
     """How one side differs from what it should be."""
     if (ratio := _ratio(given, true)) is not None:
-        return Slip("sign" if ratio == -1 else "times", side, by=str(ratio))
+        return LineSlip("sign" if ratio == -1 else "times", side, by=str(ratio))
     terms, own = _terms(side), _terms(goal)
     values = [value(term) for term in terms]
     for term, its in zip(terms, values, strict=True):
         if its is not None and (kind := _of_term(given - true, its)):
-            return Slip(kind, term)
+            return LineSlip(kind, term)
     if any((its := value(term)) is not None and _ratio(true - given, its) == 1 for term in own):
-        return Slip("missing", side)
+        return LineSlip("missing", side)
     rights = [value(term) for term in own]
     odd = [term for term, its in zip(terms, values, strict=True) if its is None or its not in rights]
     wanted = [term for term, its in zip(own, rights, strict=True) if its is None or its not in values]
     count = len(terms) - len(odd)
     if len(odd) == len(wanted) == 1:
         return replace(_structural(odd[0], wanted[0], is_part=count > 0), right=count, terms=len(own))
-    return Slip("", None, count, len(own))
+    return LineSlip("", None, count, len(own))
 
 
-def _structural(side: t.Node, goal: t.Node, *, is_part: bool = False) -> Slip:
+def _structural(side: t.Node, goal: t.Node, *, is_part: bool = False) -> LineSlip:
     """The one place in which two formulas differ; the whole of what `is_part` of a sum, if there are several."""
     part, other = _apart(side, goal)
     kind = _kind(part, other)
-    return Slip(kind, part) if part != side or kind != "part" or is_part else Slip()
+    return LineSlip(kind, part) if part != side or kind != "part" or is_part else LineSlip()
 
 
 def _apart(side: t.Node, goal: t.Node) -> tuple[t.Node, t.Node]:

@@ -27,7 +27,7 @@ from rbpsym.frozen import Frozen, field
 from rbpsym.proof.step import STANDARD, Derivation, Step
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import REASONS
-from rbpsym.studio.sheet import Sheet, sheets
+from rbpsym.studio.sheet import PhaseSheet, sheets
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.text import to_text
 
@@ -71,7 +71,7 @@ class Tutor(Frozen):
     checked: dict[t.Node, Result] = field(default_factory=dict)
 
     @cached_property
-    def sheets(self) -> Mapping[str, Sheet]:
+    def sheets(self) -> Mapping[str, PhaseSheet]:
         """The phases by their names; the first is ""."""
         return sheets(self.derivation, self.language)
 
@@ -159,7 +159,7 @@ class Tutor(Frozen):
             read = sheet.read(line)
         except RbpsymError as error:
             return UNREAD, self._unread(error), ""
-        if not isinstance(read, (t.Chain, t.System)):
+        if not isinstance(read, (t.Chain, t.Relations)):
             return UNREAD, self._told(UNREAD, "no_equation"), ""
         if id := sheet.step_of(read):
             return TRUE, self._told(TRUE, "true") + where, id
@@ -174,7 +174,7 @@ class Tutor(Frozen):
         instead = self._told(UNREAD, "letters", letters=", ".join(self.letters)) if is_long else error.instead
         return f"{_sentence(error.what)} {instead}".strip()
 
-    def _refused(self, read: t.Node, sheet: Sheet, found: Verdict) -> tuple[str, str, str]:
+    def _refused(self, read: t.Node, sheet: PhaseSheet, found: Verdict) -> tuple[str, str, str]:
         """What a line that was not proved seems to mean: it is wrong if a state of the motion refutes it."""
         slip = sheet.slip(read)
         part = to_text(slip.part, self.notation) if slip.part is not None else ""
@@ -197,7 +197,7 @@ class Tutor(Frozen):
             self.checked[read] = Checker(lambda _: world, diagnosis).check_safely(claim)
         return self.checked[read]
 
-    def _is_proved_by_check(self, read: t.Node, sheet: Sheet) -> bool:
+    def _is_proved_by_check(self, read: t.Node, sheet: PhaseSheet) -> bool:
         """Is it proved there, in letters that mean the same there?"""
         return t.names(read) <= sheet.statement_names and self._checked(read).outcome is Outcome.PROVED
 

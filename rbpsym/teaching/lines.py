@@ -11,7 +11,7 @@ from rbpsym.frozen import Frozen
 from rbpsym.proof.draft import length
 from rbpsym.proof.step import STANDARD, Step
 from rbpsym.teaching.bench import ProblemBench
-from rbpsym.teaching.model import Piece, blank
+from rbpsym.teaching.model import LinePiece, blank
 from rbpsym.teaching.spoilers import meaning
 
 # what a step does -> how much it matters to understand it (0: never asked)
@@ -48,9 +48,9 @@ def lines_to(bench: ProblemBench, step: str, most: int) -> tuple[Step, ...]:
     return tuple(first.values())[-most:]
 
 
-def piece(step: Step) -> Piece:
+def piece(step: Step) -> LinePiece:
     """A step as a piece."""
-    return Piece(step.id, step.statement)
+    return LinePiece(step.id, step.statement)
 
 
 def precedence(bench: ProblemBench, ids: list[str]) -> set[tuple[int, int]]:
@@ -94,7 +94,7 @@ def gaps(statement: t.Node) -> list[Gap]:
     """Right sides of a statement that have a scalar value, and the terms of sums on both sides."""
     rows = (
         [((("rows", k),), row) for k, row in enumerate(statement.rows)]
-        if isinstance(statement, t.System)
+        if isinstance(statement, t.Relations)
         else [((), statement)]
     )
     found: list[Gap] = []

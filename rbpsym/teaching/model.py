@@ -185,7 +185,7 @@ class ChoiceKey(Frozen):
     right: int
 
 
-class Piece(Frozen):
+class LinePiece(Frozen):
     """A step to be put in order, or a line of a derivation: its step's id, what it says, and why."""
 
     id: str
@@ -197,7 +197,7 @@ class OrderKey(Frozen):
     """Pieces as printed (shuffled). `before` holds pairs of places (i, j) from 0: the piece i must come
     before the piece j; every order that keeps them is right. `sample` is one right order of places."""
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[LinePiece, ...]
     before: frozenset[tuple[int, int]]
     sample: tuple[int, ...]
 
@@ -215,7 +215,7 @@ class SlipKey(Frozen):
     `corrected` is what that line should say, `slip` the misconception that made it.
     """
 
-    lines: tuple[Piece, ...]
+    lines: tuple[LinePiece, ...]
     wrong: int
     corrected: Node
     slip: Slip

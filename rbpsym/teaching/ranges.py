@@ -17,7 +17,7 @@ from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import sample
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Coordinate, Problem
-from rbpsym.statement.source import SourceItem, Table, kind_of
+from rbpsym.statement.source import SourceItem, SourceTable, kind_of
 from rbpsym.statement.units import RAISED, offered, scale_of, unit_named, unit_of, unit_text
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
@@ -235,7 +235,7 @@ class Named(Frozen):
     upper: float = math.inf
 
 
-def numbers_in(table: Table, problem: Problem) -> Iterator[tuple[str, NumberRange]]:
+def numbers_in(table: SourceTable, problem: Problem) -> Iterator[tuple[str, NumberRange]]:
     """(name, range) for each entry of [problem.numbers]. Raises StatementError with its place."""
     known = {named.name: named for named in _known(problem)}
     table.check_keys(known, f"the numbers of “{problem.name}”")
@@ -263,7 +263,7 @@ def _bounds(quantity: Quantity | Coordinate) -> tuple[float, float]:
     return found[0], found[1]
 
 
-def _range(table: Table, named: Named) -> NumberRange:
+def _range(table: SourceTable, named: Named) -> NumberRange:
     """A fixed number "60 deg", or { from, to, step, digits }."""
     value, name = table.data[named.name], named.name
     if isinstance(value, str):
@@ -323,7 +323,7 @@ def _between(named: Named, unit: str) -> str:
     return f"it goes {' '.join(told)}"
 
 
-def _check_range(row: Table, found: NumberRange, units: set[str]) -> None:
+def _check_range(row: SourceTable, found: NumberRange, units: set[str]) -> None:
     if len(units) > 1:
         raise row.value_error("step", "“from”, “to” and “step” must be in the same unit", f"write all in {found.unit}")
     if found.step <= 0:

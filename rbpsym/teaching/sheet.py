@@ -23,7 +23,7 @@ from rbpsym.quantities import LENGTH
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, table_of
 from rbpsym.statement.model import Problem
-from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, SourceTable, did_you_mean, kind_of
 from rbpsym.teaching.bench import PHASE, Prepared, ProblemBench, formula_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.ranges import NumberRange, numbers_in
@@ -64,7 +64,7 @@ class Sheet(Frozen):
     text: str = ""
 
 
-def is_sheet(table: Table) -> bool:
+def is_sheet(table: SourceTable) -> bool:
     """Whether a file is a worksheet (and not a problem): it lists problems."""
     return "problem" in table
 
@@ -74,7 +74,7 @@ def sheet_of_text(text: str, name: str = "worksheet") -> Sheet:
     return sheet_of(table_of(text, name), name, Path())
 
 
-def sheet_of(table: Table, name: str, folder: Path) -> Sheet:
+def sheet_of(table: SourceTable, name: str, folder: Path) -> Sheet:
     """The worksheet in a table."""
     table.check_keys(SHEET_KEYS, "a worksheet")
     table.require("problem", "the worksheet", 'add [[problem]] with name = "..." and [[problem.task]] below it')
@@ -84,14 +84,14 @@ def sheet_of(table: Table, name: str, folder: Path) -> Sheet:
     return Sheet(name, title, parts, _language(table), _texts(table, "introduction"), text)
 
 
-def _language(table: Table) -> str:
+def _language(table: SourceTable) -> str:
     found = table.string("language", "en")
     if found not in languages():
         raise table.value_error("language", f"there are no worksheets in “{found}”", did_you_mean(found, languages()))
     return found
 
 
-def _texts(table: Table, key: str) -> dict[str, str]:
+def _texts(table: SourceTable, key: str) -> dict[str, str]:
     """A text, or a text for each language."""
     if key not in table:
         return {}
@@ -109,7 +109,7 @@ def _texts(table: Table, key: str) -> dict[str, str]:
     return {language: inner.string(language) for language in inner.names()}
 
 
-def _rows(table: Table, key: str, written: str) -> list[Table]:
+def _rows(table: SourceTable, key: str, written: str) -> list[SourceTable]:
     """The tables of a list, at least one."""
     value = table.data[key]
     if not isinstance(value, (list, tuple)) or not value or not all(isinstance(row, Mapping) for row in value):
@@ -119,7 +119,7 @@ def _rows(table: Table, key: str, written: str) -> list[Table]:
     return table.rows(key, key)
 
 
-def _part(row: Table, folder: Path) -> SheetPart:
+def _part(row: SourceTable, folder: Path) -> SheetPart:
     row.check_keys(PROBLEM_KEYS, "a problem of a worksheet")
     problem = _problem(row, folder)
     row.require("task", f"“{problem.name}”", 'add [[problem.task]] with kind = "choose"')
@@ -130,7 +130,7 @@ def _part(row: Table, folder: Path) -> SheetPart:
     return SheetPart(problem, numbers, wishes, row.item("numbers" if numbers else "name" if "name" in row else "file"))
 
 
-def _problem(row: Table, folder: Path) -> Problem:
+def _problem(row: SourceTable, folder: Path) -> Problem:
     """By its name in the library, or a file beside the worksheet."""
     if ("name" in row) == ("file" in row):
         raise row.error(
@@ -157,7 +157,7 @@ ONLY_FOR: Mapping[str, tuple[str, ...]] = {
 }
 
 
-def _wishes(row: Table) -> Iterator[Wish]:
+def _wishes(row: SourceTable) -> Iterator[Wish]:
     """A task; a list of levels makes a task of each, from one quantity to the next."""
     row.check_keys(TASK_KEYS, "a task")
     row.require("kind", "the task", f'write kind = "{next(iter(TASKS))}" or another of {", ".join(TASKS)}')
@@ -171,7 +171,7 @@ def _wishes(row: Table) -> Iterator[Wish]:
         yield _wish(row, kind, level)
 
 
-def _wish(row: Table, kind: str, level: int) -> Wish:
+def _wish(row: SourceTable, kind: str, level: int) -> Wish:
     return Wish(
         kind,
         _strings(row, "about"),
@@ -185,7 +185,7 @@ def _wish(row: Table, kind: str, level: int) -> Wish:
     )
 
 
-def _levels(row: Table) -> list[int]:
+def _levels(row: SourceTable) -> list[int]:
     """One level, or several in a list."""
     value = row.data.get("level", 1)
     found = list(value) if isinstance(value, (list, tuple)) else [value]
@@ -198,7 +198,7 @@ def _levels(row: Table) -> list[int]:
     return found
 
 
-def _strings(row: Table, key: str) -> tuple[str, ...]:
+def _strings(row: SourceTable, key: str) -> tuple[str, ...]:
     """A text or a list of texts."""
     value = row.data.get(key, ())
     if isinstance(value, str):
@@ -212,7 +212,7 @@ def _strings(row: Table, key: str) -> tuple[str, ...]:
     return tuple(value)
 
 
-def _points(row: Table) -> Fraction | None:
+def _points(row: SourceTable) -> Fraction | None:
     if "points" not in row:
         return None
     value = row.data["points"]
@@ -223,7 +223,7 @@ def _points(row: Table) -> Fraction | None:
     return Fraction(str(value))
 
 
-def _misconceptions(row: Table) -> tuple[str, ...]:
+def _misconceptions(row: SourceTable) -> tuple[str, ...]:
     names = _strings(row, "misconceptions")
     for place, name in enumerate(names):
         if name not in MISCONCEPTIONS:

@@ -83,7 +83,7 @@ def _claim(study: Study, node: t.Node) -> Claim | None:
 
 def is_telling(node: t.Node) -> bool:
     """Whether a formula is more than a name, a number or a product of two."""
-    return not isinstance(node, (t.Chain, t.System)) and _length(node) > COMMON and bool(t.names(node))
+    return not isinstance(node, (t.Chain, t.Relations)) and _length(node) > COMMON and bool(t.names(node))
 
 
 def _length(node: t.Node) -> int:

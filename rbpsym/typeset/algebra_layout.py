@@ -10,7 +10,7 @@ from rbpsym.typeset.setting import (
     POWER,
     PRODUCT,
     SUM,
-    Style,
+    LayoutStyle,
     attach_sup,
     attached,
     draw,
@@ -37,7 +37,7 @@ VULGAR = {
 
 
 @draws(t.Num)
-def _num(node: t.Num, style: Style) -> b.Box:
+def _num(node: t.Num, style: LayoutStyle) -> b.Box:
     value = Rational(node.value)
     if value < 0:
         return b.Row((MINUS, _num(t.Num(-value), style)))
@@ -56,23 +56,23 @@ def _decimal(value: Rational, mark: str) -> str:
 
 
 @draws(t.Sym)
-def _sym(node: t.Sym, style: Style) -> b.Box:
+def _sym(node: t.Sym, style: LayoutStyle) -> b.Box:
     return glyph_box(style.notation.glyph(node.name))
 
 
 @draws(t.Vec)
-def _vec(node: t.Vec, style: Style) -> b.Box:
+def _vec(node: t.Vec, style: LayoutStyle) -> b.Box:
     kind = {"arrow": "vec", "bold": "bold"}[style.notation.vector]
     return glyph_box(style.notation.glyph(node.name), kind)
 
 
 @draws(t.Unit)
-def _unit(node: t.Unit, style: Style) -> b.Box:
+def _unit(node: t.Unit, style: LayoutStyle) -> b.Box:
     return unit_box(node.axis)
 
 
 @draws(t.Div)
-def _div(node: t.Div, style: Style) -> b.Box:
+def _div(node: t.Div, style: LayoutStyle) -> b.Box:
     if style.mode == "display":
         return b.Fraction(draw(node.num, style), draw(node.den, style))
     if vulgar := _vulgar(node, style):
@@ -83,12 +83,12 @@ def _div(node: t.Div, style: Style) -> b.Box:
     return b.Row((num, b.Operator("/", "mark"), wrapped(node.den, POWER, style)))
 
 
-def is_slashed(node: t.Node, style: Style) -> bool:
+def is_slashed(node: t.Node, style: LayoutStyle) -> bool:
     """Is the node written with a slash in one line (and not as ½)?"""
     return plain_fraction(node) and not _vulgar(node, style)
 
 
-def _vulgar(node: t.Node, style: Style) -> str:
+def _vulgar(node: t.Node, style: LayoutStyle) -> str:
     """The one character that the node is in text, such as ½; none is empty."""
     ratio = _ratio(node) if style.mode == "text" else None
     return VULGAR.get(ratio, "") if ratio else ""
@@ -103,18 +103,18 @@ def _ratio(node: t.Node) -> Rational | None:
 
 
 @draws(t.Abs)
-def _abs(node: t.Abs, style: Style) -> b.Box:
+def _abs(node: t.Abs, style: LayoutStyle) -> b.Box:
     return fenced(draw(node.arg, style), "|", "|")
 
 
 @draws(t.Group)
-def _group(node: t.Group, style: Style) -> b.Box:
+def _group(node: t.Group, style: LayoutStyle) -> b.Box:
     closing = {"(": ")", "[": "]"}[node.kind]
     return fenced(draw(node.arg, style), node.kind, closing)
 
 
 @draws(t.Word)
-def _word(node: t.Word, style: Style) -> b.Box:
+def _word(node: t.Word, style: LayoutStyle) -> b.Box:
     return b.Phrase(node.text)
 
 
@@ -124,7 +124,7 @@ TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 
 
 @draws(t.Pow)
-def _pow(node: t.Pow, style: Style) -> b.Box:
+def _pow(node: t.Pow, style: LayoutStyle) -> b.Box:
     if is_function_power(node):
         return applied(node, style)
     sup = draw(node.exponent, style.script)
@@ -148,16 +148,16 @@ def is_function_power(node: t.Node) -> bool:
 
 
 @draws(t.Sqrt)
-def _sqrt(node: t.Sqrt, style: Style) -> b.Box:
+def _sqrt(node: t.Sqrt, style: LayoutStyle) -> b.Box:
     return b.Radical(draw(node.arg, style))
 
 
 @draws(t.Fn)
-def _fn(node: t.Fn, style: Style) -> b.Box:
+def _fn(node: t.Fn, style: LayoutStyle) -> b.Box:
     return applied(node, style)
 
 
-def applied(node: t.Node, style: Style, *, closed: bool = False) -> b.Box:
+def applied(node: t.Node, style: LayoutStyle, *, closed: bool = False) -> b.Box:
     """A function (or its power) before its argument, in parentheses unless it is simple."""
     call = node.base if isinstance(node, t.Pow) else node
     assert isinstance(call, t.Fn)  # a power of a function, written sin² x
@@ -176,7 +176,7 @@ def _modulus(square: t.Node) -> t.Node:
     return square.base if isinstance(square, t.Pow) and square.exponent == t.TWO else t.Sqrt(square)
 
 
-def _is_simple_argument(node: t.Node, style: Style) -> bool:
+def _is_simple_argument(node: t.Node, style: LayoutStyle) -> bool:
     """Is it an argument that a textbook writes without parentheses: θ, 2θ, θ/2?"""
     if isinstance(node, t.Sym):
         return not style.notation.glyph(node.name).prefix
@@ -206,7 +206,7 @@ def is_simple_product(node: t.Node) -> bool:
 
 
 @draws(t.Add)
-def _add(node: t.Add, style: Style) -> b.Box:
+def _add(node: t.Add, style: LayoutStyle) -> b.Box:
     if not node.terms:
         return draw(t.ZERO, style)
     items: list[b.Box] = []
@@ -221,14 +221,14 @@ def _add(node: t.Add, style: Style) -> b.Box:
 
 
 @draws(t.Neg)
-def _neg(node: t.Neg, style: Style) -> b.Box:
+def _neg(node: t.Neg, style: LayoutStyle) -> b.Box:
     negative, body = signed(node)
     box = wrapped(body, SUM + 1, style) if negative else draw(body, style)
     return b.Row((MINUS, box)) if negative else box
 
 
 @draws(t.Mul)
-def _mul(node: t.Mul, style: Style) -> b.Box:
+def _mul(node: t.Mul, style: LayoutStyle) -> b.Box:
     negative, body = signed(node)
     if negative or not isinstance(body, t.Mul):
         return draw(t.Neg(body) if negative else body, style)
@@ -242,7 +242,7 @@ def _mul(node: t.Mul, style: Style) -> b.Box:
     return b.Row(tuple(items))
 
 
-def _factor(factor: t.Node, after: t.Node | None, style: Style) -> b.Box:
+def _factor(factor: t.Node, after: t.Node | None, style: LayoutStyle) -> b.Box:
     if after is None:
         return wrapped(factor, PRODUCT, style)
     if is_open(factor):
@@ -262,14 +262,14 @@ def _stops_argument(after: t.Node) -> bool:
     return _ends_in_function(after) or isinstance(after, (t.Unit, t.Vec))
 
 
-def _between(left: t.Node, right: t.Node, style: Style) -> b.Box:
+def _between(left: t.Node, right: t.Node, style: LayoutStyle) -> b.Box:
     """What stands between two factors: a dot before a number, a thin space around words."""
     if starts_with_digit(right) or (_is_number(left) and _is_numeric_fraction(right)):
         return b.Operator("·")
     if isinstance(right, (t.Unit, t.Word)) or isinstance(left, t.Word):
-        return b.Space()
+        return b.Thin()
     if _is_wordy(left, style) or _is_wordy(right, style):
-        return b.Space()
+        return b.Thin()
     return b.Times()
 
 
@@ -290,12 +290,12 @@ def _is_numeric_fraction(node: t.Node) -> bool:
     )
 
 
-def _is_wordy(node: t.Node, style: Style) -> bool:
+def _is_wordy(node: t.Node, style: LayoutStyle) -> bool:
     return isinstance(node, t.Sym) and style.notation.glyph(node.name).style == "upright"
 
 
 @draws(t.Cross, t.Dot)
-def _cross(node: t.Cross | t.Dot, style: Style) -> b.Box:
+def _cross(node: t.Cross | t.Dot, style: LayoutStyle) -> b.Box:
     sign = "×" if isinstance(node, t.Cross) else "·"
     left = wrapped(node.left, PRODUCT, style)
     left = fenced(left) if is_open(node.left) else left

@@ -42,7 +42,7 @@ class Big(Box):
     sign: str
 
 
-class Space(Box):
+class Thin(Box):
     """A thin space."""
 
 

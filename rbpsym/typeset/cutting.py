@@ -35,7 +35,7 @@ WIDTHS: Mapping[type, Callable[..., float]] = {
     b.Phrase: lambda box: 0.5 * len(box.text) + 0.6,
     b.Operator: lambda box: OPERATORS.get(box.kind, 1.0),
     b.Big: lambda box: 1.0,
-    b.Space: lambda box: 0.17,
+    b.Thin: lambda box: 0.17,
     b.Times: lambda box: 0.08,
     b.Accent: lambda box: width(box.body),
     b.Prime: lambda box: 0.3 * box.count,

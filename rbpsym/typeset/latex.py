@@ -54,7 +54,7 @@ def _row_pair(pair: tuple[b.Box, b.Box]) -> str:
 
 
 _FORMS = {
-    "space": r" \, ", "times": " ", "under": "%(base)s_{%(under)s}", "fraction": r"\frac{%(num)s}{%(den)s}",
+    "thin": r" \, ", "times": " ", "under": "%(base)s_{%(under)s}", "fraction": r"\frac{%(num)s}{%(den)s}",
     "radical": r"\sqrt{%(body)s}",
 }  # fmt: skip
 

@@ -11,13 +11,13 @@ from rbpsym.expr.glyphs import DEFAULT, Notation
 from rbpsym.expr.tree import Node
 from rbpsym.typeset import algebra_layout
 from rbpsym.typeset import boxes as b
-from rbpsym.typeset.setting import ATOM, CROSS, PRODUCT, SUM, Style, attach_sup, draw, draws, fenced, glyph_box, wrapped
+from rbpsym.typeset.setting import ATOM, CROSS, PRODUCT, SUM, LayoutStyle, attach_sup, draw, draws, fenced, glyph_box, wrapped
 
 # --- boxes of derivatives, integrals, brackets, changes and limits
 
 
 @draws(t.Deriv)
-def _deriv(node: t.Deriv, style: Style) -> b.Box:
+def _deriv(node: t.Deriv, style: LayoutStyle) -> b.Box:
     d = _d(style, partial=node.partial)
     top = d if node.order == 1 else attach_sup(d, _number(node.order))
     wrt = glyph_box(style.notation.glyph(node.wrt))
@@ -34,7 +34,7 @@ def _deriv(node: t.Deriv, style: Style) -> b.Box:
     )
 
 
-def _over(num: b.Box, den: b.Box, style: Style) -> b.Box:
+def _over(num: b.Box, den: b.Box, style: LayoutStyle) -> b.Box:
     if style.mode != "text":
         return b.Fraction(num, den)
     return b.Row((num, b.Operator("/", "mark"), den))
@@ -44,13 +44,13 @@ def _number(n: int) -> b.Letter:
     return b.Letter(str(n), "number")
 
 
-def _d(style: Style, *, partial: bool = False) -> b.Letter:
+def _d(style: LayoutStyle, *, partial: bool = False) -> b.Letter:
     """The d of a differential."""
     return b.Letter("∂" if partial else "d", style.notation.differential)
 
 
 @draws(t.Integral)
-def _integral(node: t.Integral, style: Style) -> b.Box:
+def _integral(node: t.Integral, style: LayoutStyle) -> b.Box:
     inner = style.script
     sign = b.Script(b.Big("∫"), draw(node.lower, inner), draw(node.upper, inner))
     differential = b.Row((_d(style), glyph_box(style.notation.glyph(node.var))))
@@ -58,7 +58,7 @@ def _integral(node: t.Integral, style: Style) -> b.Box:
 
 
 @draws(t.BodyIntegral)
-def _body_integral(node: t.BodyIntegral, style: Style) -> b.Box:
+def _body_integral(node: t.BodyIntegral, style: LayoutStyle) -> b.Box:
     name = style.notation.glyph(node.body)
     name = replace(name, style="upright") if name.base.isascii() and name.base.isalpha() else name  # no limit, a body
     sign = b.Script(b.Big("∫"), glyph_box(name))
@@ -69,28 +69,28 @@ def _body_integral(node: t.BodyIntegral, style: Style) -> b.Box:
     return _integrated(sign, node.integrand, differential, style)
 
 
-def _against(arm: t.Node, product: str, of: t.Node, style: Style) -> tuple[b.Box, ...]:
+def _against(arm: t.Node, product: str, of: t.Node, style: LayoutStyle) -> tuple[b.Box, ...]:
     """a × db, as people write it instead of a × (db/dm) dm."""
     differential = b.Row((_d(style), draw(of, style)))
     return wrapped(arm, CROSS, style), b.Operator("·" if product == "dot" else "×"), differential
 
 
-def _integrated(sign: b.Box, integrand: t.Node, d: b.Box, style: Style) -> b.Box:
+def _integrated(sign: b.Box, integrand: t.Node, d: b.Box, style: LayoutStyle) -> b.Box:
     if integrand == t.ONE:
         return b.Row((sign, d))
-    return b.Row((sign, wrapped(integrand, CROSS, style), b.Space(), d))
+    return b.Row((sign, wrapped(integrand, CROSS, style), b.Thin(), d))
 
 
 @draws(t.PathIntegral)
-def _path_integral(node: t.PathIntegral, style: Style) -> b.Box:
-    sign = {"dot": b.Operator("·"), "cross": b.Operator("×")}.get(node.product, b.Space())
+def _path_integral(node: t.PathIntegral, style: LayoutStyle) -> b.Box:
+    sign = {"dot": b.Operator("·"), "cross": b.Operator("×")}.get(node.product, b.Thin())
     integrand = wrapped(node.integrand, PRODUCT, style)
     differential = b.Row((_d(style), wrapped(node.path, ATOM, style)))
     return b.Row((b.Big("∫"), integrand, sign, differential))
 
 
 @draws(t.Bracket)
-def _bracket(node: t.Bracket, style: Style) -> b.Box:
+def _bracket(node: t.Bracket, style: LayoutStyle) -> b.Box:
     body = b.Fence("[", draw(node.arg, style), "]", tall=True)
     lower, upper = (draw(end, style.script) for end in (node.lower, node.upper))
     if node.upper != t.Sym(node.var):
@@ -101,31 +101,31 @@ def _bracket(node: t.Bracket, style: Style) -> b.Box:
 
 
 @draws(t.Sum)
-def _sum(node: t.Sum, style: Style) -> b.Box:
+def _sum(node: t.Sum, style: LayoutStyle) -> b.Box:
     sign = b.Script(b.Big("∑"), glyph_box(style.notation.glyph(node.index)))
     return b.Row((sign, wrapped(node.term, CROSS, style)))
 
 
 @draws(t.Delta)
-def _delta(node: t.Delta, style: Style) -> b.Box:
+def _delta(node: t.Delta, style: LayoutStyle) -> b.Box:
     return b.Row((b.Letter("Δ", "upright"), wrapped(node.arg, ATOM, style)))
 
 
 @draws(t.At)
-def _at(node: t.At, style: Style) -> b.Box:
+def _at(node: t.At, style: LayoutStyle) -> b.Box:
     body = b.Fence("", draw(node.arg, style), "|", tall=True)
     return b.Script(body, draw(node.condition, style.script))
 
 
 @draws(t.Formal)
-def _formal(node: t.Formal, style: Style) -> b.Box:
+def _formal(node: t.Formal, style: LayoutStyle) -> b.Box:
     """What it is, and its parts in parentheses."""
-    parts = [box for part in node.parts for box in (b.Operator(",", "mark"), b.Space(), draw(part, style))][2:]
+    parts = [box for part in node.parts for box in (b.Operator(",", "mark"), b.Thin(), draw(part, style))][2:]
     return b.Row((b.Phrase(node.kind), b.Fence("(", b.Row(tuple(parts)), ")"))) if parts else b.Phrase(node.kind)
 
 
 @draws(t.Limit)
-def _limit(node: t.Limit, style: Style) -> b.Box:
+def _limit(node: t.Limit, style: LayoutStyle) -> b.Box:
     variable = glyph_box(style.notation.glyph(node.var))
     arrow = b.Operator("→", "relation")
     to = draw(node.to, style.script)
@@ -141,10 +141,10 @@ RELATIONS = {
 }  # fmt: skip
 
 
-@draws(t.System)
-def aligned(node: t.Node, style: Style) -> b.Rows:
+@draws(t.Relations)
+def aligned(node: t.Node, style: LayoutStyle) -> b.Rows:
     """A chain or system as aligned rows; any other formula as one row without a left part."""
-    if isinstance(node, t.System):
+    if isinstance(node, t.Relations):
         return b.Rows(tuple(row for part in node.rows for row in aligned(part, style).rows))
     if not isinstance(node, t.Chain) or not node.ops:
         return b.Rows(((b.Row(()), draw(node, style)),))
@@ -158,7 +158,7 @@ def _relation(op: str) -> b.Operator:
 
 
 @draws(t.Chain)
-def _chain(node: t.Chain, style: Style) -> b.Box:
+def _chain(node: t.Chain, style: LayoutStyle) -> b.Box:
     items = [wrapped(node.items[0], SUM, style)]
     for op, item in zip(node.ops, node.items[1:], strict=True):
         items += [_relation(op), wrapped(item, SUM, style)]
@@ -171,13 +171,13 @@ DRAWN_BY = (algebra_layout,)  # loaded: they enter what they draw
 @lru_cache(maxsize=4096)
 def layout(node: t.Node, notation: Notation = DEFAULT, mode: str = "display") -> b.Box:
     """The boxes of a formula; `mode` is "display", "inline" or "text"."""
-    return draw(node, Style(notation, mode))
+    return draw(node, LayoutStyle(notation, mode))
 
 
 @lru_cache(maxsize=4096)
 def layout_rows(node: t.Node, notation: Notation = DEFAULT) -> b.Rows:
     """A chain `a = b = c`, or a system, as rows that are aligned at their relation signs."""
-    return aligned(node, Style(notation))
+    return aligned(node, LayoutStyle(notation))
 
 
 # --- what all printers of formulas share: the walk over boxes, and what most of them print alike

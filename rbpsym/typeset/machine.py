@@ -115,7 +115,7 @@ def _chain(node: t.Chain) -> tuple[str, int]:
     return text, _RELATION
 
 
-def _system(node: t.System) -> tuple[str, int]:
+def _system(node: t.Relations) -> tuple[str, int]:
     return "; ".join(to_machine(row) for row in node.rows), _RELATION
 
 
@@ -123,5 +123,5 @@ TABLE: dict[type, Callable[..., tuple[str, int]]] = {
     t.Num: _num, t.Sym: _name, t.Vec: _name, t.Add: _add, t.Neg: _neg, t.Mul: _mul, t.Div: _div, t.Pow: _pow,
     t.Unit: lambda node: (f"unit_{node.axis}", _ATOM), t.Sqrt: lambda node: _call("sqrt", node.arg),
     t.Fn: lambda node: _call(_FUNCTIONS.get(node.name, node.name), node.arg), t.Abs: lambda node: _call("abs", node.arg),
-    t.Group: _group, t.Deriv: _deriv, t.PathIntegral: _path, t.Word: _word, t.Chain: _chain, t.System: _system,
+    t.Group: _group, t.Deriv: _deriv, t.PathIntegral: _path, t.Word: _word, t.Chain: _chain, t.Relations: _system,
 }  # fmt: skip

@@ -65,7 +65,7 @@ def _in_row(before: b.Box | None, box: b.Box, after: b.Box | None) -> str:
 
 
 _FORMS = {
-    "space": _THIN, "times": "<mo>\u2062</mo>", "big": "<mo>%(sign)s</mo>", "function": "<mi>%(name)s</mi>",
+    "thin": _THIN, "times": "<mo>\u2062</mo>", "big": "<mo>%(sign)s</mo>", "function": "<mi>%(name)s</mi>",
     "under": "<munder>%(base)s%(under)s</munder>", "fraction": "<mfrac>%(num)s%(den)s</mfrac>",
     "radical": "<msqrt>%(body)s</msqrt>",
 }  # fmt: skip

@@ -110,7 +110,7 @@ class _Omml(Printer):
     def big(self, box: b.Big) -> str:
         return nary(box, "")
 
-    def space(self, box: b.Space) -> str:
+    def thin(self, box: b.Thin) -> str:
         return run("\u2009")
 
     def function(self, box: b.Function) -> str:

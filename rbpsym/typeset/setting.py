@@ -12,14 +12,14 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.typeset import boxes as b
 
 
-class Style(Frozen):
+class LayoutStyle(Frozen):
     """`mode` is "display" (fractions with bars), "inline" (exponents: 3/2) or "text" (one line)."""
 
     notation: Notation = DEFAULT
     mode: str = "display"
 
     @property
-    def script(self) -> Style:
+    def script(self) -> LayoutStyle:
         """The style of exponents and limits: no fractions with bars."""
         return replace(self, mode="inline")
 
@@ -39,7 +39,7 @@ def draws(*kinds: type) -> Callable[[Entered], Entered]:
     return enter
 
 
-def draw(node: t.Node, style: Style) -> b.Box:
+def draw(node: t.Node, style: LayoutStyle) -> b.Box:
     """The boxes of a formula."""
     return TABLE[type(node)](node, style)
 
@@ -49,7 +49,7 @@ def fenced(box: b.Box, opening: str = "(", closing: str = ")") -> b.Fence:
     return b.Fence(opening, box, closing, b.is_tall(box))
 
 
-def wrapped(node: t.Node, least: int, style: Style) -> b.Box:
+def wrapped(node: t.Node, least: int, style: LayoutStyle) -> b.Box:
     """The boxes of a part, in parentheses if it binds less than `least`."""
     box = draw(node, style)
     return fenced(box) if level(node, style.mode) < least else box
@@ -58,7 +58,7 @@ def wrapped(node: t.Node, least: int, style: Style) -> b.Box:
 CHAIN, SUM, CROSS, PRODUCT, APPLIED, POWER, ATOM = range(7)
 
 _LEVELS: dict[type, int] = {
-    t.Chain: CHAIN, t.System: CHAIN, t.Add: SUM, t.Neg: SUM, t.Cross: CROSS, t.Dot: CROSS,
+    t.Chain: CHAIN, t.Relations: CHAIN, t.Add: SUM, t.Neg: SUM, t.Cross: CROSS, t.Dot: CROSS,
     t.Mul: PRODUCT, t.Integral: PRODUCT, t.BodyIntegral: PRODUCT, t.PathIntegral: PRODUCT,
     t.Limit: PRODUCT, t.Sum: PRODUCT, t.Fn: APPLIED, t.Delta: APPLIED, t.Deriv: APPLIED,
     t.Sqrt: POWER, t.Pow: POWER,

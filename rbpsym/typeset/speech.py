@@ -177,7 +177,7 @@ def _chain(node: t.Chain, voice: Voice) -> str:
     return " ".join(texts)
 
 
-def _system(node: t.System, voice: Voice) -> str:
+def _system(node: t.Relations, voice: Voice) -> str:
     return voice.say("and").join(spoken(row, voice) for row in node.rows)
 
 
@@ -208,6 +208,6 @@ TABLE: dict[type, Callable[..., str]] = {
     t.Num: _num, t.Sym: lambda node, voice: named(node.name, voice), t.Add: _add, t.Neg: _neg,
     t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Group: _group, t.Deriv: _deriv,
     t.Cross: lambda node, voice: _product(node, "cross", voice), t.Dot: lambda node, voice: _product(node, "dot", voice),
-    t.BodyIntegral: _body_integral, t.PathIntegral: _path_integral, t.Chain: _chain, t.System: _system,
+    t.BodyIntegral: _body_integral, t.PathIntegral: _path_integral, t.Chain: _chain, t.Relations: _system,
     t.Word: lambda node, voice: node.text,
 }  # fmt: skip

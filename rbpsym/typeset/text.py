@@ -68,7 +68,7 @@ def _is(letter: str, kind: str) -> bool:
 
 
 _FORMS = {
-    "phrase": "%(text)s", "space": " ", "under": "%(base)s(%(under)s)", "fence": "%(opening)s%(body)s%(closing)s",
+    "phrase": "%(text)s", "thin": " ", "under": "%(base)s(%(under)s)", "fence": "%(opening)s%(body)s%(closing)s",
 }  # fmt: skip
 
 

@@ -41,7 +41,7 @@ _FENCES: dict[str, Callable[[str], str]] = {
 
 
 _FORMS = {
-    "space": "thin", "under": "%(base)s_(%(under)s)", "fraction": "frac(%(num)s, %(den)s)", "radical": "sqrt(%(body)s)",
+    "thin": "thin", "under": "%(base)s_(%(under)s)", "fraction": "frac(%(num)s, %(den)s)", "radical": "sqrt(%(body)s)",
     "applied": "%(head)s %(arg)s",
 }  # fmt: skip
 

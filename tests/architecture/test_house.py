@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from rbpsym.statement.library import problem_files
-from tests.architecture.source import ROOT, Module, of_every_module
+from tests.architecture.source import MODULES, ROOT, Module, of_every_module
 
 LONGEST = 400  # lines
 GUESSES = {"simplify", "trigsimp", "radsimp", "sympify", "parse_expr", "nsimplify", "equals", "eval", "exec"}
 # What is not a value but walks over something and remembers where it is.
-WALKERS = {"Reader", "Reading", "Study", "Cursor", "PositionIndex"}
+WALKERS = {"Reader", "CaseReading", "SignStudy", "Cursor", "PositionIndex"}
 VAGUE = {"utils", "util", "helper", "helpers", "manager", "managers", "base", "misc", "common"}
 SHIPPED = sorted(problem_files())
 TEMPLATES = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
@@ -37,6 +38,16 @@ def test_names_are_telling(module: Module) -> None:
         if isinstance(node, ast.ClassDef):
             words = {word.lower() for word in re.findall(r"[A-Z][a-z]+", node.name)}
             assert not words & VAGUE, f"{module.path}:{node.lineno}: {node.name}"
+
+
+def test_no_two_public_classes_have_one_name() -> None:
+    """Who reads `Moment` knows which one is meant."""
+    homes = defaultdict(list)
+    for module in MODULES:
+        for node in module.tree.body:
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                homes[node.name].append(module.name)
+    assert not {name: where for name, where in homes.items() if len(where) > 1}
 
 
 @of_every_module

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from rbpsym.claims.check import Checker
-from rbpsym.claims.ground import Question, glossary
+from rbpsym.claims.ground import EqualityQuestion, glossary
 from rbpsym.claims.model import Claim, Meaning, Outcome, Printed, Setting
 from rbpsym.claims.refute import refutation
 from rbpsym.claims.run import Worlds
@@ -66,8 +66,8 @@ def test_where_conditions_stay_nothing_is_refuted_by_a_state_that_they_exclude()
     setting = Setting("s", "sliding-ladder", symbols={"g": Meaning("g")})
     ground = Checker(Worlds()).ground(setting, glossary(setting.symbols))
     place = symbol("theta")
-    assert refutation(NOTHING, place, Question(ground)).is_refuted
+    assert refutation(NOTHING, place, EqualityQuestion(ground)).is_refuted
     tied = replace(ground.motion, is_tied=True)
     object.__setattr__(ground, "motion", tied)
-    assert not refutation(NOTHING, place, Question(ground)).is_refuted
-    assert refutation(NOTHING, UNITY, Question(ground)).is_refuted  # in any state
+    assert not refutation(NOTHING, place, EqualityQuestion(ground)).is_refuted
+    assert refutation(NOTHING, UNITY, EqualityQuestion(ground)).is_refuted  # in any state

@@ -15,7 +15,7 @@ from rbpsym.decide.verdict import PROVED, REFUTED, UNDECIDED, all_of, proved, un
 from rbpsym.errors import ReadError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
-from rbpsym.field.evaluate import Scope
+from rbpsym.field.evaluate import Meanings
 from rbpsym.field.scalar import PI, lift, symbol
 from rbpsym.field.trig import cosine, sine
 from rbpsym.field.vector import EX, Space
@@ -100,7 +100,7 @@ def test_an_identically_vanishing_denominator_proves_nothing() -> None:
 
 def test_scope_gives_names_their_meaning() -> None:
     inertia = symbol("m") * symbol("R") ** 2 * Fraction(1, 2)
-    scope = Scope(scalars={"I": inertia}, vectors={"r": Space(EX * symbol("R"))})
+    scope = Meanings(scalars={"I": inertia}, vectors={"r": Space(EX * symbol("R"))})
     m, radius = t.Sym("m"), t.Sym("R")
     half = t.Div(t.Mul((m, t.Pow(radius, t.TWO))), t.TWO)
     assert equal(t.Sym("I"), half, scope=scope).is_proved

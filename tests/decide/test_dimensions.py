@@ -82,7 +82,7 @@ def test_sentence(text: str, part: str, says: str) -> None:
         (tree.Mul((tree.Mul((Sym("k"), x)), tree.Unit("x"))), FORCE),
         (tree.Cross(tree.Vec("ell"), tree.Vec("ell")), LENGTH**2),
         (tree.equation(x, Num(0), x), LENGTH),
-        (tree.System((tree.equation(x, x), tree.equation(Sym("m"), Sym("m")))), NUMBER),
+        (tree.Relations((tree.equation(x, x), tree.equation(Sym("m"), Sym("m")))), NUMBER),
     ],
 )
 def test_every_node(node: tree.Node, dimension) -> None:

@@ -72,7 +72,7 @@ def bare(node: t.Node, notation: Notation = DEFAULT) -> str:
 
 
 def rows(node: t.Node) -> tuple[t.Node, ...]:
-    return node.rows if isinstance(node, t.System) else (node,)
+    return node.rows if isinstance(node, t.Relations) else (node,)
 
 
 def chains(node: t.Node, notation: Notation = DEFAULT) -> list[list[str]]:

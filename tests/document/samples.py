@@ -36,8 +36,8 @@ from rbpsym.expr.tree import (
     Node,
     Num,
     Pow,
+    Relations,
     Sym,
-    System,
     Vec,
     equation,
     relation,
@@ -168,7 +168,7 @@ LONG_SUM = equation(
     Add(tuple(Div(times(Num(n), s("M"), squared("ell"), squared(f"theta_{n}_dot")), Num(2)) for n in range(1, 14))),
 )
 TORQUE = equation(Vec("tau"), Deriv(Vec("L")), times(s("I_O"), Vec("alpha")))
-BALANCE = System(
+BALANCE = Relations(
     (
         equation(times(s("M"), s("x_ddot")), s("N_w")),
         equation(times(s("M"), s("y_ddot")), Add((s("N_f"), Neg(times(s("M"), s("g")))))),

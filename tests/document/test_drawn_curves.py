@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from rbpsym.pictures.figures.scene import Arc, Circle, Line, Scene
+from rbpsym.pictures.figures.scene import Arc, Circle, Polyline, Scene
 from rbpsym.pictures.figures.svg import SCALE, to_svg
 from rbpsym.pictures.figures.tikz import to_tikz
 
@@ -72,7 +72,7 @@ def test_the_head_of_an_arc_is_at_its_end_and_points_ahead(arc):
 
 
 def test_the_heads_of_a_line_point_outward():
-    line = Line(((0.0, 0.0), (3.0, 1.0)), heads="both")
+    line = Polyline(((0.0, 0.0), (3.0, 1.0)), heads="both")
     last, first = heads(Scene((line,)))
     for head, tip, other in ((last, line.points[1], line.points[0]), (first, line.points[0], line.points[1])):
         assert math.dist(head[0], tip) < 0.02
@@ -80,7 +80,7 @@ def test_the_heads_of_a_line_point_outward():
 
 
 def test_lines_and_circles_are_where_they_are_meant_to_be():
-    root = ElementTree.fromstring(to_svg(Scene((Line(((0, 0), (1, 2))), Circle((1, -1), 0.5)))))
+    root = ElementTree.fromstring(to_svg(Scene((Polyline(((0, 0), (1, 2))), Circle((1, -1), 0.5)))))
     line, circle = (next(p for p in root.iter() if p.tag.endswith(tag)) for tag in ("polyline", "circle"))
     assert line.get("points") == f"0,0 {SCALE:g},{-2 * SCALE:g}"
     assert [float(circle.get(key)) for key in ("cx", "cy", "r")] == [SCALE, SCALE, SCALE / 2]

@@ -14,7 +14,7 @@ from rbpsym.elements.shapes import SHAPES
 from rbpsym.pictures.figures import scene
 from rbpsym.pictures.figures.dimensions import solid_line
 from rbpsym.pictures.figures.outlines import OUTLINES, OWN
-from rbpsym.pictures.figures.scene import COLORS, STYLES, Label, Line, Scene
+from rbpsym.pictures.figures.scene import COLORS, STYLES, Label, Polyline, Scene
 from rbpsym.pictures.figures.schematic import free_body, schematic
 from rbpsym.pictures.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
 from rbpsym.pictures.figures.svg import SCALE, label_svg, number, to_svg
@@ -45,7 +45,7 @@ def test_no_label_lies_on_another_in_any_pose() -> None:
 
 
 def test_a_collision_is_found() -> None:
-    line = Line(((-1, 0), (1, 0)))
+    line = Polyline(((-1, 0), (1, 0)))
     here = Label("x", (0, 0), place=(0.0, 0.0), size=(0.2, 0.2))
     aside = Label("x", (0, 0), place=(0.0, 0.3), size=(0.2, 0.2))
     assert collisions(Scene((line,), (here,)))
@@ -66,7 +66,7 @@ def test_a_collision_is_found() -> None:
     ],
 )
 def test_a_stroke_crosses_a_box_or_not(start: tuple, end: tuple, hit: bool) -> None:
-    stroke = next(scene.strokes_of(Scene((Line((start, end)),))))
+    stroke = next(scene.strokes_of(Scene((Polyline((start, end)),))))
     assert scene.crosses(stroke, (-0.1, -0.1, 0.1, 0.1)) is hit
 
 

@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 
 from rbpsym.document.notes import notation_of
-from rbpsym.pictures.figures.scene import Label, Line, placed
+from rbpsym.pictures.figures.scene import Label, Polyline, placed
 from rbpsym.pictures.plots.following import PlottedMotion, motion
 from rbpsym.pictures.plots.panel import Panel, scene
 from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
@@ -72,7 +72,7 @@ def test_curves_are_smooth(name: str) -> None:
     moving, groups = drawn(name)
     for panel in (panel for panels in groups for panel in panels):
         for item in scene(panel, notation_of(moving.derivation)).items:
-            if not isinstance(item, Line) or not item.style.startswith("curve"):
+            if not isinstance(item, Polyline) or not item.style.startswith("curve"):
                 continue
             for place, turn in turns(item.points):
                 sizes = [math.dist(*item.points[k : k + 2]) for k in (place - 1, place)]

@@ -48,7 +48,7 @@ by_detail = pytest.mark.parametrize("detail", DETAILS)
 
 def rows(node):
     """The single relations of a formula."""
-    return node.rows if isinstance(node, t.System) else (node,)
+    return node.rows if isinstance(node, t.Relations) else (node,)
 
 
 def formulas(found):

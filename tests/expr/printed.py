@@ -11,7 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from rbpsym.expr.glyphs import Notation
-from rbpsym.expr.tree import Add, Div, Fn, Group, Mul, Node, Num, Pow, Sqrt, Sym, System, Vec, equation
+from rbpsym.expr.tree import Add, Div, Fn, Group, Mul, Node, Num, Pow, Relations, Sqrt, Sym, Vec, equation
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.machine import to_machine
 from rbpsym.typeset.mathml import to_mathml
@@ -66,7 +66,7 @@ def _ways(kind: str, write: Callable[..., str], name: str, node: Node) -> dict[s
     """As it is; in another notation, and aligned, where that differs."""
     plain = write(node)
     others = {} if kind in ("machine", "speech") else {"other notation": write(node, OTHER)}
-    others |= {"aligned": write(System((node,)))} if kind in ALIGNED else {}
+    others |= {"aligned": write(Relations((node,)))} if kind in ALIGNED else {}
     return {name: plain} | {f"{name}, {how}": text for how, text in others.items() if text != plain}
 
 

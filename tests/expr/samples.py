@@ -26,10 +26,10 @@ from rbpsym.expr.tree import (
     Num,
     PathIntegral,
     Pow,
+    Relations,
     Sqrt,
     Sum,
     Sym,
-    System,
     Unit,
     Vec,
     Word,
@@ -168,7 +168,7 @@ RELATIONS = {
     "range": relation(sin(th), ">=", mul(Div(TWO, Num(3)), sin(th0))),
     "near": relation(sin(th), "~", th),
     "unequal": relation(omega, "!=", ZERO),
-    "system": System((equation(Sym("x"), ell, m), relation(Sym("y"), "<=", g))),
+    "system": Relations((equation(Sym("x"), ell, m), relation(Sym("y"), "<=", g))),
 }  # fmt: skip
 
 SAMPLES = {

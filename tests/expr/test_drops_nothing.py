@@ -12,7 +12,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.reader import read_latex
 from rbpsym.expr.latex.tokens import tokenize
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import symbol_table
 from rbpsym.typeset.text import to_text
 from tests.expr.paper import equations
@@ -154,7 +154,7 @@ def outcome(latex, table):
 @pytest.mark.parametrize(("latex", "table"), FORMULAS, ids=[latex for latex, _ in FORMULAS])
 def test_each_token_has_a_meaning(latex, table):
     meant = read_latex(latex, table)
-    for token in tokenize(Source(latex), gaps=True)[:-1]:
+    for token in tokenize(SourceText(latex), gaps=True)[:-1]:
         assert outcome(without(latex, token, r"\zzz"), table) is None, token
         of_function = r"U(x, \dot x)" in latex and token.text == r"\dot"  # what U depends on is not its value
         if token.kind not in PAGE and token.text not in NEUTRAL and not of_function:
@@ -183,4 +183,4 @@ def test_rows_that_go_on_are_joined_and_relations_side_by_side_are_parted(relati
         alone, shown = [*alone, read_latex(plain, VARYING)], [*shown, broken]
     display = shown[0] + "".join(data.draw(PARTS) + row for row in shown[1:])
     found = read_latex(rf"\begin{{aligned}} {display} \end{{aligned}}.", VARYING)
-    assert list(found.rows if isinstance(found, t.System) else [found]) == alone
+    assert list(found.rows if isinstance(found, t.Relations) else [found]) == alone

@@ -6,7 +6,7 @@ import pytest
 import typst
 
 from rbpsym.expr.glyphs import Notation
-from rbpsym.expr.tree import Sym, System
+from rbpsym.expr.tree import Relations, Sym
 from rbpsym.typeset.mathml import to_mathml
 from rbpsym.typeset.speech import WORDS, to_speech
 from rbpsym.typeset.typst import to_typst
@@ -20,7 +20,7 @@ CORE = frozenset(
 
 def test_typst_compiles_every_sample():
     notations = (Notation(), Notation(vector="bold", differential="upright", decimal=","))
-    formulas = [to_typst(way, style) for tree in SAMPLES.values() for style in notations for way in (tree, System((tree,)))]
+    formulas = [to_typst(way, style) for tree in SAMPLES.values() for style in notations for way in (tree, Relations((tree,)))]
     formulas += [to_typst(Sym(name)) for name in NAMES]
     page = "\n".join(f"$ {formula} $" for formula in formulas)
     assert typst.compile(page.encode()).startswith(b"%PDF")
@@ -28,7 +28,7 @@ def test_typst_compiles_every_sample():
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_mathml_is_core(name):
-    for tree in (SAMPLES[name], System((SAMPLES[name],))):
+    for tree in (SAMPLES[name], Relations((SAMPLES[name],))):
         root = ElementTree.fromstring(to_mathml(tree))
         assert {part.tag.split("}")[1] for part in root.iter()} <= CORE
         assert len(root) == 1

@@ -3,7 +3,7 @@
 import pytest
 
 from rbpsym.expr.infix import read_infix
-from rbpsym.expr.tree import System
+from rbpsym.expr.tree import Relations
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.text import to_text
 from tests.expr.samples import CALCULUS, RELATIONS, SCALARS, VECTORS
@@ -83,7 +83,7 @@ def test_vectors_are_set():
 
 def test_a_chain_is_set_in_rows():
     rows = (r"\alpha &= \frac{d^2\theta}{dt^2}", r"&= -\frac{3 g}{4 \ell} \cos\theta")
-    assert to_latex(System((RELATIONS["alpha"],))) == rf"\begin{{aligned}} {rows[0]} \\ {rows[1]} \end{{aligned}}"
+    assert to_latex(Relations((RELATIONS["alpha"],))) == rf"\begin{{aligned}} {rows[0]} \\ {rows[1]} \end{{aligned}}"
 
 
 def test_the_ladder_in_one_line_of_text():

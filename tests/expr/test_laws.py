@@ -69,7 +69,7 @@ def test_latex_of_samples_keeps_the_value(name):
 @pytest.mark.parametrize("name", SAMPLES)
 def test_rows_read_back(name):
     tree = SAMPLES[name]
-    back = read_latex(to_latex(t.System((tree,))), quantities(tree))
+    back = read_latex(to_latex(t.Relations((tree,))), quantities(tree))
     assert to_latex(back) == to_latex(tree)
 
 

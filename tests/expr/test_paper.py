@@ -14,7 +14,7 @@ TABLE = symbol_table(NAMES, spellings=SPELLINGS)
 
 
 def rows(tree):
-    return tree.rows if isinstance(tree, t.System) else (tree,)
+    return tree.rows if isinstance(tree, t.Relations) else (tree,)
 
 
 @pytest.mark.parametrize("number", equations())

@@ -10,7 +10,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.latex.reader import read_latex
 from rbpsym.expr.symbol_table import symbol_table
-from rbpsym.field.evaluate import Scope, scalar
+from rbpsym.field.evaluate import Meanings, scalar
 from rbpsym.field.scalar import symbol
 from tests.expr.textbook import CALCULUS, DIMENSION_OF, NAMES, REFUSED, ROWS
 
@@ -18,7 +18,7 @@ WITHOUT_D = symbol_table(NAMES - {"d"}, faults=partial(faults, dimensions=DIMENS
 TABLE = symbol_table(NAMES, faults=partial(faults, dimensions=DIMENSION_OF))
 RATES = {n: symbol(f"{n}_dot") for n in ("theta", "phi", "x", "y", "r")}
 RATES |= {f"{n}_dot": symbol(f"{n}_ddot") for n in RATES}
-MOTION = Scope(rates=RATES)
+MOTION = Meanings(rates=RATES)
 
 
 def test_the_table_is_large():

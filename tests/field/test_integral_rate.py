@@ -4,11 +4,11 @@ import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field.evaluate import Scope, rate
+from rbpsym.field.evaluate import Meanings, rate
 from rbpsym.field.scalar import symbol
 
 N, SPEED = symbol("N"), symbol("theta_dot")
-SCOPE = Scope(rates={"theta": SPEED}, start={"theta": symbol("theta_0")})
+SCOPE = Meanings(rates={"theta": SPEED}, start={"theta": symbol("theta_0")})
 START, NOW = t.Sym("theta_0"), t.Sym("theta")
 
 

@@ -9,7 +9,7 @@ from rbpsym.decide.equal import scalars_equal
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import DEFAULT
 from rbpsym.field.calculus import function, root
-from rbpsym.field.evaluate import Scope, scalar, value
+from rbpsym.field.evaluate import Meanings, scalar, value
 from rbpsym.field.normal import same
 from rbpsym.field.roots import tidied
 from rbpsym.field.scalar import Scalar, generator_of, lift, symbol
@@ -136,4 +136,4 @@ def test_a_sum_of_negative_terms_gives_its_sign_away():
     bracket = t.Add((t.Neg(t.Sym("a")), t.Neg(t.Sym("b"))))
     assert t.mul(bracket, t.Unit("z")) == t.Neg(t.Mul((t.Add((t.Sym("a"), t.Sym("b"))), t.Unit("z"))))
     assert t.mul(bracket) == bracket
-    assert value(t.mul(bracket, t.Sym("g")), Scope()) == -(a + b) * g
+    assert value(t.mul(bracket, t.Sym("g")), Meanings()) == -(a + b) * g

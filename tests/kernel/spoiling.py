@@ -8,17 +8,17 @@ from random import Random
 from rbpsym.expr import tree as t
 from rbpsym.kernel.certificates import Lemma
 from rbpsym.kernel.certify import Written, text
-from rbpsym.kernel.claim import Claim
+from rbpsym.kernel.claim import Proposition
 
 
-def _turned(claim: Claim) -> Claim:
+def _turned(claim: Proposition) -> Proposition:
     """The other sign on the right; what is more becomes less."""
     if claim.kind == "more":
         return replace(claim, left=claim.right, right=claim.left)
     return replace(claim, right=t.add(t.neg(claim.right), t.ONE) if claim.right == t.ZERO else t.neg(claim.right))
 
 
-def _doubled(claim: Claim) -> Claim:
+def _doubled(claim: Proposition) -> Proposition:
     """A factor on the right; one more where nothing stands there."""
     if claim.kind == "more":
         return replace(claim, right=t.Add((claim.left, t.ONE)))

@@ -17,7 +17,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field.scalar import symbol
 from rbpsym.kernel.certificates import Lemma, formulas, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
-from rbpsym.kernel.claim import Claim
+from rbpsym.kernel.claim import Proposition
 from rbpsym.kernel.claims import AHEAD
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, together, with_prelude
 from rbpsym.kernel.proofs import Search
@@ -138,7 +138,7 @@ def spoilt(lemma: Lemma, place: int, right: t.Node) -> Lemma:
     return replace(lemma, name=f"{lemma.name}'{place}", claim=replace(lemma.claim, right=right))
 
 
-def spoilings(claim: Claim) -> list[t.Node]:
+def spoilings(claim: Proposition) -> list[t.Node]:
     """Right sides that are wrong: one more, twice."""
     more = t.Add((claim.right, t.ONE))
     return [more] if claim.right == t.ZERO else [more, t.Mul((t.TWO, claim.right))]

@@ -15,7 +15,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.kernel.coqc import AXIOMS, BODY, MODEL, with_prelude
 from rbpsym.kernel.rocq import REFUSED
-from rbpsym.kernel.theory import Shown, Theory
+from rbpsym.kernel.theory import ShownClaim, Theory
 from tests.kernel.test_certify import needs_coqc
 
 SPOILT = {  # the lemma, what is wrong with it, and with what
@@ -33,7 +33,7 @@ def theory() -> Theory:
     return Theory(plane_motion())
 
 
-def only(lemmas: list[Shown], claims: dict[str, str] | None = None) -> Theory:
+def only(lemmas: list[ShownClaim], claims: dict[str, str] | None = None) -> Theory:
     """The theory with these lemmas alone."""
     found = Theory(plane_motion())
     found.claims |= claims or {}
@@ -81,7 +81,7 @@ def test_coqc_refuses_what_is_spoilt() -> None:
         kept = tuple(premise for premise in own[name].premises if not premise.startswith(gone))
         assert len(kept) < len(own[name].premises), name
         claims[f"{name}'less"] = theory().claims[name]
-        lemmas.append(Shown(f"{name}'less", kept))
+        lemmas.append(ShownClaim(f"{name}'less", kept))
     [done] = with_prelude([only(lemmas, claims).text(trial=True)])
     assert {*re.findall(rf"^{REFUSED}(\S+)", done.stdout, re.MULTILINE)} == {lemma.name for lemma in lemmas}, done.stderr[-400:]
 

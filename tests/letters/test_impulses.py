@@ -32,4 +32,4 @@ def test_a_quantity_that_is_called_like_an_impulse_stays_itself(name):
 
 
 def _rows(statement):
-    return statement.rows if isinstance(statement, t.System) else (statement,)
+    return statement.rows if isinstance(statement, t.Relations) else (statement,)

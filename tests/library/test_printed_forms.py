@@ -21,7 +21,7 @@ def shown(name):
     found = derived(name)
     steps = [*found.steps, *(s for phase in found.phases for s in (*phase.begins, *phase.derivation.steps))]
     for step in steps:
-        for row in step.statement.rows if isinstance(step.statement, t.System) else (step.statement,):
+        for row in step.statement.rows if isinstance(step.statement, t.Relations) else (step.statement,):
             yield step.id, row
 
 

@@ -5,7 +5,7 @@ from types import SimpleNamespace as Told
 import pytest
 
 from rbpsym.chapters import inertia as chapter
-from rbpsym.chapters.places import Given
+from rbpsym.chapters.places import FreeGeometry
 from rbpsym.field.normal import same
 from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.inertia import inertia, mass_moments
@@ -41,6 +41,6 @@ def test_how_a_mass_is_spread(kinds, variant, monkeypatch):
 
 def test_of_what_was_said_nothing_there_is_no_spin():
     states = {name: Told(omega=symbol(f"{name}_dot")) for name in "ab"}
-    given = Given(Told(states=states), frozenset(), frozenset("a"))
+    given = FreeGeometry(Told(states=states), frozenset(), frozenset("a"))
     assert given.spin(None) is None and given.spin("a") is None
     assert given.spin("b") == symbol("b_dot")

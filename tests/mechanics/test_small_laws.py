@@ -19,7 +19,7 @@ from rbpsym.mechanics import oscillation
 from rbpsym.mechanics.contacts import slip_speed
 from rbpsym.mechanics.dynamics import LARGEST_TRIED, _solved_block
 from rbpsym.mechanics.energy import effective_potential
-from rbpsym.mechanics.forms import Form
+from rbpsym.mechanics.forms import AccelerationForm
 from rbpsym.mechanics.motion import from_integral
 from rbpsym.mechanics.numbers import NoNumber, number
 from rbpsym.mechanics.placing import _join_angle
@@ -152,10 +152,10 @@ def test_where_a_determinant_is_too_long_nothing_is_said_of_its_factors(monkeypa
 def test_at_the_terminal_speed_the_resistance_balances_what_is_constant():
     b, c = symbol("b"), symbol("c")
     for damping, drag, speed in ((b, NOTHING, g / b), (NOTHING, c, root(g / c)), (NOTHING, NOTHING, None)):
-        known = Told(form=Form(g, NOTHING, damping, drag), root=root, sense=lambda value: 1)
+        known = Told(form=AccelerationForm(g, NOTHING, damping, drag), root=root, sense=lambda value: 1)
         found = _terminal(known)
         assert found is None if speed is None else same(found, speed)
-        assert _terminal(Told(form=Form(g, m, damping, drag), root=root, sense=lambda value: 1)) is None
+        assert _terminal(Told(form=AccelerationForm(g, m, damping, drag), root=root, sense=lambda value: 1)) is None
 
 
 def test_a_weld_turns_the_second_against_the_first():

@@ -13,7 +13,7 @@ from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.pushing import start_valid, ways_taken
-from rbpsym.mechanics.strings import Crossing, segments
+from rbpsym.mechanics.strings import StringCrosses, segments
 from rbpsym.mechanics.study import Study
 from rbpsym.statement import load_text
 from rbpsym.statement.paths import runs
@@ -45,7 +45,7 @@ def test_where_the_start_is_as_it_asks_strings_run_as_the_formulas_say(name):
         if all(number(value, numbers) > 0 for value in asked):
             try:
                 found = directions(study, replace(geometry, numbers=numbers))
-            except Crossing:
+            except StringCrosses:
                 found = []
             assert len(found) == len(taken), numbers
             assert all(is_zero(a.dot(b.turned())) and number(a.dot(b), numbers) > 0 for a, b in zip(found, taken, strict=True))

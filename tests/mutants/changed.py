@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from rbpsym.claims.diagnosis import is_in_exponent, put, sites, terms
 from rbpsym.claims.diagnosis_numbers import Numbers, Sample, samples
-from rbpsym.claims.ground import Ground, Question
+from rbpsym.claims.ground import EqualityQuestion, Ground
 from rbpsym.claims.integrals import prepared, valued
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.expr import tree as t
@@ -173,7 +173,7 @@ def _replaced_zero(relation: t.Chain) -> Iterator[t.Chain]:
 
 def is_different(relation: t.Chain, ground: Ground, depth: str = "") -> bool:
     """Do numbers show a state of the motion in which the relation does not hold?"""
-    question = Question(ground, depth)
+    question = EqualityQuestion(ground, depth)
     looks = samples(question, 3)
     try:
         if (varying := _side_of_constant(relation, ground)) is not None:
@@ -196,7 +196,7 @@ def _side_of_constant(relation: t.Chain, ground: Ground) -> t.Node | None:
     return None
 
 
-def _varies(node: t.Node, ground: Ground, question: Question) -> bool:
+def _varies(node: t.Node, ground: Ground, question: EqualityQuestion) -> bool:
     found, numbers = valued(node, ground), Numbers(7)
     parts = found.components() if isinstance(found, Space) else (found,)
     rates = [question.seen(question.rate(part), "motion") for part in parts]
@@ -235,7 +235,7 @@ def _is_false(relation: t.Chain, look: Sample) -> bool:
     return apart < -DIFFERENT
 
 
-def _drifts(relation: t.Chain, ground: Ground, question: Question, looks: list[Sample]) -> bool:
+def _drifts(relation: t.Chain, ground: Ground, question: EqualityQuestion, looks: list[Sample]) -> bool:
     """Where a value has no closed form: do the sides differ at the start, or in their rates in a state of the motion?"""
     if relation.ops != ("=",):
         return False

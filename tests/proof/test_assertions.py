@@ -128,7 +128,7 @@ def test_what_is_not_proved_asserts_nothing(draft) -> None:
 
 def spoilt(step):
     """The step as it would be if nothing were known of it."""
-    wrong = t.System((t.equation(t.Sym("wrong_dot"), t.Sym("t")),))
+    wrong = t.Relations((t.equation(t.Sym("wrong_dot"), t.Sym("t")),))
     slots = {**step.slots, "coordinates": []}
     return replace(step, statement=wrong, certificate=Certificate((), Verdict(UNDECIDED, reason="spoilt")), slots=slots)
 

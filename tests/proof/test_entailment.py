@@ -4,13 +4,13 @@ import pytest
 
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
-from rbpsym.proof.entailment import Row, known_by, used_by_numbers
+from rbpsym.proof.entailment import SourcedRow, known_by, used_by_numbers
 
 NAMES = ("p", "x", "x_dot", "N", "g", "F", "m", "a")
 
 
-def row(text: str) -> Row:
-    return Row(scalar(read_infix(text, NAMES)), frozenset({text}))
+def row(text: str) -> SourcedRow:
+    return SourcedRow(scalar(read_infix(text, NAMES)), frozenset({text}))
 
 
 def rank(name: str) -> int:

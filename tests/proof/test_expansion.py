@@ -7,10 +7,10 @@ from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.scalar import lift, symbol
 from rbpsym.mechanics.numbers import number
-from rbpsym.proof.expansion import Series, expanded
+from rbpsym.proof.expansion import FirstOrder, expanded
 
 AT, STEP = {"x": 0.7, "y": 1.3}, 1e-6
-IMAGES = {"x": Series(symbol("x"), lift(1)), "y": Series(symbol("y"), lift(-2))}
+IMAGES = {"x": FirstOrder(symbol("x"), lift(1)), "y": FirstOrder(symbol("y"), lift(-2))}
 VALUES = (
     "x*y", "x**3*y", "x/y", "1/(x + y)**3", "x**-2*y", "cos(x*y)", "sin(2*x - y)*y", "atan(x/y)", "sqrt(x**2 + y)", "exp(2)*x",
     "exp(x*y)", "ln(x/y)", "sqrt(x)/(1 + cos(y))", "(x - y)**4", "1/y**3",
@@ -28,7 +28,7 @@ def test_what_is_of_first_order_is_the_slope(text):
 
 @pytest.mark.parametrize("power", range(-4, 5))
 def test_powers_of_a_series(power):
-    found = Series(lift(3), lift(5)) ** power
+    found = FirstOrder(lift(3), lift(5)) ** power
     assert (found.value, found.slope) == (lift(3) ** power, 5 * power * lift(3) ** (power - 1))
 
 

@@ -38,14 +38,14 @@ def terms(node):
 
 def without_a_term(statement):
     """The statement with one term of one side of one row left out, in every way; what becomes 0 = 0 … stays a row."""
-    rows = statement.rows if isinstance(statement, t.System) else (statement,)
+    rows = statement.rows if isinstance(statement, t.Relations) else (statement,)
     for k, row in enumerate(rows):
         for side, item in enumerate(row.items):
             for place in range(len(terms(item))):
                 left = t.add(*(term for n, term in enumerate(terms(item)) if n != place))
                 items = tuple(left if n == side else other for n, other in enumerate(row.items))
                 changed = (*rows[:k], t.Chain(items, row.ops), *rows[k + 1 :])
-                yield t.System(changed) if isinstance(statement, t.System) else changed[0]
+                yield t.Relations(changed) if isinstance(statement, t.Relations) else changed[0]
 
 
 @pytest.mark.parametrize("name", [*DAMPED, *MORE])
@@ -115,8 +115,8 @@ def test_the_expansion_keeps_what_is_of_first_order():
 
     theta, speed = symbol("theta"), symbol("theta_dot")
     images = {
-        "theta": expansion.Series(NOTHING, symbol("theta away")),
-        "theta_dot": expansion.Series(NOTHING, symbol("theta _dot")),
+        "theta": expansion.FirstOrder(NOTHING, symbol("theta away")),
+        "theta_dot": expansion.FirstOrder(NOTHING, symbol("theta _dot")),
     }
     value = sine(theta) * 3 + cosine(theta) * speed + speed * speed + root(UNITY + theta) / (UNITY + theta) ** 3
     found = expansion.expanded(value, images)

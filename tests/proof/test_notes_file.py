@@ -23,7 +23,7 @@ ALWAYS = {"O", "C", "t", "r"}
 
 
 def _rows(node):
-    return [row for part in node.rows for row in _rows(part)] if isinstance(node, t.System) else [node]
+    return [row for part in node.rows for row in _rows(part)] if isinstance(node, t.Relations) else [node]
 
 
 def test_every_display_of_the_file_is_proved(whole_draft, tmp_path):
@@ -53,7 +53,7 @@ def _read_back(draft, derivation, answers, label, node, latex):
         rows = _rows(step.statement)
         if all(row in printed for row in rows):
             places = [printed.index(row) for row in rows]
-            statement = read[places[0]] if len(places) == 1 else t.System(tuple(read[k] for k in places))
+            statement = read[places[0]] if len(places) == 1 else t.Relations(tuple(read[k] for k in places))
             assert certify(draft.context, replace(step, statement=statement)).verdict.is_proved, (label, latex)
             left -= set(places)
     for place in [place for place in left if printed[place] in answers]:

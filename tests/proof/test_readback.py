@@ -9,7 +9,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.reader import read_latex
 from rbpsym.expr.latex.tokens import tokenize
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 from rbpsym.proof.rules import certify
 from rbpsym.typeset.latex import to_latex
 
@@ -42,6 +42,6 @@ def test_each_token_of_what_is_printed_has_a_meaning(draft):
     text = max((text for text in printed if len(text) < 200), key=len)
     names = t.names(printed[text]) | ALWAYS | {node.var for node in t.walk(printed[text]) if isinstance(node, t.Integral)}
     read_latex(text, names, notation=notation)
-    for token in tokenize(Source(text), gaps=True)[:-1]:
+    for token in tokenize(SourceText(text), gaps=True)[:-1]:
         with pytest.raises(RbpsymError):
             read_latex(rf"{text[: token.start]} \zzz {text[token.end :]}", names, notation=notation)

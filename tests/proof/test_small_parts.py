@@ -39,7 +39,7 @@ from tests.library.derived import unsimulated
 
 def rows(name: str, id: str) -> int:
     statement = unsimulated(name).step(id).statement
-    return len(statement.rows) if isinstance(statement, t.System) else 1
+    return len(statement.rows) if isinstance(statement, t.Relations) else 1
 
 
 @pytest.mark.parametrize(
@@ -187,7 +187,7 @@ def test_a_centre_of_mass_has_both_coordinates():
     corners = 'shape = "polygon"\nmass = "M"\nvertices = [["0", "0"], ["a", "0"], ["0", "b"]]'
     problem = load_text(f'[parameters]\nM = "mass"\na = "length"\nb = "length"\n[bodies.plate]\n{corners}')
     found = derive(problem, simulation=False).step("center.plate").statement
-    assert isinstance(found, t.System) and len(found.rows) == 2
+    assert isinstance(found, t.Relations) and len(found.rows) == 2
 
 
 def test_a_point_of_a_body_is_a_label_and_a_fixed_one_a_letter():

@@ -125,10 +125,10 @@ def _spoilt(statement, before=()):
 
     Of a chain of equations each item is a place; the first is a name that is defined, where the rule defines one.
     """
-    if isinstance(statement, t.System):
+    if isinstance(statement, t.Relations):
         for row, relation in enumerate(statement.rows):
             for place, how, wrong in _spoilt(relation, (row,)):
-                yield place, how, t.System((*statement.rows[:row], wrong, *statement.rows[row + 1 :]))
+                yield place, how, t.Relations((*statement.rows[:row], wrong, *statement.rows[row + 1 :]))
     elif isinstance(statement, t.Chain) and set(statement.ops) == {"="}:
         for k in range(1, len(statement.items)):
             for how, other in _others(statement, k):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rbpsym.chapters.theory import THEORIES, Writer
+from rbpsym.chapters.theory import THEORIES, TheoryWriter
 from rbpsym.chapters.theory_works import potential_energy
 from rbpsym.claims.comparison import compare_problems
 from rbpsym.expr import tree as t
@@ -39,7 +39,7 @@ def test_the_theorems_are_results(name):
 
 
 def test_only_about_a_fixed_point_the_centre_moves_on_a_circle():
-    writer = Writer()
+    writer = TheoryWriter()
     statement = t.equation(t.Vec("V_cm"), t.Cross(t.Vec("omega"), t.Vec("R_cm")))
     writer.add("tried", statement)
     writer.add("tried", statement, fixed=True)
@@ -64,7 +64,7 @@ def test_the_order_is_less(comparison):
 
 
 def test_potential_energy_with_the_wrong_sign_is_refuted():
-    writer = Writer()
+    writer = TheoryWriter()
     potential_energy(writer)
     right = t.Add((t.Sym("cal_W_nc"), t.Neg(t.Delta(t.Sym("E_p")))))
     wrong = t.Add((t.Sym("cal_W_nc"), t.Delta(t.Sym("E_p"))))
@@ -76,7 +76,7 @@ def test_potential_energy_with_the_wrong_sign_is_refuted():
 def test_the_square_of_a_vector_is_drawn_without_its_arrow_and_read_as_the_square():
     squared = t.Pow(t.Vec("V_cm"), t.TWO)
     assert to_latex(squared) == r"V_{\mathrm{cm}}^2"
-    context = Writer().context
+    context = TheoryWriter().context
     assert context.value(read_latex(to_latex(squared), ["V_cm"])) == context.value(squared)
 
 
@@ -103,14 +103,14 @@ def _turning(moment: str) -> t.Node:
     ],
 )
 def test_what_is_only_half_of_a_theorem_is_refuted(statement, rule, fixed):
-    writer = Writer()
+    writer = TheoryWriter()
     potential_energy(writer)
     writer.add("tried", statement, rule, fixed=fixed)
     assert not writer.steps[-1].certificate.verdict.is_proved
 
 
 def test_the_sum_over_the_forces_is_both_works():
-    writer = Writer()
+    writer = TheoryWriter()
     writer.add("tried", t.equation(EACH, BOTH), "theory_rates")
     assert writer.steps[-1].certificate.verdict.is_proved
 

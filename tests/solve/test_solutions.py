@@ -4,14 +4,14 @@ import pytest
 
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.field import NOTHING, Scalar, derivative, substitute
-from rbpsym.mechanics.solutions import Course, courses, given
+from rbpsym.mechanics.solutions import InTime, courses, given
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import solve
 from rbpsym.statement.loader import load_text
 from tests.library.derived import NAMES, unsimulated
 
 
-def gaps(study: Study, name: str, one: Course) -> list[Scalar]:
+def gaps(study: Study, name: str, one: InTime) -> list[Scalar]:
     """What must vanish: by its equation of motion, and at the start."""
     at = dict([one.where] if one.where else [])
     gain, start = study.dynamics.accelerations[f"{name}_ddot"], study.system.scope.start

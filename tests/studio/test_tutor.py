@@ -20,7 +20,7 @@ from rbpsym.expr.places import put, sites
 from rbpsym.languages import languages, phrases
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
-from rbpsym.studio.sheet import Sheet
+from rbpsym.studio.sheet import PhaseSheet
 from rbpsym.studio.tutor import ACCEPTED, NARRATES, TELLS, TRUE, UNDECIDED, UNJUSTIFIED, WRONG, Tutor
 from rbpsym.typeset.latex import to_latex
 from tests.library.derived import NAMES, derived
@@ -70,7 +70,7 @@ def slips(row: t.Chain) -> Iterator[t.Chain]:
             yield put(row, path, node.base)
 
 
-def rows_of(own: Tutor) -> Iterator[tuple[Sheet, t.Chain]]:
+def rows_of(own: Tutor) -> Iterator[tuple[PhaseSheet, t.Chain]]:
     """Each relation of each step, with its phase; none that says that a thing is itself."""
     for sheet in own.sheets.values():
         for step in sheet.steps.values():

@@ -11,7 +11,7 @@ from rbpsym.document.model import Display, FigureBlock, Math, Paragraph, Text, w
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import notation_for
 from rbpsym.expr.infix import read_infix, read_relation
-from rbpsym.pictures.figures.scene import Label, Line, Scene
+from rbpsym.pictures.figures.scene import Label, Polyline, Scene
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
@@ -27,12 +27,12 @@ from rbpsym.teaching.model import (
     FollowOn,
     FormulaKey,
     Item,
+    LinePiece,
     Measure,
     NumberKey,
     Option,
     OrderKey,
     Part,
-    Piece,
     SignRow,
     SignsKey,
     Slip,
@@ -45,7 +45,7 @@ from rbpsym.teaching.model import (
 NAMES = "m M ell R g theta theta_0 theta_dot theta_ddot".split()
 POWERED = "-(m/2 + M)*g*ell*sin(theta)/(m*ell**2/3 + M*ell**2 + M*R**2/2)"
 SPINLESS = "-(m/2 + M)*g*ell*sin(theta)/(m*ell**2/3 + M*ell**2)"
-SCENE = Scene((Line(((0, 0), (2, -1.5)), heads="end"),), (Label(t.Sym("ell"), (1, -0.75)),))
+SCENE = Scene((Polyline(((0, 0), (2, -1.5)), heads="end"),), (Label(t.Sym("ell"), (1, -0.75)),))
 SLIP = Slip("sample-slip", {}, "moment", t.Sym("ell"))
 
 
@@ -95,11 +95,11 @@ def items(scale: int = 1) -> tuple[Item, ...]:
             Option((Math(tree("-g*sin(theta)/ell")),), SLIP, tree("-g*sin(theta)/ell")),
         ), 1), asked("theta_ddot"), Fraction(2)),
         Item("5", "order", prompt("Put the steps in order."), OrderKey((
-            Piece("c", relation("theta_ddot = " + POWERED)), Piece("a", relation("m = m"), words("mass")),
-            Piece("b", relation("M = M"), words("mass of the disk")),
+            LinePiece("c", relation("theta_ddot = " + POWERED)), LinePiece("a", relation("m = m"), words("mass")),
+            LinePiece("b", relation("M = M"), words("mass of the disk")),
         ), frozenset({(1, 0), (2, 0)}), (1, 2, 0)), asked("theta_ddot"), Fraction(2)),
         Item("6", "find-the-slip", prompt("Which line is wrong?"), SlipKey((
-            Piece("a", relation("m = m")), Piece("b", relation("theta_ddot = " + SPINLESS)), Piece("c", relation("theta_ddot = " + SPINLESS)),
+            LinePiece("a", relation("m = m")), LinePiece("b", relation("theta_ddot = " + SPINLESS)), LinePiece("c", relation("theta_ddot = " + SPINLESS)),
         ), 1, relation("theta_ddot = " + POWERED), SLIP), asked("theta_ddot"), Fraction(2)),
         Item("7", "signs", prompt("The signs of the works."), SignsKey((
             SignRow(t.Sym("N_x"), "rod", words("bearing on the rod"), "+", "-", "N"),

@@ -24,7 +24,7 @@ from rbpsym.teaching.exports.page import zipped
 from rbpsym.teaching.formats import Exported, Options, exporter
 from rbpsym.teaching.grading.ground import bare_ground
 from rbpsym.teaching.grading.verdicts import are_equal
-from rbpsym.teaching.model import FormulaKey, OrderKey, Piece
+from rbpsym.teaching.model import FormulaKey, LinePiece, OrderKey
 from tests.teaching.readers import by_gift_pegjs, by_maxima, by_python
 from tests.teaching.sample_worksheet import NAMES, POWERED, SPINLESS, worksheet
 
@@ -376,13 +376,13 @@ def test_prairielearn_formulas_mean_the_key(exported: dict[str, Exported]) -> No
 
 
 def test_orders_of_a_graph() -> None:
-    pieces = tuple(Piece(str(k), t.Num(k)) for k in range(4))
+    pieces = tuple(LinePiece(str(k), t.Num(k)) for k in range(4))
     key = OrderKey(pieces, frozenset({(0, 1), (1, 2), (0, 2)}), (0, 1, 2, 3))
     assert nearest_pairs(key) == [(0, 1), (1, 2)]
     assert free_pairs(key) == [(0, 3), (1, 3)]
     found = orders(key)
     assert len(found) == 4 and all(key.accepts(order) for order in found)
-    assert orders(OrderKey(tuple(Piece(str(k), t.Num(k)) for k in range(6)), frozenset(), tuple(range(6)))) is None
+    assert orders(OrderKey(tuple(LinePiece(str(k), t.Num(k)) for k in range(6)), frozenset(), tuple(range(6)))) is None
 
 
 @pytest.mark.parametrize("path", ["../x", "/etc/passwd", "a/../../b", "a\\b"])

@@ -96,4 +96,4 @@ def _both(halves: list[tuple[t.Sym, Work]], shown: list[t.Node]) -> t.Node:
     (first, _), (second, _) = halves
     if shown[0] == shown[1]:
         return t.equation(first, second, shown[0])
-    return t.System((t.equation(first, shown[0]), t.equation(second, shown[1])))
+    return t.Relations((t.equation(first, shown[0]), t.equation(second, shown[1])))

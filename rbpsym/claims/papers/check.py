@@ -141,7 +141,7 @@ UNBOUND = "no claim binds its symbols"
 IN_TEXT = "it stands in a sentence, and no claim asks for it"
 
 
-class Scope(Frozen):
+class OpenClaims(Frozen):
     """A claims file with its checker: what formulas are read with that no claim asks for."""
 
     file: ClaimsFile
@@ -153,7 +153,7 @@ class PaperChecker(Frozen):
 
     paper: Paper
     checkers: dict[str, Checker]
-    scopes: tuple[Scope, ...]
+    scopes: tuple[OpenClaims, ...]
     beside: Beside
     here: Checker
     judged: bool = False
@@ -166,11 +166,11 @@ class PaperChecker(Frozen):
             elif self.judged and pair.formula:
                 yield self._without_claim(pair.formula)
 
-    def scope(self, formula: Formula) -> Scope | None:
+    def scope(self, formula: Formula) -> OpenClaims | None:
         """The setting in force, the claims file that names the formula's text, or the only one; None if several may be meant."""
         setting = self.beside.setting(formula)
         if setting is not None:
-            return Scope(ClaimsFile("", "", "", "", (), setting=setting), self.here)
+            return OpenClaims(ClaimsFile("", "", "", "", (), setting=setting), self.here)
         own = [
             scope for scope in self.scopes if scope.file.text and Path(scope.file.text).name == Path(formula.file).name
         ]
@@ -227,7 +227,7 @@ class PaperChecker(Frozen):
             return replace(blank, detail=f"{UNBOUND}, and there are several {'files' if scope is None else 'settings'}")
         return self._tried(blank, claim, formula, scope)
 
-    def _tried(self, blank: Result, claim: Claim, formula: Formula, scope: Scope) -> Result:
+    def _tried(self, blank: Result, claim: Claim, formula: Formula, scope: OpenClaims) -> Result:
         """With the symbols of its claims file; a symbol that is unknown there makes it no claim."""
         try:
             found = scope.checker.check(claim, replace(printed(formula, self.paper), place=None))

@@ -35,7 +35,7 @@ OF_CLAIM: Mapping[str, tuple[str, ...]] = {  # with the words that it may have, 
 _WRITE = "Write “problem = NAME”, “SYMBOL is MEANING”, “claim” or “expect = refuted”."
 
 
-class Scope(Frozen):
+class SettingFrom(Frozen):
     """The setting in force from a place of the text on; None where nothing is said."""
 
     offset: int
@@ -46,7 +46,7 @@ class Beside(Frozen):
     """What the comments of a text say: the claims with their formulas, and the settings from place to place."""
 
     pairs: tuple[tuple[Formula, Claim], ...]
-    scopes: tuple[Scope, ...]
+    scopes: tuple[SettingFrom, ...]
 
     def setting(self, formula: Formula) -> Setting | None:
         """The setting in force where a formula stands."""
@@ -66,7 +66,7 @@ class _Reader:
 
     def __init__(self, paper: Paper, folder: Path) -> None:
         self.paper, self.folder = paper, folder
-        self.scopes: list[Scope] = []
+        self.scopes: list[SettingFrom] = []
         self.found: list[tuple[Formula, Claim]] = []
         self.latest: list[int] = []
         self.offsets = [formula.offset for formula in paper.formulas]
@@ -108,7 +108,7 @@ class _Reader:
             now = self._current(note)
             made = replace(now, phase=value) if key == "phase" else replace(now, fixed_axis=value == "true")
         self.latest.clear()
-        self.scopes.append(Scope(note.offset, made))
+        self.scopes.append(SettingFrom(note.offset, made))
 
     def _given(self, note: Note, value: str) -> None:
         """An equation that is assumed: by the claim above it, or by all that follows."""
@@ -119,7 +119,7 @@ class _Reader:
             self.found[place] = formula, replace(claim, setting=setting)
         if not self.latest:
             setting = self._current(note)
-            self.scopes.append(Scope(note.offset, replace(setting, given=(*setting.given, printed))))
+            self.scopes.append(SettingFrom(note.offset, replace(setting, given=(*setting.given, printed))))
 
     def _current(self, note: Note) -> Setting:
         if self.setting is None:
@@ -151,7 +151,7 @@ class _Reader:
         symbols = {**setting.symbols, drawn: Meaning(phrase.rstrip("."), note.place)}
         made = replace(setting, symbols=symbols)
         glossary(made.symbols)  # a symbol that is none is told here
-        self.scopes.append(Scope(note.offset, made))
+        self.scopes.append(SettingFrom(note.offset, made))
 
     def _claim(self, note: Note, said: re.Match[str]) -> None:
         setting, label = self._current(note), said["label"]

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rbpsym.claims.papers.marks import NOTE, NOTE_END, SPAN, Marked, blank, comment, display, displays, noted
+from rbpsym.claims.papers.marks import NOTE, NOTE_END, SPAN, Rewriting, blank, comment, display, displays, noted
 from rbpsym.claims.papers.typst import of_typst
 from rbpsym.errors import Place, ReadError
 
@@ -43,7 +43,7 @@ _LABEL = re.compile(r"[ \t]*+\(([\w:.-]{1,200})\)")
 _STRING = re.compile(r'"(?:[^"\\]|\\.)*+"')
 
 
-def _math(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+def _math(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:
     """A formula between its marks, or a dollar or percent sign of the text."""
     told, start = found.groupdict(), found.end()
     if told["name"] or told["bracket"]:
@@ -66,10 +66,10 @@ _CLOSED = {"[": r"\]", "(": r"\)"}
 
 
 def _of_markdown(text: str) -> str:
-    return re.sub(r"(?<!\\)%", r"\\%", Marked(_DATA.sub("", text)).rewritten(_MARKDOWN, _markdown_piece))
+    return re.sub(r"(?<!\\)%", r"\\%", Rewriting(_DATA.sub("", text)).rewritten(_MARKDOWN, _markdown_piece))
 
 
-def _markdown_piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+def _markdown_piece(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:
     told, start = found.groupdict(), found.end()
     if told["comment"]:
         return _commented(text, start)
@@ -88,7 +88,7 @@ def _markdown_piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
     return ("\\" + told["escaped"], start) if told["escaped"] else _math(text, found)
 
 
-def _commented(text: Marked, start: int) -> tuple[str, int]:
+def _commented(text: Rewriting, start: int) -> tuple[str, int]:
     """A comment: what it says to us, and its lines."""
     closed = text.closing("-->", start)
     return (comment(text.text[start : closed[0]]), closed[1]) if closed else ("", start)
@@ -118,10 +118,10 @@ def _included(kind: str, rest: str, body: str) -> str:
 
 
 def _of_html(text: str) -> str:
-    return Marked(html.unescape(Marked(text).rewritten(_HTML, _html_piece))).rewritten(_SHOWN, _math)
+    return Rewriting(html.unescape(Rewriting(text).rewritten(_HTML, _html_piece))).rewritten(_SHOWN, _math)
 
 
-def _html_piece(text: Marked, found: re.Match[str]) -> tuple[str, int]:
+def _html_piece(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:
     if found["comment"]:
         return _commented(text, found.end())
     name = re.split(r"\W", found["tag"], maxsplit=1)[0].lower()

@@ -53,7 +53,7 @@ def displays(body: str) -> str:
     return "\n".join(display(part) if part.strip() else part for part in (first, *others))
 
 
-class Marked:
+class Rewriting:
     """A text rewritten where marks open in it; a closing mark is looked for but once from where it was found last.
 
     So the time is that of reading the text a few times, whatever stands in it.
@@ -64,7 +64,7 @@ class Marked:
         self.closings: dict[str, tuple[int, int] | None] = {}
         self.ticks: dict[int, list[int]] | None = None
 
-    def rewritten(self, opening: re.Pattern[str], piece: Callable[[Marked, re.Match[str]], tuple[str, int]]) -> str:
+    def rewritten(self, opening: re.Pattern[str], piece: Callable[[Rewriting, re.Match[str]], tuple[str, int]]) -> str:
         """The text with what each opening begins replaced: by what `piece` says, up to where it says."""
         position, pieces = 0, []
         while (found := opening.search(self.text, position)) is not None:

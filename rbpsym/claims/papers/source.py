@@ -45,7 +45,7 @@ class Note(Frozen):
     place: Place
 
 
-class Text(Frozen):
+class PaperText(Frozen):
     """A text; `starts` and `origins` tell from which offset on it is which line of which file.
 
     packages: what its own packages hold, which lie beside it: their macros are those of the text.
@@ -78,7 +78,7 @@ class Text(Frozen):
         return Place(file, line, column, shown if column <= 200 else "")
 
 
-def read_source(path: Path) -> Text:
+def read_source(path: Path) -> PaperText:
     """The text of a file. Raises ReadError or LimitError with the place of what can't be read."""
     files = _Files(path.resolve().parent, path.parent)
     lines = list(files.lines(path, ()))
@@ -92,7 +92,7 @@ def read_source(path: Path) -> Text:
     notes = [note for note in notes if not any(begin <= note.offset < end for begin, end in hidden)]
     whole = _VERBATIM.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), whole)
     origins = tuple((line.file, line.number) for line in lines)
-    return Text(whole, tuple(starts), origins, tuple(notes), tuple(files.remarks), files.packages(path, whole))
+    return PaperText(whole, tuple(starts), origins, tuple(notes), tuple(files.remarks), files.packages(path, whole))
 
 
 class _Line(Frozen):
@@ -258,7 +258,7 @@ def _check_inside(target: Path, folder: Path, name: str, place: Place) -> None:
         )
 
 
-def told_at(error: RbpsymError, text: Text, offset: int) -> RbpsymError:
+def told_at(error: RbpsymError, text: PaperText, offset: int) -> RbpsymError:
     """The error of a reader of a formula, told in the file's line."""
     file, line = text.origin(offset)
     inner = error.place or Place(column=1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from rbpsym.claims.papers.marks import Marked, blank, comment, display
+from rbpsym.claims.papers.marks import Rewriting, blank, comment, display
 from rbpsym.expr.typst_reader import typst_to_latex
 
 _LET = (
@@ -25,10 +25,10 @@ _CLOSING = r"(?<!\\)\$"
 def of_typst(text: str) -> str:
     """The text as LaTeX."""
     own = frozenset(found["let"] or found["code_let"] for found in re.finditer(_LET, text))
-    return Marked(text).rewritten(_OPENING, lambda text, found: _piece(text, found, own))
+    return Rewriting(text).rewritten(_OPENING, lambda text, found: _piece(text, found, own))
 
 
-def _piece(text: Marked, found: re.Match[str], own: frozenset[str]) -> tuple[str, int]:
+def _piece(text: Rewriting, found: re.Match[str], own: frozenset[str]) -> tuple[str, int]:
     told, start = found.groupdict(), found.end()
     if told["code_let"]:
         given = [name.strip() for name in told["code_given"].split(",") if ":" not in name]
@@ -62,7 +62,7 @@ def _definition(told: dict[str, str | None], own: frozenset[str]) -> str:
     return rf"\def\{told['let']}{f'({places})' if given else ''}{{{body}}}"
 
 
-def _formula(text: Marked, body: str, end: int, own: frozenset[str]) -> tuple[str, int]:
+def _formula(text: Rewriting, body: str, end: int, own: frozenset[str]) -> tuple[str, int]:
     """A display, which has white ends, perhaps with a label, or a formula in the running text."""
     latex = typst_to_latex(body, own)
     if not (body[:1].isspace() and body[-1:].isspace()):

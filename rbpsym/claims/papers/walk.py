@@ -15,7 +15,7 @@ from pathlib import Path
 from rbpsym.claims.papers.formats import ROWED, SINGLE
 from rbpsym.claims.papers.macros import LONGEST, Macro, definitions
 from rbpsym.claims.papers.numbers import COMMANDS, Counters
-from rbpsym.claims.papers.source import Text, read_source
+from rbpsym.claims.papers.source import PaperText, read_source
 from rbpsym.frozen import Frozen, replace
 
 UNNUMBERED = ("displaymath", "math")
@@ -67,7 +67,7 @@ class Formula(Frozen):
 class Paper(Frozen):
     """A text with its formulas, macros, and remarks on its labels."""
 
-    text: Text
+    text: PaperText
     formulas: tuple[Formula, ...]
     macros: dict[str, Macro]
     remarks: tuple[tuple[str, int, str], ...] = ()
@@ -83,7 +83,7 @@ def read_paper(path: Path) -> Paper:
     return walked(read_source(path))
 
 
-def walked(text: Text) -> Paper:
+def walked(text: PaperText) -> Paper:
     """The formulas of a text."""
     macros, plain, faults = definitions(text.text)
     macros = {**definitions(text.packages)[0], **macros}
@@ -97,7 +97,7 @@ def walked(text: Text) -> Paper:
 class _Walker:
     """One pass over the text; counts equations."""
 
-    def __init__(self, text: Text) -> None:
+    def __init__(self, text: PaperText) -> None:
         self.source, self.text = text, text.text
         self.counters, self.block = Counters.of(self.text), 0
 
@@ -209,7 +209,7 @@ def _rows(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
 BACK = 200  # characters that are looked at in front of a label
 
 
-def _remarks(text: Text, formulas: tuple[Formula, ...]) -> Iterator[tuple[str, int, str]]:
+def _remarks(text: PaperText, formulas: tuple[Formula, ...]) -> Iterator[tuple[str, int, str]]:
     """(file, line, remark) of labels that are given twice or stand behind their equation."""
     inside = {label for formula in formulas for label in formula.labels}
     seen: dict[str, int] = {}

@@ -14,7 +14,7 @@ from rbpsym.document import model as d
 from rbpsym.document.model import numbered
 from rbpsym.document.writers.page import plain_text
 from rbpsym.expr.glyphs import Notation
-from rbpsym.expr.tree import Chain, System
+from rbpsym.expr.tree import Chain, Relations
 from rbpsym.frozen import Frozen, field
 from rbpsym.typeset.escaping import columns, padded
 from rbpsym.typeset.text import to_text
@@ -88,7 +88,7 @@ def _rows(block: d.Display, screen: Screen) -> list[str]:
     """The formula in one line, or a chain that is too long in one line a link."""
     line = to_text(block.node, screen.notation)
     if isinstance(block.node, Chain) and columns(line) > screen.width - 12:
-        line = to_text(System((block.node,)), screen.notation)
+        line = to_text(Relations((block.node,)), screen.notation)
     return line.splitlines()
 
 

@@ -16,7 +16,7 @@ from rbpsym.expr.latex.functions import LOOSE, SIGNS, relation
 from rbpsym.expr.latex.grammar import argument, atom, between, factor, is_vector, term_of
 from rbpsym.expr.latex.names import label_after
 from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, NEXT
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
 Sentence = tuple[str, str]
@@ -76,7 +76,7 @@ SENTENCES: Mapping[str, Sentence] = {
 _SHAPES = {"vmatrix": "determinant", "cases": "cases"}
 
 
-def refuse(node: t.Node, source: Source) -> t.Node:
+def refuse(node: t.Node, source: SourceText) -> t.Node:
     """The tree, in which all has a value. Raises ReadError with the sentence of what has none."""
     for part in t.walk(node):
         if isinstance(part, t.Formal):
@@ -304,7 +304,7 @@ def taken_at(reader: LatexReader, node: t.Node, start: int) -> t.Node:
         opening = reader.take()
         where = relation(reader)
         while reader.pass_sign(","):
-            where = t.System((*t.rows(where), relation(reader)))
+            where = t.Relations((*t.rows(where), relation(reader)))
         reader.expect("}", opening)
     else:
         where = argument(reader)

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.tokens import FUNCTION_WORDS, Token, tokenize
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, WORDS, Drawn, LatexReader, SymbolTable, spelling
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
@@ -367,7 +367,7 @@ def _shown(drawn: Drawn) -> str:
 
 def drawn_name(text: str) -> tuple[Drawn, bool] | None:
     """(what a reader sees of a printed name such as `\\vec{R}_{cm}`; has it an arrow?), None if it is no name."""
-    source = Source(text)
+    source = SourceText(text)
     reader = LatexReader(source, tokenize(source), table=SymbolTable({}))
     if not (begins_name(reader.token) or reader.sees_sign(r"\sum")):
         return None

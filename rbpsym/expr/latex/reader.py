@@ -34,7 +34,7 @@ from rbpsym.expr.latex.functions import relation
 from rbpsym.expr.latex.grammar import BELOW, UNKNOWN_COMMAND
 from rbpsym.expr.latex.rows import GAP, laid_out
 from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, EQUIVALENT, IMPLIED, MAX_LENGTH, Token, tokenize
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
 from rbpsym.frozen import Frozen, replace
 
@@ -52,7 +52,7 @@ class Reading(Frozen):
     error: RbpsymError | None
 
 
-def best_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> t.Node:
+def best_reading(source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> t.Node:
     """The tree that is meant. Raises ReadError if none or more than one can be meant."""
     first = _reading(source, tokens, table, read, ())
     if not first.met:
@@ -72,7 +72,7 @@ def best_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, 
     return _tree(best)
 
 
-def every_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> tuple[Reading, ...]:
+def every_reading(source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> tuple[Reading, ...]:
     """All readings that make a formula, the first without any unusual choice. Raises ReadError if there is none."""
     free = replace(table, faults=equally)
     first = _reading(source, tokens, free, read, ())
@@ -91,7 +91,7 @@ def _tree(reading: Reading) -> t.Node:
 
 
 def _reading(
-    source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
+    source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
 ) -> Reading:
     reader = LatexReader(source, tokens, table=table, script=script)
     node, error = None, None
@@ -103,7 +103,7 @@ def _reading(
     return Reading(chosen, tuple(reader.met), reader.cost, node, error)
 
 
-def _all(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, first: Reading) -> list[Reading]:
+def _all(source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read, first: Reading) -> list[Reading]:
     """Every reading: of each, those that choose otherwise at one of the questions behind its script."""
     found, waiting = [first], [(first, 0)]
     most = min(MOST_READINGS, max(MOST_TOKENS // len(tokens), 2))
@@ -118,7 +118,7 @@ def _all(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Re
     return found
 
 
-def _asked(source: Source, question: Question) -> RbpsymError:
+def _asked(source: SourceText, question: Question) -> RbpsymError:
     what, instead, token = question
     return source.error(what, token.start, token.end, instead)
 
@@ -152,7 +152,7 @@ def read_latex(
     """
     if not isinstance(symbols, SymbolTable):
         symbols = symbol_table(symbols, notation, spellings)
-    source = Source(text, place)
+    source = SourceText(text, place)
     tokens = _formula_tokens(text, source)
     found = source.bounded(best_reading(source, tokens, symbols, _rows))
     return found if whole else latex_formal.refuse(found, source)
@@ -160,7 +160,7 @@ def read_latex(
 
 def latex_ways(text: str, symbols: SymbolTable, *, whole: bool = False) -> Ways:
     """All readings of a formula that can be read in several ways. Raises as `read_latex`."""
-    source = Source(text)
+    source = SourceText(text)
     tokens = _formula_tokens(text, source)
     readings = every_reading(source, tokens, symbols, _rows)
     met = [question for reading in readings for question in reading.met]
@@ -204,7 +204,7 @@ def _closed_at(text: str, start: int) -> int:
     return -1
 
 
-def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
+def _formula_tokens(text: str, source: SourceText) -> tuple[Token, ...]:
     """The tokens of the relations; a frame round a relation, or round all, is made blank, so that places are kept."""
     text = _UPRIGHT_D.sub(lambda found: (r"\dd " + found[1]).ljust(len(found[0])), text)
     for frame in _FRAME.finditer(text[:MAX_LENGTH]):
@@ -215,7 +215,7 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
         hint = "Write the number alone in the unit that the claim says, or * where a product is meant."
         group = 1 if measured[1] else 2
         raise source.error(f"is “{measured[group]}” a unit, or a product of symbols?", *measured.span(group), hint)
-    return laid_out(source, tokenize(Source(text, source.place), gaps=True))
+    return laid_out(source, tokenize(SourceText(text, source.place), gaps=True))
 
 
 def _rows(reader: LatexReader) -> t.Node:
@@ -229,11 +229,11 @@ def _rows(reader: LatexReader) -> t.Node:
         if parting.text in (IMPLIED, EQUIVALENT) and isinstance(row, (t.Chain, t.Formal)):
             rows[:] = map(_as_small, rows)
             if parting.text == EQUIVALENT:
-                rows[-1] = t.System((rows[-1],), sources=(row,))
-            row = t.System((row,), sources=tuple(map(_as_small, line)), span=row.span)
+                rows[-1] = t.Relations((rows[-1],), sources=(row,))
+            row = t.Relations((row,), sources=tuple(map(_as_small, line)), span=row.span)
         elif reader.source.text.startswith("\\\\", parting.start):
             line = []
-        line += row.rows if isinstance(row, t.System) else () if _is_text(row) else (row,)
+        line += row.rows if isinstance(row, t.Relations) else () if _is_text(row) else (row,)
         if _is_condition(row, parting.text, rows, conditions):
             conditions.append(row)
         elif conditions and not _is_text(row):  # a = b if x > 0, a = c if x < 0
@@ -244,7 +244,7 @@ def _rows(reader: LatexReader) -> t.Node:
         hint = UNKNOWN_COMMAND if reader.token.kind == "command" else ""
         raise reader.error(f"“{reader.token.text}” is not expected here", hint)
     found = [_asserted(rows, conditions, reader) for rows, conditions in groups]
-    return found[0] if len(found) == 1 else t.System(tuple(found), span=(0, reader.previous_end))
+    return found[0] if len(found) == 1 else t.Relations(tuple(found), span=(0, reader.previous_end))
 
 
 def _asserted(rows: list[t.Node], conditions: list[t.Node], reader: LatexReader) -> t.Node:
@@ -253,12 +253,12 @@ def _asserted(rows: list[t.Node], conditions: list[t.Node], reader: LatexReader)
     if len(rows) == 1 and not conditions:
         return rows[0]
     conditions = [_as_condition(_as_small(row), reader) for row in conditions]
-    alone = next((row for row in (*rows, *conditions) if not isinstance(row, (t.Chain, t.Formal, t.System))), None)
+    alone = next((row for row in (*rows, *conditions) if not isinstance(row, (t.Chain, t.Formal, t.Relations))), None)
     if alone is not None:
         hint = "Begin it with the sign by which it goes on, or write a whole relation."
         start, end = alone.span or (0, 1)
         raise reader.source.error("this is no relation, and nothing says how it goes on", start, end, hint)
-    return t.System(tuple(rows), tuple(conditions), span=(0, reader.previous_end))
+    return t.Relations(tuple(rows), tuple(conditions), span=(0, reader.previous_end))
 
 
 def _row(reader: LatexReader) -> t.Node:

@@ -12,7 +12,7 @@ from dataclasses import replace
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.latex.asides import without_asides
 from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, END_COLUMN, EQUIVALENT, IMPLIED, NEXT, PUNCTUATION, Token
-from rbpsym.expr.source import Source
+from rbpsym.expr.source import SourceText
 
 OPEN = "?"  # the text of a row token where a sum or product may go on
 GAP = "gap"  # the text of a row token made by a wide gap, behind which a condition may stand
@@ -28,7 +28,7 @@ _WIDE = (r"\quad", r"\qquad")
 _CELLED = frozenset(("array", "cases"))  # whose rows may be no sum, but the values of a vector or by cases
 
 
-def laid_out(source: Source, tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+def laid_out(source: SourceText, tokens: tuple[Token, ...]) -> tuple[Token, ...]:
     """The tokens of the relations, with a token "row" between two of them. Raises ReadError for what can't be joined."""
     return _Layout(source, without_asides(tokens, RELATIONS)).tokens()
 
@@ -36,7 +36,7 @@ def laid_out(source: Source, tokens: tuple[Token, ...]) -> tuple[Token, ...]:
 class _Layout:
     """One pass over the tokens of a display."""
 
-    def __init__(self, source: Source, tokens: tuple[Token, ...]) -> None:
+    def __init__(self, source: SourceText, tokens: tuple[Token, ...]) -> None:
         self.source, self.all = source, tokens
         self.cut = 0
         self.open: list[str] = []  # what is open where a token stands

@@ -12,7 +12,7 @@ from functools import cache
 from rbpsym.errors import LimitError
 from rbpsym.expr.hyperbolic import HYPERBOLIC
 from rbpsym.expr.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
-from rbpsym.expr.source import Source, refused
+from rbpsym.expr.source import SourceText, refused
 from rbpsym.frozen import Frozen
 
 MAX_LENGTH = 8000
@@ -140,7 +140,7 @@ class Token(Frozen):
     end: int
 
 
-def tokenize(source: Source, *, gaps: bool = False) -> tuple[Token, ...]:
+def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
     """The tokens of a LaTeX formula, with an end token; `gaps`: with wide spaces too. Raises ReadError, LimitError."""
     if len(source.text) > MAX_LENGTH:
         raise LimitError(
@@ -174,7 +174,7 @@ def _patterns() -> re.Pattern[str]:
     return re.compile(_PATTERNS)
 
 
-def _tokens(source: Source) -> Iterator[Token]:
+def _tokens(source: SourceText) -> Iterator[Token]:
     position = 0
     while position < len(source.text):
         found = _patterns().match(source.text, position)
@@ -190,7 +190,7 @@ def _tokens(source: Source) -> Iterator[Token]:
         position = found.end()
 
 
-def _single(source: Source, position: int) -> Token:
+def _single(source: SourceText, position: int) -> Token:
     """A character beyond ASCII: a letter. Raises ReadError for others."""
     char = source.text[position]
     letter = SAME_LETTER.get(char, char)
@@ -201,7 +201,7 @@ def _single(source: Source, position: int) -> Token:
     raise refused(source, char, position)
 
 
-def _token(source: Source, found: re.Match[str]) -> Token:
+def _token(source: SourceText, found: re.Match[str]) -> Token:
     kind, text = found.lastgroup or "", found[0]
     if kind == "begin":
         return _environment(source, text, *found.span())
@@ -255,7 +255,7 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
     return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
 
 
-def _environment(source: Source, text: str, start: int, end: int) -> Token:
+def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
     name = text.partition("{")[2].partition("}")[0]
     in_rows = name in ("array", "cases", "dcases") and not _is_column(source.text, name, text, start, end)
     if name.removesuffix("*") in _COLUMNS or (name in ("array", "cases", "dcases") and not in_rows):

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from rbpsym.pictures.figures import marks
-from rbpsym.pictures.figures.scene import Label, Line, Point, Scene, direction, polar
+from rbpsym.pictures.figures.scene import Label, Point, Polyline, Scene, direction, polar
 from rbpsym.pictures.figures.sketch import AngleMark, Caption, LengthMark, RadiusMark, Sketch, SketchLine
 
 UP, DOWN = math.pi / 2, -math.pi / 2
@@ -24,8 +24,8 @@ def draw_angle(mark: AngleMark, sketch: Sketch) -> Scene:
     radius = min(1.5, max(0.55, 0.5 / max(turn, 0.1)))
     radius = max(radius, mark.reach + 0.25) if mark.reach else radius
     items = marks.angle_arc(mark.at, mark.start, mark.end, radius)
-    items += (Line((mark.at, polar(mark.at, radius + 0.1, mark.end)), "guide"),) if mark.reach else ()
-    items += (Line((mark.at, polar(mark.at, mark.ray, mark.end)), "guide"),) if mark.ray else ()
+    items += (Polyline((mark.at, polar(mark.at, radius + 0.1, mark.end)), "guide"),) if mark.reach else ()
+    items += (Polyline((mark.at, polar(mark.at, mark.ray, mark.end)), "guide"),) if mark.ray else ()
     middle = (mark.start + mark.end) / 2
     target = polar(mark.at, radius, middle)
     return Scene(items, labelled(mark.label, target, middle, gap=0.06, color="accent"))

@@ -26,7 +26,7 @@ def spring(start: s.Point, end: s.Point) -> Items:
         between(start, end, lead + (1 - 2 * lead) * (n + 0.5) / (2 * turns), 0.13 * (-1) ** n) for n in range(2 * turns)
     ]
     ends = between(start, end, lead), between(start, end, 1 - lead)
-    return (s.Line((start, ends[0], *inner, ends[1], end), "spring"),)
+    return (s.Polyline((start, ends[0], *inner, ends[1], end), "spring"),)
 
 
 def damper(start: s.Point, end: s.Point) -> Items:
@@ -37,16 +37,16 @@ def damper(start: s.Point, end: s.Point) -> Items:
         return between(start, end, share, aside)
 
     return (
-        s.Line((start, at(a)), "spring"),
-        s.Line((at(b, 0.16), at(a, 0.16), at(a, -0.16), at(b, -0.16)), "spring"),
-        s.Line((at(0.54, 0.11), at(0.54, -0.11)), "spring"),
-        s.Line((at(0.54), end), "spring"),
+        s.Polyline((start, at(a)), "spring"),
+        s.Polyline((at(b, 0.16), at(a, 0.16), at(a, -0.16), at(b, -0.16)), "spring"),
+        s.Polyline((at(0.54, 0.11), at(0.54, -0.11)), "spring"),
+        s.Polyline((at(0.54), end), "spring"),
     )
 
 
 def string(start: s.Point, end: s.Point) -> Items:
     """A thin line."""
-    return (s.Line((start, end), "line"),)
+    return (s.Polyline((start, end), "line"),)
 
 
 LINKS = {"spring": spring, "damper": damper, "string": string}
@@ -55,7 +55,7 @@ LINKS = {"spring": spring, "damper": damper, "string": string}
 def coil(at: s.Point) -> Items:
     """The spiral of a torsion spring."""
     turns = [n * math.pi / 8 for n in range(37)]
-    return (s.Line(tuple(s.polar(at, 0.1 + 0.018 * turn, turn) for turn in turns), "spring"),)
+    return (s.Polyline(tuple(s.polar(at, 0.1 + 0.018 * turn, turn) for turn in turns), "spring"),)
 
 
 def hatching(start: s.Point, end: s.Point, depth: float = 0.22) -> Items:
@@ -65,7 +65,7 @@ def hatching(start: s.Point, end: s.Point, depth: float = 0.22) -> Items:
     strokes = tuple(
         (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth)) for n in range(1, count + 1)
     )
-    return s.Strokes(strokes), s.Line((start, end), "line")
+    return s.Strokes(strokes), s.Polyline((start, end), "line")
 
 
 def support(at: s.Point, away: float) -> Items:
@@ -73,7 +73,7 @@ def support(at: s.Point, away: float) -> Items:
     foot = s.polar(at, 0.42, away)
     left, right = s.polar(foot, 0.27, away - math.pi / 2), s.polar(foot, 0.27, away + math.pi / 2)
     out, far = s.polar(foot, 0.45, away - math.pi / 2), s.polar(foot, 0.45, away + math.pi / 2)
-    return (s.Line((at, left, right), "support", closed=True), *hatching(out, far, 0.18))
+    return (s.Polyline((at, left, right), "support", closed=True), *hatching(out, far, 0.18))
 
 
 def clamp(at: s.Point, away: float) -> Items:
@@ -91,7 +91,7 @@ def anchor(at: s.Point, away: float) -> Items:
 def edge(at: s.Point, below: float) -> Items:
     """A corner on which something lies."""
     left, right = s.polar(at, 0.5, below - 0.45), s.polar(at, 0.5, below + 0.45)
-    return (s.Line((left, at, right), "ground"),)
+    return (s.Polyline((left, at, right), "ground"),)
 
 
 def bore(center: s.Point, radius: float) -> Items:
@@ -127,14 +127,14 @@ def dimension(start: s.Point, end: s.Point, aside: float) -> Items:
     a, b = between(start, end, 0, aside), between(start, end, 1, aside)
     reach = aside + math.copysign(0.1, aside)
     leads = tuple(
-        s.Line((between(start, end, n, 0.3 * aside), between(start, end, n, reach)), "dimension") for n in (0, 1)
+        s.Polyline((between(start, end, n, 0.3 * aside), between(start, end, n, reach)), "dimension") for n in (0, 1)
     )
-    return (*leads, s.Line((a, b), "dimension", heads="both"))
+    return (*leads, s.Polyline((a, b), "dimension", heads="both"))
 
 
 def angle_arc(at: s.Point, start: float, end: float, radius: float) -> Items:
     """A dashed line to count from, and an arc with a head."""
-    reference = s.Line((at, s.polar(at, 1.35 * radius, start)), "guide")
+    reference = s.Polyline((at, s.polar(at, 1.35 * radius, start)), "guide")
     return reference, s.Arc(at, radius, start, end, "angle", heads="end")
 
 
@@ -144,9 +144,9 @@ def turning(at: s.Point, sign: int = 1, radius: float = 0.4, style: str = "axis"
     return s.Arc(at, radius, start, start + sign * 1.5 * math.pi, style, heads="end")
 
 
-def arrow(start: s.Point, end: s.Point, style: str = "force") -> s.Line:
+def arrow(start: s.Point, end: s.Point, style: str = "force") -> s.Polyline:
     """An arrow."""
-    return s.Line((start, end), style, heads="end")
+    return s.Polyline((start, end), style, heads="end")
 
 
 def snapped(angle: float) -> float:

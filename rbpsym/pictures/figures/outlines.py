@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.pictures.figures.scene import Circle, Item, Line, Point, polar
+from rbpsym.pictures.figures.scene import Circle, Item, Point, Polyline, polar
 from rbpsym.pictures.figures.sketch import SketchBody, SketchPart
 
 Sizes = Mapping[str, float]
@@ -46,11 +46,11 @@ LOOKS = {"body": ("body",), "hole": ("hole",), "band": ("rod edge", "rod"), "dot
 def outline(kind: str, sizes: Sizes) -> Outline:
     """The items of a shape in its own frame."""
     if kind in OWN or kind not in OUTLINES:
-        return (Line(OWN.get(kind, potato)(sizes), "body", closed=True),)
+        return (Polyline(OWN.get(kind, potato)(sizes), "body", closed=True),)
     return tuple(
         Circle((0, 0), measured(parts[0][1], sizes), style)
         if look == "dot" or parts[0][0] == "circle"
-        else Line(tuple(point for part in parts for point in along(part, sizes)), style, closed=look in ("body", "hole"))
+        else Polyline(tuple(point for part in parts for point in along(part, sizes)), style, closed=look in ("body", "hole"))
         for look, *parts in OUTLINES[kind]
         for style in LOOKS[look]
     )
@@ -108,7 +108,7 @@ def body_outline(body: SketchBody) -> Outline:
 def joined_dots(body: SketchBody) -> Outline:
     """Light rods from the origin of a body to those of its parts that are mere points: what holds them together."""
     ends = [part.at for part in body.parts if part.kind == "particle" and math.hypot(*part.at) > 0]
-    return tuple(Line(tuple(turned(end, body.at, body.angle) for end in ((0.0, 0.0), at)), "line") for at in ends)
+    return tuple(Polyline(tuple(turned(end, body.at, body.angle) for end in ((0.0, 0.0), at)), "line") for at in ends)
 
 
 def styled(item: Item, part: SketchPart) -> Item:
@@ -118,7 +118,7 @@ def styled(item: Item, part: SketchPart) -> Item:
 
 def moved(item: Item, at: Point, angle: float) -> Item:
     """The item turned about the origin and shifted."""
-    if isinstance(item, Line):
+    if isinstance(item, Polyline):
         return replace(item, points=tuple(turned(point, at, angle) for point in item.points))
     assert isinstance(item, Circle), item
     return replace(item, center=turned(item.center, at, angle))

@@ -85,7 +85,7 @@ COLORS: Mapping[str, tuple[str, str]] = {
 }
 
 
-class Line(Frozen):
+class Polyline(Frozen):
     """A broken line through points; `heads` is "", "end" or "both"."""
 
     points: tuple[Point, ...]
@@ -151,7 +151,7 @@ class Label(Frozen):
         return x - w / 2, y - h / 2, x + w / 2, y + h / 2
 
 
-Item = Line | Strokes | Circle | Arc
+Item = Polyline | Strokes | Circle | Arc
 
 
 class Scene(Frozen):
@@ -189,7 +189,7 @@ def points_of(item: Item) -> tuple[Point, ...]:
 
 DOT = 0.07  # the radius of a point that has no size
 TRACE: Mapping[type, Callable[..., tuple[Point, ...]]] = {
-    Line: lambda item: item.points + item.points[:1] if item.closed else item.points,
+    Polyline: lambda item: item.points + item.points[:1] if item.closed else item.points,
     Strokes: lambda item: tuple(point for piece in item.pieces for point in piece),
     Circle: lambda item: tuple(polar(item.center, item.radius, n * math.pi / 8) for n in range(17)),
     Arc: lambda item: tuple(item.at(n / 8) for n in range(9)),
@@ -202,7 +202,7 @@ def box_of(points: tuple[Point, ...]) -> tuple[float, float, float, float]:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def heads_of(item: Line | Arc) -> Iterator[tuple[Point, float]]:
+def heads_of(item: Polyline | Arc) -> Iterator[tuple[Point, float]]:
     """Tip and direction of each arrow head of an item."""
     if not item.heads:
         return
@@ -212,9 +212,9 @@ def heads_of(item: Line | Arc) -> Iterator[tuple[Point, float]]:
         yield points[0], head_direction(item, points[0], points[1])
 
 
-def head_direction(item: Line | Arc, tip: Point, before: Point) -> float:
+def head_direction(item: Polyline | Arc, tip: Point, before: Point) -> float:
     """Where a head points; on an arc it follows the curve over the length of the head."""
-    if isinstance(item, Line):
+    if isinstance(item, Polyline):
         return direction(before, tip)
     turn = math.copysign(1, item.end - item.start)
     back = turn * HEAD / item.radius

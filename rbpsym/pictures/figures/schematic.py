@@ -134,7 +134,7 @@ def draw_cord(cord: sk.SketchCord, sketch: sk.Sketch) -> s.Scene:
     """A string; its length, if it has one, beside its middle."""
     middle = marks.between(cord.points[0], cord.points[1], 0.5)
     aside = s.direction(cord.points[0], cord.points[1]) + dimensions.UP
-    line = s.Line(cord.points, "rail" if cord.kind == "rail" else "cord")
+    line = s.Polyline(cord.points, "rail" if cord.kind == "rail" else "cord")
     return s.Scene((line,), dimensions.labelled(cord.label, middle, aside))
 
 
@@ -151,7 +151,7 @@ def draw_arrow(arrow: sk.SketchArrow, sketch: sk.Sketch) -> s.Scene:
     start = arrow.at if arrow.kind != "blow" else s.polar(arrow.at, length, angle + math.pi)
     tip = s.polar(start, length, angle)
     heads = "both" if arrow.kind == "driven" else "end"
-    item = s.Line((s.polar(start, -length, angle) if arrow.kind == "driven" else start, tip), style, heads=heads)
+    item = s.Polyline((s.polar(start, -length, angle) if arrow.kind == "driven" else start, tip), style, heads=heads)
     target = start if arrow.kind == "blow" else tip
     return s.Scene(
         (item,),
@@ -176,7 +176,7 @@ def draw_line(line: sk.SketchLine, sketch: sk.Sketch) -> s.Scene:
         return s.Scene()
     start, end = found
     if line.kind == "rail":
-        return s.Scene((s.Line((start, end), "rail"),))
+        return s.Scene((s.Polyline((start, end), "rail"),))
     target = marks.between(start, end, 0.85, -0.25)
     toward = s.direction(start, end) - dimensions.UP
     return s.Scene(marks.hatching(start, end), dimensions.labelled(line.label, target, toward))
@@ -228,7 +228,7 @@ def gravity(sketch: sk.Sketch, at: s.Point) -> s.Scene:
         return s.Scene()
     end = s.polar(at, 0.8, math.atan2(sketch.gravity[1], sketch.gravity[0]))
     label = s.Label(sketch.gravity_label, marks.between(at, end, 0.5), 0.0, 0.1)
-    return s.Scene((s.Line((at, end), "line", heads="end"),), (label,))
+    return s.Scene((s.Polyline((at, end), "line", heads="end"),), (label,))
 
 
 # --- from a sketch to the free-body diagram of one body: every force at its point

@@ -48,7 +48,7 @@ def look(name: str) -> str:
     return f'class="ink-{style.stroke} {filled}" stroke-width="{style.width * POINT:.2f}"{dash}'
 
 
-def line_svg(item: s.Line) -> str:
+def line_svg(item: s.Polyline) -> str:
     """A polyline or polygon with its heads."""
     tag = "polygon" if item.closed else "polyline"
     points = " ".join(map(pair, item.points))
@@ -77,7 +77,7 @@ def arc_svg(item: s.Arc) -> str:
     return f'<path d="{path}" {look(item.style)}/>{heads_svg(item)}'
 
 
-def heads_svg(item: s.Line | s.Arc) -> str:
+def heads_svg(item: s.Polyline | s.Arc) -> str:
     """Arrow heads as filled triangles."""
     style = s.STYLES[item.style]
     return "".join(
@@ -87,7 +87,7 @@ def heads_svg(item: s.Line | s.Arc) -> str:
 
 
 PRINT: Mapping[type, Callable[..., str]] = {
-    s.Line: line_svg,
+    s.Polyline: line_svg,
     s.Strokes: strokes_svg,
     s.Circle: circle_svg,
     s.Arc: arc_svg,

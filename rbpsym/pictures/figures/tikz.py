@@ -40,7 +40,7 @@ def style_name(name: str) -> str:
 HEADS = {"": "", "end": ", -Stealth", "both": ", Stealth-Stealth"}
 
 
-def line_tikz(item: s.Line) -> str:
+def line_tikz(item: s.Polyline) -> str:
     """A path through points."""
     path = " -- ".join(map(pair, item.points)) + (" -- cycle" if item.closed else "")
     return rf"\draw[{style_name(item.style)}{HEADS[item.heads]}] {path};"
@@ -66,7 +66,7 @@ def arc_tikz(item: s.Arc) -> str:
 
 
 PRINT: Mapping[type, Callable[..., str]] = {
-    s.Line: line_tikz,
+    s.Polyline: line_tikz,
     s.Strokes: strokes_tikz,
     s.Circle: circle_tikz,
     s.Arc: arc_tikz,

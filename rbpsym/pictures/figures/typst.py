@@ -44,7 +44,7 @@ def color(name: str) -> str:
     return f'rgb("{s.COLORS[name][0]}")'
 
 
-def line_typst(item: s.Line, origin: Origin) -> str:
+def line_typst(item: s.Polyline, origin: Origin) -> str:
     """A curve of straight pieces."""
     first, *others = (pair(point, origin) for point in item.points)
     steps = [f"curve.move({first})", *(f"curve.line({point})" for point in others)]
@@ -72,11 +72,11 @@ def circle_typst(item: s.Circle, origin: Origin) -> str:
 def arc_typst(item: s.Arc, origin: Origin) -> str:
     """An arc as straight pieces, so short that none is seen."""
     count = math.ceil(abs(item.end - item.start) / 0.05) + 1
-    path = s.Line(tuple(item.at(n / count) for n in range(count + 1)), item.style)
+    path = s.Polyline(tuple(item.at(n / count) for n in range(count + 1)), item.style)
     return line_typst(path, origin) + heads_typst(item, origin)
 
 
-def heads_typst(item: s.Line | s.Arc, origin: Origin) -> str:
+def heads_typst(item: s.Polyline | s.Arc, origin: Origin) -> str:
     """Arrow heads as filled polygons."""
     style = s.STYLES[item.style]
     heads = (s.head_shape(tip, angle, style.width) for tip, angle in s.heads_of(item))
@@ -86,7 +86,7 @@ def heads_typst(item: s.Line | s.Arc, origin: Origin) -> str:
 
 
 PRINT: Mapping[type, Callable[..., str]] = {
-    s.Line: line_typst,
+    s.Polyline: line_typst,
     s.Strokes: strokes_typst,
     s.Circle: circle_typst,
     s.Arc: arc_typst,

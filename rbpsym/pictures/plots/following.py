@@ -16,7 +16,7 @@ import numpy as np
 from rbpsym.errors import NotApplicable
 from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.arrivals import State as Ending
+from rbpsym.mechanics.arrivals import ArrivalState as Ending
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import spare

@@ -17,8 +17,8 @@ from rbpsym.pictures.figures.scene import (
     Circle,
     Item,
     Label,
-    Line,
     Point,
+    Polyline,
     Scene,
     Strokes,
     grown,
@@ -109,7 +109,7 @@ def scene(panel: Panel, notation: Notation) -> Scene:
     x, y = axes_of(panel, notation.decimal)
     curves = sorted(drawn(panel, x, y), key=lambda curve: curve.style != "curve sum")
     axes = (*frame(x, y), *(item for one in panel.marks for item in mark(one, x, y)))
-    lines = [Line(tuple(map(tuple, piece.tolist())), curve.style) for curve in curves for piece in curve.pieces]
+    lines = [Polyline(tuple(map(tuple, piece.tolist())), curve.style) for curve in curves for piece in curve.pieces]
     rings = [circle for curve in curves for ends in curve.jumps for circle in map(Circle, ends, (RING, 0.0), RINGS)]
     outside = [*tick_labels(x, y, notation), *axis_labels(panel, notation)]
     outside += mark_labels(panel, x, outside, notation)
@@ -164,17 +164,17 @@ def is_nothing(curve: DrawnCurve, y: Axis) -> bool:
 
 def frame(x: Axis, y: Axis) -> Iterator[Item]:
     """The axes with their ticks; the horizontal one also at the height 0."""
-    yield Line(((0.0, HIGH), (0.0, 0.0), (WIDE, 0.0)), "axis")
+    yield Polyline(((0.0, HIGH), (0.0, 0.0), (WIDE, 0.0)), "axis")
     ticks = [((x.at(tick), 0.0), (x.at(tick), -TICK)) for tick in x.ticks]
     ticks += [((0.0, y.at(tick)), (-TICK, y.at(tick))) for tick in y.ticks]
     yield Strokes(tuple(ticks), "axis")
     if y.low < 0 < y.high:
-        yield Line(((0.0, y.at(0.0)), (WIDE, y.at(0.0))), "dimension")
+        yield Polyline(((0.0, y.at(0.0)), (WIDE, y.at(0.0))), "dimension")
 
 
 def mark(one: PlotMark, x: Axis, y: Axis) -> Iterator[Item]:
     """A dashed line at a place, with a dot where it meets the height 0."""
-    yield Line(((x.at(one.place), 0.0), (x.at(one.place), HIGH)), "guide")
+    yield Polyline(((x.at(one.place), 0.0), (x.at(one.place), HIGH)), "guide")
     if one.has_dot:
         yield Circle((x.at(one.place), y.at(0.0)), 0.0, "dot")
 
@@ -244,7 +244,7 @@ def legend(left: Sequence[tuple[DrawnCurve, Label]], start: float) -> Iterator[t
     top = max(HIGH / 2 + step * (len(order) - 1) / 2 + 0.2, 0.9 + step * (len(order) - 1))
     for row, (curve, label) in enumerate(order):
         height = top - step * row
-        line = Line(((start + 0.2, height), (start + 0.75, height)), curve.style)
+        line = Polyline(((start + 0.2, height), (start + 0.75, height)), curve.style)
         yield line, replace(label, place=(start + 0.9 + label.size[0] / 2, height))
 
 

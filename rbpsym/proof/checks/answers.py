@@ -15,7 +15,7 @@ from rbpsym.decide.equal import compare, scalars_equal
 from rbpsym.decide.rooted import rooted, shorter, sign_along
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict, all_of, proved, undecided
-from rbpsym.field import NOTHING, UNITY, Scalar, Scope, atoms, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.field import NOTHING, UNITY, Meanings, Scalar, atoms, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.present.forms import present
 from rbpsym.proof.checks.of_steps import right_sides, same
@@ -28,7 +28,7 @@ OTHER = "other_{}"
 
 def put_in(context: Context, step: Step) -> Verdict:
     """Each stated value is the formula of another one, read with these meanings of its letters (`data`: "value", "image")."""
-    read = scalar(present(step.data["value"]), Scope(step.data["image"]))
+    read = scalar(present(step.data["value"]), Meanings(step.data["image"]))
     return all_of(same(context, value, read) for value in right_sides(context, step))
 
 

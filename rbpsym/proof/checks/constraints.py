@@ -13,7 +13,7 @@ from rbpsym.field.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.system import BodyState, Condition, System, at_point, by_letters, in_state
+from rbpsym.mechanics.system import BodyState, ConstraintCondition, System, at_point, by_letters, in_state
 from rbpsym.proof.checks.of_steps import agree, difference, differences, first_proved, same, weakest
 from rbpsym.proof.context import Context
 from rbpsym.proof.facts import MOTION, law_rows
@@ -34,7 +34,8 @@ def conditions_kept(context: Context, step: Step) -> Verdict:
     open_ = (*system.implicit, *system.speed_ties) if context.study.at_start else ()
     names = {condition.constraint for condition in open_}
     rates = [c for c in rate_conditions(system.problem, geometry) if c.constraint not in names]
-    rates += [Condition(c.constraint, time_derivative(c.value, system.scope)) for c in system.implicit if c not in open_]
+    closed = [c for c in system.implicit if c not in open_]
+    rates += [ConstraintCondition(c.constraint, time_derivative(c.value, system.scope)) for c in closed]
     _use_conditions(context, step)
     values = [c.value for c in (*all_conditions(system.problem, geometry), *rates)]
     light = (s for s in system.bodies.values() if not (s.mass or s.moment or any(f.unknowns for f in system.on(s.name))))

@@ -216,12 +216,12 @@ def order_in_pairs(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> Fields:
     return Fields(f"{lines(key.pieces, desk)}<p>{desk.word('pair')}</p><ul>{asked}</ul>", tuple(fields))
 
 
-def lines(pieces: Iterable[m.Piece], desk: ExportDesk) -> str:
+def lines(pieces: Iterable[m.LinePiece], desk: ExportDesk) -> str:
     """Pieces of a derivation as a numbered list."""
     return f"<ol>{''.join(f'<li>{line_of(piece, desk)}</li>' for piece in pieces)}</ol>"
 
 
-def line_of(piece: m.Piece, desk: ExportDesk) -> str:
+def line_of(piece: m.LinePiece, desk: ExportDesk) -> str:
     """A piece with its reason."""
     return f"{desk.formula(piece.statement)} {desk.inlines(piece.reason)}"
 

@@ -18,7 +18,7 @@ from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.ground import GradingGround, bare_ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, invalid
-from rbpsym.teaching.grading.number import Wanted, judge_number
+from rbpsym.teaching.grading.number import ExpectedNumber, judge_number
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.verdicts import are_equal, is_small
 from rbpsym.teaching.model import Tolerance
@@ -152,4 +152,4 @@ def grade_number(
         raise RbpsymError("a tolerance lies from 0 to below 1, and at least one figure is asked for")
     accepted = Tolerance(Fraction(tolerance).limit_denominator(10**9), figures, fewer, more)
     measured = read_unit(unit)
-    return judge_number(answer, Wanted(value * measured.factor, measured, accepted, language=language))
+    return judge_number(answer, ExpectedNumber(value * measured.factor, measured, accepted, language=language))

@@ -16,7 +16,7 @@ from rbpsym.decide.factoring import primes
 from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
-from rbpsym.field import BARE, NOTHING, Scalar, Scope, atoms, is_zero, symbol
+from rbpsym.field import BARE, NOTHING, Meanings, Scalar, atoms, is_zero, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 
@@ -30,7 +30,7 @@ class Roots(Frozen):
     assumptions: Assumptions
     orders: dict[t.Node, int] = field(default_factory=dict)
     names: dict[t.Node, str] = field(default_factory=dict)
-    scope: Scope = BARE
+    scope: Meanings = BARE
     values: list[tuple[Scalar, t.Node]] = field(default_factory=list)
 
     def same(self, base: t.Node) -> t.Node:
@@ -64,7 +64,7 @@ class Roots(Frozen):
         plain = (base for base in self.orders if _is_positive_symbol(base, given))
         return {name: symbol(self.names[base]) ** self.orders[base] for base in plain for name in t.names(base)}
 
-    def reduced(self, value: Scalar, scope: Scope, given: Assumptions) -> Scalar:
+    def reduced(self, value: Scalar, scope: Meanings, given: Assumptions) -> Scalar:
         """A polynomial in which no root stands to its order or more."""
         for base, order in self.orders.items():
             if not _is_positive_symbol(base, given):
@@ -72,7 +72,7 @@ class Roots(Frozen):
         return value
 
 
-def equal_with_roots(answer: t.Node, key: t.Node, assumptions: Assumptions, scope: Scope) -> Verdict | None:
+def equal_with_roots(answer: t.Node, key: t.Node, assumptions: Assumptions, scope: Meanings) -> Verdict | None:
     """PROVED or UNDECIDED for formulas with cube roots and the like; None for formulas without."""
     if not any(_root_of(part) for side in (answer, key) for part in t.walk(side)):
         return None

@@ -10,7 +10,7 @@ from rbpsym.decide.assumptions import NONE, Assumptions
 from rbpsym.expr.glyphs import Notation, glyph, renamed
 from rbpsym.expr.letters import without_accents
 from rbpsym.expr.symbol_table import SymbolTable, drawn_glyph, symbol_table
-from rbpsym.field import BARE, Scalar, Scope
+from rbpsym.field import BARE, Meanings, Scalar
 from rbpsym.field.exponentials import with_squares
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
@@ -115,7 +115,7 @@ class GradingGround(Frozen):
 
     book: Book
     assumptions: Assumptions = NONE
-    scope: Scope = BARE
+    scope: Meanings = BARE
     dimensions: Mapping[str, Dimension] = field(default_factory=dict)
     on_motion: Callable[[Scalar], Scalar] = _same
     along: Callable[[Scalar], Scalar] = _same

@@ -16,7 +16,7 @@ from rbpsym.decide.verdict import Verdict, Witness, refuted, undecided
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.tree import Node
-from rbpsym.field import BARE, Scope, function, symbol
+from rbpsym.field import BARE, Meanings, function, symbol
 from rbpsym.frozen import Frozen, field
 
 MOST_POINTS = 4
@@ -31,7 +31,7 @@ class Sampling(Frozen):
     """
 
     assumptions: Assumptions
-    scope: Scope
+    scope: Meanings
     chosen: dict[frozenset[str], list[Point]] = field(default_factory=dict)
     known: dict[tuple[Node, int], Number | None] = field(default_factory=dict)
 
@@ -107,7 +107,7 @@ def _witness(point: Point, left: Number, right: Number) -> Witness:
 NOWHERE = Point({})
 
 
-def enclosed(node: Node, point: Point = NOWHERE, scope: Scope = BARE) -> Number:
+def enclosed(node: Node, point: Point = NOWHERE, scope: Meanings = BARE) -> Number:
     """The value, exact or enclosed. Raises Outside where it has none, KeyError for an unknown name."""
     rule = _RULES.get(type(node))
     if rule is None:
@@ -124,11 +124,11 @@ def _short(number: Number) -> Number:
     return number
 
 
-def _product(node: t.Mul, point: Point, scope: Scope) -> Number:
+def _product(node: t.Mul, point: Point, scope: Meanings) -> Number:
     return reduce(lambda a, b: _short(a * b), (enclosed(factor, point, scope) for factor in node.factors))
 
 
-def _power(node: t.Pow, point: Point, scope: Scope) -> Number:
+def _power(node: t.Pow, point: Point, scope: Meanings) -> Number:
     base, exponent = enclosed(node.base, point, scope), number_of(node.exponent)
     if exponent is None:
         raise Outside("no rule")
@@ -148,7 +148,7 @@ def _bounded(number: Number) -> Number:
     return number
 
 
-def _magnitude(node: t.Abs, point: Point, scope: Scope) -> Number:
+def _magnitude(node: t.Abs, point: Point, scope: Meanings) -> Number:
     number = enclosed(node.arg, point, scope)
     low, high = e.ends(number)
     if isinstance(number, Fraction):
@@ -156,14 +156,14 @@ def _magnitude(node: t.Abs, point: Point, scope: Scope) -> Number:
     return Enclosure(Fraction(0) if low < 0 < high else min(abs(low), abs(high)), max(abs(low), abs(high)))
 
 
-def _symbol(node: t.Sym, point: Point, scope: Scope) -> Number:
+def _symbol(node: t.Sym, point: Point, scope: Meanings) -> Number:
     if node.name == "pi":
         return e.pi()
     meant = scope.scalars.get(node.name)
     return point.symbol(node.name) if meant is None else point.value(meant)
 
 
-def _function(node: t.Fn, point: Point, scope: Scope) -> Number:
+def _function(node: t.Fn, point: Point, scope: Meanings) -> Number:
     angle = node.arg.name if isinstance(node.arg, t.Sym) else ""
     if point.parts.get(angle) == 1 and node.name in TURNS and angle not in scope.scalars:
         return TURNS[node.name](*point.angles[angle])
@@ -195,7 +195,7 @@ FUNCTIONS: Mapping[str, Callable[[Number], Number]] = {
     "atan": e.atan,
 }
 
-_RULES: Mapping[type, Callable[[Any, Point, Scope], Number]] = {
+_RULES: Mapping[type, Callable[[Any, Point, Meanings], Number]] = {
     t.Num: lambda node, point, scope: Fraction(node.value),
     t.Sym: _symbol,
     t.Add: lambda node, point, scope: reduce(add, (enclosed(term, point, scope) for term in node.terms)),

@@ -23,7 +23,7 @@ MOST_TENS = 9
 RADIAN = (("rad", Fraction(1)),)
 
 
-class Wanted(Frozen):
+class ExpectedNumber(Frozen):
     """What a number is compared with; `exact` in SI units, `unit` the one that is printed.
 
     carried: values (SI) that follow from the student's own earlier answers.
@@ -37,12 +37,12 @@ class Wanted(Frozen):
     language: str = "en"
 
 
-def wanted(key: NumberKey, carried: Iterable[float] = (), language: str = "en") -> Wanted:
+def wanted(key: NumberKey, carried: Iterable[float] = (), language: str = "en") -> ExpectedNumber:
     """What a number key asks for."""
-    return Wanted(key.exact, read_unit(key.measure.unit), key.tolerance, key.anticipated, tuple(carried), language)
+    return ExpectedNumber(key.exact, read_unit(key.measure.unit), key.tolerance, key.anticipated, tuple(carried), language)
 
 
-def judge_number(text: str, sought: Wanted) -> Judgement:
+def judge_number(text: str, sought: ExpectedNumber) -> Judgement:
     """The judgement on a typed number. Errors of the student are judgements, never exceptions."""
     if not text.strip():
         return j.EMPTY
@@ -55,7 +55,7 @@ def judge_number(text: str, sought: Wanted) -> Judgement:
     return _judged(typed, sought)
 
 
-def _judged(typed: Typed, sought: Wanted) -> Judgement:
+def _judged(typed: Typed, sought: ExpectedNumber) -> Judgement:
     unit, meant = _unit_remark(typed, sought), _meant(typed, sought)
     if not meant.value and sought.exact:
         known = _slip(meant, sought)
@@ -72,7 +72,7 @@ def _judged(typed: Typed, sought: Wanted) -> Judgement:
     return _missed(meant, unit, sought)
 
 
-def _meant(typed: Typed, sought: Wanted) -> Typed:
+def _meant(typed: Typed, sought: ExpectedNumber) -> Typed:
     """The number with the unit that was asked for, where its own is missing or of another kind."""
     fits = typed.unit is not None and typed.unit.dimension == sought.unit.dimension
     return typed if fits else replace(typed, unit=sought.unit)
@@ -97,12 +97,12 @@ def _is_rounded_to(typed: Typed, exact: float, figures: int) -> bool:
     return abs(steps - round(steps)) < 1e-6 and abs(typed.value - value) <= 0.5000001 * place
 
 
-def _is_worth_carrying(own: float, sought: Wanted) -> bool:
+def _is_worth_carrying(own: float, sought: ExpectedNumber) -> bool:
     """Guard: what follows from the own answer is a number that is not zero, and not the key itself."""
     return isfinite(own) and own != 0 and abs(own - sought.exact) > 1e-9 * abs(sought.exact)
 
 
-def _right(typed: Typed, unit: Remark | None, sought: Wanted, status: Status, remarks: tuple[Remark, ...]) -> Judgement:
+def _right(typed: Typed, unit: Remark | None, sought: ExpectedNumber, status: Status, remarks: tuple[Remark, ...]) -> Judgement:
     figures = _figures_remark(typed, sought.tolerance) or _coarse(typed, sought)
     told = (*remarks, *(remark for remark in (unit, figures) if remark))
     share = FIGURES.get(figures.key, Fraction(0)) if figures else Fraction(1)
@@ -111,7 +111,7 @@ def _right(typed: Typed, unit: Remark | None, sought: Wanted, status: Status, re
 
 
 def _marked(
-    status: Status, value: Fraction, unit: Fraction, figures: Fraction, sought: Wanted, *remarks: Remark
+    status: Status, value: Fraction, unit: Fraction, figures: Fraction, sought: ExpectedNumber, *remarks: Remark
 ) -> Judgement:
     """The parts with their credits; of a pure number the unit is no part."""
     parts = {"value": value, "unit": unit, "figures": figures}
@@ -123,7 +123,7 @@ def _marked(
     return Judgement(status, credit, remarks, parts=tuple(parts.items()))
 
 
-def _unit_remark(typed: Typed, sought: Wanted) -> Remark | None:
+def _unit_remark(typed: Typed, sought: ExpectedNumber) -> Remark | None:
     """What is wrong with the unit; None if nothing is. Radians need not be written."""
     if typed.unit is None:
         bare = not sought.unit.dimension and sought.unit.factor == 1
@@ -149,7 +149,7 @@ def _figures_remark(typed: Typed, tolerance: Tolerance) -> Remark | None:
 FIGURES = {"one figure fewer": Fraction(1, 2)}  # what a remark on the figures leaves of their share, where it is not nothing
 
 
-def _coarse(typed: Typed, sought: Wanted) -> Remark | None:
+def _coarse(typed: Typed, sought: ExpectedNumber) -> Remark | None:
     """Right as far as it goes, but rounded to a figure less than is asked for; 0.5 m is 0.500 m, where that is right."""
     digits = sought.tolerance.digits
     if not typed.most or not typed.value or typed.most >= digits or not sought.exact:
@@ -159,7 +159,7 @@ def _coarse(typed: Typed, sought: Wanted) -> Remark | None:
     return Remark("one figure fewer", {"digits": str(digits)})
 
 
-def _missed(meant: Typed, unit: Remark | None, sought: Wanted) -> Judgement:
+def _missed(meant: Typed, unit: Remark | None, sought: ExpectedNumber) -> Judgement:
     """A wrong value: a known slip, or a sign, a power of ten, degrees for radians."""
     known = next((found for look in LOOKS if (found := look(meant, sought))), None)
     told = j.slip_remarks(known.slots["slip"]) if known and known.key == "slip" else (known or Remark("wrong value"),)
@@ -171,17 +171,17 @@ def _missed(meant: Typed, unit: Remark | None, sought: Wanted) -> Judgement:
     return replace(judged, status=Status.PARTLY if judged.credit else Status.WRONG, slip=slip)
 
 
-Look = Callable[[Typed, Wanted], Remark | None]
+Look = Callable[[Typed, ExpectedNumber], Remark | None]
 
 
-def _too_coarse(meant: Typed, sought: Wanted) -> Remark | None:
+def _too_coarse(meant: Typed, sought: ExpectedNumber) -> Remark | None:
     """The exact value, rounded to fewer figures than can be accepted: no slip that comes near it is meant."""
     digits, fewest = sought.tolerance.digits, sought.tolerance.digits - sought.tolerance.fewer
     is_meant = 0 < meant.fewest < fewest and sought.exact and _is_rounded_to(meant, sought.exact, meant.fewest)
     return Remark("too few figures", {"digits": str(digits)}) if is_meant else None
 
 
-def _slip(meant: Typed, sought: Wanted) -> Remark | None:
+def _slip(meant: Typed, sought: ExpectedNumber) -> Remark | None:
     for known in sought.anticipated:
         if known.number is None:
             continue
@@ -196,11 +196,11 @@ def _scaled(meant: Typed, factor: float) -> Typed:
     return replace(meant, value=meant.value * factor, most=0)
 
 
-def _sign(meant: Typed, sought: Wanted) -> Remark | None:
+def _sign(meant: Typed, sought: ExpectedNumber) -> Remark | None:
     return Remark("sign") if is_near(_scaled(meant, -1), sought.exact, sought.tolerance) else None
 
 
-def _power_of_ten(meant: Typed, sought: Wanted) -> Remark | None:
+def _power_of_ten(meant: Typed, sought: ExpectedNumber) -> Remark | None:
     ratio = meant.si / sought.exact if sought.exact else 0.0
     power = round(log10(ratio)) if ratio > 0 else 0
     if not 0 < abs(power) <= MOST_TENS:
@@ -209,7 +209,7 @@ def _power_of_ten(meant: Typed, sought: Wanted) -> Remark | None:
     return Remark("power of ten", {"power": str(power)}) if near else None
 
 
-def _degrees(meant: Typed, sought: Wanted) -> Remark | None:
+def _degrees(meant: Typed, sought: ExpectedNumber) -> Remark | None:
     if sought.unit.powers != RADIAN:
         return None
     mixed = (is_near(_scaled(meant, factor), sought.exact, sought.tolerance) for factor in (pi / 180, 180 / pi))

@@ -243,7 +243,7 @@ def _latex_text(text: str, book: Book) -> str:
 
 
 def _single(node: t.Node) -> t.Node:
-    if isinstance(node, t.System):
+    if isinstance(node, t.Relations):
         raise ReadError("several formulas stand here", instead=_HINT)
     return node
 

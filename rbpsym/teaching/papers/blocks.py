@@ -33,7 +33,7 @@ class Marked(OwnBlock):
     lines: tuple[tuple[str, Node], ...]
 
 
-class Rules(OwnBlock):
+class WritingRules(OwnBlock):
     """Rules to write answers on, each after some words or a formula; `width` in cm."""
 
     items: tuple[Inlines, ...]
@@ -72,7 +72,7 @@ def fits_a_page(blocks: Iterable[Block]) -> bool:
 
 def rows(node: t.Node) -> int:
     """How many rows a formula may take."""
-    if isinstance(node, t.System):
+    if isinstance(node, t.Relations):
         return sum(map(rows, node.rows))
     return max(1, len(node.items) - 1) if isinstance(node, t.Chain) else 1
 
@@ -90,6 +90,6 @@ HEIGHTS: Mapping[type, Callable[[Any], float]] = {
     AnswerOptions: lambda block: 0.4 + ROW * len(block.items),
     Form: lambda block: 0.6 + ROW * (1 + len(block.rows)),
     Marked: lambda block: 0.4 + ROW * sum(rows(node) for _, node in block.lines),
-    Rules: lambda block: 0.4 + len(block.items),
+    WritingRules: lambda block: 0.4 + len(block.items),
     EmptySpace: lambda block: block.height,
 }

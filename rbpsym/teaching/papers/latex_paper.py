@@ -14,7 +14,7 @@ from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.expr.tree import Node
 from rbpsym.pictures.figures.tikz import tikz_styles
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, Rules, fits_a_page, height
+from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules, fits_a_page, height
 from rbpsym.teaching.papers.layout import head
 from rbpsym.typeset.escaping import latex_text
 from rbpsym.typeset.latex import PREAMBLE, render
@@ -101,7 +101,7 @@ def formula(node: Node, page: Page) -> str:
     return "\\begin{aligned}[t]" + r" \\ ".join(rows) + "\\end{aligned}"
 
 
-def rules(block: Rules, page: Page) -> str:
+def rules(block: WritingRules, page: Page) -> str:
     """Rules to write on."""
     rows = [rf"{page.inlines(item)} \rule[-2pt]{{{block.width}cm}}{{0.4pt}}" for item in block.items]
     return "\\par\\smallskip " + r"\par\bigskip ".join(rows) + r"\par"
@@ -129,6 +129,6 @@ PAPER: Mapping[type, Print] = {
     AnswerOptions: options,
     Form: form,
     Marked: marked,
-    Rules: rules,
+    WritingRules: rules,
     EmptySpace: lambda block, page: rf"\vspace{{{block.height}cm}}" if block.height else "",
 }

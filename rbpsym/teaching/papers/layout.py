@@ -17,7 +17,7 @@ from rbpsym.expr import tree as t
 from rbpsym.proof.step import Derivation
 from rbpsym.teaching import model as m
 from rbpsym.teaching.model import Student, Worksheet
-from rbpsym.teaching.papers.blocks import LETTERS, AnswerOptions, EmptySpace, Form, Lead, Marked, Rules
+from rbpsym.teaching.papers.blocks import LETTERS, AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules
 from rbpsym.teaching.ranges import measure_text, number_text
 from rbpsym.teaching.wording import plain_text, say, say_slip
 
@@ -80,18 +80,19 @@ def _choices(key: m.ChoiceKey, item: m.Item, worksheet: m.Worksheet) -> Iterator
 
 def _number_line(key: m.NumberKey | m.FormulaKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield EmptySpace(float(item.space))
-    yield Rules(((d.Math(t.relation(key.left, "=", t.Word(""))),),))
+    yield WritingRules(((d.Math(t.relation(key.left, "=", t.Word(""))),),))
 
 
 def _pieces(key: m.OrderKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Marked(tuple(zip(LETTERS, (piece.statement for piece in key.pieces), strict=False)))
-    yield Rules((d.words(plain_text("paper.order", worksheet.language) + ": "),), 8.0)
+    yield WritingRules((d.words(plain_text("paper.order", worksheet.language) + ": "),), 8.0)
 
 
 def _lines(key: m.SlipKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Marked(tuple((str(k), piece.statement) for k, piece in enumerate(key.lines, 1)))
     language = worksheet.language
-    yield Rules(tuple(d.words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected", "reason")), 8.0)
+    words = (d.words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected", "reason"))
+    yield WritingRules(tuple(words), 8.0)
 
 
 def _sign_table(key: m.SignsKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
@@ -104,7 +105,7 @@ def _sign_header(language: str) -> tuple[d.Inlines, ...]:
 
 
 def _blank_rules(key: m.BlanksKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield Rules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in key.blanks))
+    yield WritingRules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in key.blanks))
 
 
 def _space(key: m.ExplanationKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:

@@ -12,7 +12,7 @@ from rbpsym.document.writers.typst import TYPST, blocks, cell_content, spoken
 from rbpsym.document.writers.typst import section as titled_section
 from rbpsym.expr.tree import Node
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, Rules, fits_a_page
+from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules, fits_a_page
 from rbpsym.teaching.papers.layout import head
 from rbpsym.typeset.escaping import typst_string, typst_text
 from rbpsym.typeset.typst import render, to_typst
@@ -87,7 +87,7 @@ def first_row(node: Node, page: Page) -> str:
     return f"$ {render(line.left)} {render(line.right)} $"
 
 
-def rules(block: Rules, page: Page) -> str:
+def rules(block: WritingRules, page: Page) -> str:
     """Rules to write on."""
     items = ", ".join(f"[{page.inlines(item)}]" for item in block.items)
     return f"#rules({block.width}cm, {items})"
@@ -100,6 +100,6 @@ PAPER: Mapping[type, Print] = {
     AnswerOptions: options,
     Form: form,
     Marked: marked,
-    Rules: rules,
+    WritingRules: rules,
     EmptySpace: lambda block, page: f"#v({block.height}cm)" if block.height else "",
 }

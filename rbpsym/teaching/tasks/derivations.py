@@ -208,7 +208,7 @@ def _with_blanks(
 def _anticipated(bench: ProblemBench, step: Step, gap: Gap) -> tuple[Anticipated, ...]:
     """Known slips, where the blank is the whole right side of a quantity that has some."""
     found = next((x for x in bench.targets.values() if x.step == step.id), None)
-    if found is None or gap.is_term or isinstance(step.statement, t.System):
+    if found is None or gap.is_term or isinstance(step.statement, t.Relations):
         return ()
     return tuple(Anticipated(d.slip, d.formula) for d in bench.pool.of(found))
 
@@ -304,7 +304,7 @@ def _that_counts(premise: Step, step: Step) -> t.Node:
     """The rows of a premise that a step is about: of both works of a force only that of the half of which it speaks."""
     told = _halves(step.statement)
     rows = [row for row in t.rows(premise.statement) if _halves(row) <= told]
-    return t.System(tuple(rows)) if len(rows) > 1 else rows[0] if rows else premise.statement
+    return t.Relations(tuple(rows)) if len(rows) > 1 else rows[0] if rows else premise.statement
 
 
 def _halves(node: t.Node) -> set[str]:

@@ -5,7 +5,7 @@ from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.impulse import Element, Force, Strike, System, approach, is_holding
-from rbpsym.mechanics.phase_checks import CLOSE, State, Study, numbers_then, value_then, wrong
+from rbpsym.mechanics.phase_checks import CLOSE, ArrivalState, Study, numbers_then, value_then, wrong
 from rbpsym.mechanics.strings import pulls
 
 
@@ -15,7 +15,7 @@ def _forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     return (holding_forces if is_holding(element) else normal_forces)(element, geometry)
 
 
-def _check(study: Study, element: Element, state: State, after: System) -> None:
+def _check(study: Study, element: Element, state: ArrivalState, after: System) -> None:
     """What bounces is where it meets, and comes nearer."""
     known, geometry = numbers_then(study, state), geometry_of(study.system)
     if abs(value_then(study, gap(element, geometry), known)) > CLOSE:

@@ -5,7 +5,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry, pair
 from rbpsym.mechanics.impulse import Element, Force, PointRef, Strike, System, at_points
-from rbpsym.mechanics.phase_checks import CLOSE, State, Study, numbers_then, value_then, wrong
+from rbpsym.mechanics.phase_checks import CLOSE, ArrivalState, Study, numbers_then, value_then, wrong
 from rbpsym.statement.paths import round_size
 
 
@@ -15,7 +15,7 @@ def _forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     return at_points(element, geometry, (first, -push), (second, push))
 
 
-def _check(study: Study, element: Element, state: State, after: System) -> None:
+def _check(study: Study, element: Element, state: ArrivalState, after: System) -> None:
     """Two points that collide are in one place, and come nearer along a unit vector."""
     known, along = numbers_then(study, state), pair(element["along"])
     if abs(value_then(study, along.dot(along), known) - 1) > CLOSE:

@@ -1,9 +1,9 @@
 """−c ḋ ∂d/∂q with the distance d."""
 
-from rbpsym.oracles.lagrange import Element, Motion, Scalar, scalar
+from rbpsym.oracles.lagrange import Element, FreeMotion, Scalar, scalar
 
 
-def work(element: Element, motion: Motion, name: str) -> Scalar:
+def work(element: Element, motion: FreeMotion, name: str) -> Scalar:
     """With d = √(Δ·Δ)."""
     first, second = element["between"]
     apart = motion.where(second) - motion.where(first)

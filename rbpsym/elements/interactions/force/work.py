@@ -3,10 +3,10 @@
 from rbpsym.field import NOTHING
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import rotated
-from rbpsym.oracles.lagrange import Element, Motion, Scalar
+from rbpsym.oracles.lagrange import Element, FreeMotion, Scalar
 
 
-def work(element: Element, motion: Motion, name: str) -> Scalar:
+def work(element: Element, motion: FreeMotion, name: str) -> Scalar:
     """F may turn with the body."""
     ref, vector = element["on"], pair(element["force"])
     x, y = motion.own(vector.x), motion.own(vector.y)

@@ -2,10 +2,10 @@
 
 from rbpsym.field import NOTHING
 from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.interactions import Element, Force, Law, Scalar, Setting, scalar
+from rbpsym.mechanics.interactions import Element, Force, Law, LawSetting, Scalar, scalar
 
 
-def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:
+def _weights(element: Element, setting: LawSetting) -> tuple[Force, ...]:
     down, g, states = pair(element["direction"]), scalar(element["g"]), (setting.states[name] for name in element["bodies"])
     return tuple(
         Force(element.name, body.name, "earth", body.center, down * (body.mass * g), law=element.kind, where=f"{body.name}.cm")
@@ -13,7 +13,7 @@ def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:
     )
 
 
-def _height_energy(element: Element, setting: Setting) -> Scalar:
+def _height_energy(element: Element, setting: LawSetting) -> Scalar:
     down, g = pair(element["direction"]), scalar(element["g"])
     states = [setting.states[name] for name in element["bodies"]]
     return sum((-(state.mass * g * down.dot(state.center)) for state in states), NOTHING)

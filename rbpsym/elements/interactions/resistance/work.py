@@ -3,10 +3,10 @@
 from rbpsym.field import root, substitute, tidy
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.geometry import pair
-from rbpsym.oracles.lagrange import Element, Motion, Scalar, scalar
+from rbpsym.oracles.lagrange import Element, FreeMotion, Scalar, scalar
 
 
-def work(element: Element, motion: Motion, name: str) -> Scalar:
+def work(element: Element, motion: FreeMotion, name: str) -> Scalar:
     """Along one direction in its sense, else with v = √(V·V)."""
     place = motion.where(element["on"])
     relative = (motion.velocity(place) - pair(element["medium"])).settled()

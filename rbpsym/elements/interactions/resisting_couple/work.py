@@ -2,10 +2,10 @@
 
 from rbpsym.field import substitute
 from rbpsym.mechanics.friction import resistances
-from rbpsym.oracles.lagrange import Element, Motion, Scalar, derivative, scalar
+from rbpsym.oracles.lagrange import Element, FreeMotion, Scalar, derivative, scalar
 
 
-def work(element: Element, motion: Motion, name: str) -> Scalar:
+def work(element: Element, motion: FreeMotion, name: str) -> Scalar:
     """φ is the angle of the second, seen from the first."""
     first, second = element["between"]
     twist, sense = motion.angle(second) - motion.angle(first), resistances(motion.system)[element.name].sense or 1

@@ -1,9 +1,9 @@
 """k (distance − natural length) along the line of its ends; k times the vector between them where it is slack at no length."""
 
-from rbpsym.mechanics.interactions import HALF, Element, Force, Law, Scalar, Setting, ends, scalar, stretch, sure_distance
+from rbpsym.mechanics.interactions import HALF, Element, Force, Law, LawSetting, Scalar, ends, scalar, stretch, sure_distance
 
 
-def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:
+def _forces(element: Element, setting: LawSetting) -> tuple[Force, ...]:
     k, natural = scalar(element["stiffness"]), scalar(element["natural_length"])
     if not natural:
         first, second = element["between"]
@@ -12,7 +12,7 @@ def _forces(element: Element, setting: Setting) -> tuple[Force, ...]:
     return ends(element, setting, unit * (k * (distance - natural)))
 
 
-def _energy(element: Element, setting: Setting) -> Scalar:
+def _energy(element: Element, setting: LawSetting) -> Scalar:
     k, natural = scalar(element["stiffness"]), scalar(element["natural_length"])
     if not natural:
         first, second = element["between"]
