@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 from rbpsym.frozen import Frozen
+
+T = TypeVar("T")
 
 
 class Place(Frozen):
@@ -82,3 +86,10 @@ class Undecided(RbpsymError):
     """A question outside the decidable class; `what` says why."""
 
     exit_code = 1
+
+
+def there(value: T | None) -> T:
+    """The value, which is there: whoever stated it has seen to that. Raises ValueError where it is not."""
+    if value is None:
+        raise ValueError("what has to be there is missing")
+    return value

@@ -35,7 +35,7 @@ class Trajectory(Frozen):
 
 def followed(
     rate: Rate,
-    start: Sequence[float],
+    start: Sequence[float] | np.ndarray,
     end: float,
     *,
     events: Sequence[Event] = (),

@@ -17,7 +17,7 @@ from rbpsym.decide.equal import scalars_equal
 from rbpsym.decide.verdict import PROVED, Verdict, all_of, proved, undecided
 from rbpsym.elements.interactions import INTERACTIONS
 from rbpsym.elements.kinds import KindParts
-from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.errors import LimitError, NotApplicable, there
 from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, at_most, derivative, names_in, substitute, symbol, total
 from rbpsym.field.division import vanishes_on
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
@@ -91,13 +91,13 @@ def _determinant(rows: list[list[int]]) -> int:
     return product
 
 
-def friction_forces(motion, dynamics: Dynamics) -> dict[str, Scalar]:
+def friction_forces(motion: FreeMotion, dynamics: Dynamics) -> dict[str, Scalar]:
     """For each coordinate Σ -μN ∂(slip)/∂q̇ over the contacts with kinetic friction."""
     rough = [e for e in motion.system.problem.constraints if e.values.get("coefficient") is not None]
     return {name: sum((_share(motion, e, dynamics.reactions, name) for e in rough), NOTHING) for name in motion.names}
 
 
-def _share(motion, element: Element, reactions: Mapping[str, Scalar], name: str) -> Scalar:
+def _share(motion: FreeMotion, element: Element, reactions: Mapping[str, Scalar], name: str) -> Scalar:
     geometry = geometry_of(motion.system)
     met = meeting(element, geometry)
     against = -slip_sense(element, geometry, met)
@@ -105,7 +105,7 @@ def _share(motion, element: Element, reactions: Mapping[str, Scalar], name: str)
     return reactions[element.name] * scalar(element["coefficient"]) * against * derivative(slip, f"{name}_dot")
 
 
-def _velocity(motion, body: str | None, place: Vector) -> Vector:
+def _velocity(motion: FreeMotion, body: str | None, place: Vector) -> Vector:
     """Velocity of the material point of a body at a place, every speed a free symbol."""
     if body is None:
         return ORIGIN
@@ -130,7 +130,8 @@ class FreeMotion(Frozen):
 
     def angle(self, body: str | None) -> Scalar:
         """Angle of a body, 0 for the ground; counter-clockwise positive."""
-        return self.system.bodies[body].pose.angle if body in self.system.bodies else NOTHING
+        state = self.system.bodies.get(body or "")
+        return NOTHING if state is None else state.pose.angle
 
     def own(self, value: Scalar) -> Scalar:
         """An expression of the statement in the coordinates that are left, and their speeds."""
@@ -247,9 +248,10 @@ def _verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> l
 def start_verdict(study: Study) -> Verdict:
     """The same where only the start is told: there Lagrange's expressions, along all variations that the conditions allow,
     vanish in the sum."""
-    system, found = study.system, study.instant
+    system, found = study.system, there(study.instant)
     speeds = by_letters(found.speeds)
-    there, moves = {**found.places, **speeds, **found.accelerations}, {n: symbol(f"variation_of_{n}") for n in system.coordinates}
+    at_start = {**found.places, **speeds, **found.accelerations}
+    moves = {n: symbol(f"variation_of_{n}") for n in system.coordinates}
     held = [(c.value, "") for c in system.implicit] + [(c.value, "_dot") for c in system.speed_ties]
     rows = [total(derivative(value, f"{n}{tail}") * move for n, move in moves.items()) for value, tail in held]
     try:
@@ -257,8 +259,8 @@ def start_verdict(study: Study) -> Verdict:
             known = Dynamics((), (), found.accelerations, found.reactions, {}, {})
             expressions = _with_friction(system, known, lagrange_expressions(system))
             names = tuple(name for move in moves.values() for name in names_in(move))
-            allowed = solve_linear([substitute(row, there) for row in rows], names, keep_free=True).values
-            work = total(substitute(expressions[n], there) * move for n, move in moves.items())
+            allowed = solve_linear([substitute(row, at_start) for row in rows], names, keep_free=True).values
+            work = total(substitute(expressions[n], at_start) * move for n, move in moves.items())
             return scalars_equal(substitute(work, allowed), NOTHING, study.assumptions)
     except (NotApplicable, LimitError) as error:
         return undecided(error.what)

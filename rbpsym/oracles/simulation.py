@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 
-from rbpsym.errors import NotApplicable
+from rbpsym.errors import NoNumber, NotApplicable, there
 from rbpsym.field import NOTHING, Scalar, Vector
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics import energy
@@ -21,10 +21,11 @@ from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import senses
 from rbpsym.mechanics.instant import Instant
 from rbpsym.mechanics.motion import ForceWork
-from rbpsym.mechanics.numbers import NoNumber, Values, number, sample
+from rbpsym.mechanics.numbers import Values, number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
-from rbpsym.oracles.simulation_bodies import Mechanism, laws
+from rbpsym.numeric.integration import Rate
+from rbpsym.oracles.simulation_bodies import Mechanism, State, laws
 from rbpsym.oracles.simulation_contacts import conditions
 from rbpsym.oracles.simulation_joints import with_shares
 from rbpsym.oracles.simulation_motion import Equations, duration, trajectory
@@ -97,8 +98,8 @@ class Bench:
     """A mechanism, states to try it at, and the comparison with what was derived."""
 
     def __init__(self, derived: Derived, numbers: Mapping[str, float] | None = None) -> None:
-        self.derived, self.errors, self.drifts, self.states = derived, Errors(), [], 0
-        self.momentum_drifts, self.gap = [], 0.0
+        self.derived, self.errors, self.drifts, self.states = derived, Errors(), list[float](), 0
+        self.momentum_drifts, self.gap = list[float](), 0.0
         problem = derived.system.problem
         self.sample = {**sample(problem), **(numbers or {})}
         mechanism = Mechanism(problem, self.sample, senses(derived.system))
@@ -112,7 +113,8 @@ class Bench:
         self.equations = Equations(mechanism, laws(mechanism, reader), with_shares(kept, mechanism, reader), idle)
         self.account = {key: k for k, key in enumerate(derived.works)}
         places = (origin for origin, _ in derived.momenta.values())
-        self.levers = [tuple(Values(self.sample).row((o.x, o.y))) for o in places]
+        known = Values(self.sample)
+        self.levers = [(known.of(o.x), known.of(o.y)) for o in places]
 
     # --- states
 
@@ -187,7 +189,7 @@ class Bench:
         self.momentum_drifts.append(_spread(np.array(momenta), self.equations.momentum(start.speed)))
         mechanism.clock = began
 
-    def rate(self, account: Mapping[tuple[str, str, bool], int] | None = None):
+    def rate(self, account: Mapping[tuple[str, str, bool], int] | None = None) -> Rate:
         """d/dt of (X, V, works, torque impulses, t); without an account of (X, V, t)."""
         size, equations = self.equations.size, self.equations
 
@@ -202,7 +204,7 @@ class Bench:
 
         return rate
 
-    def _compare(self, where: np.ndarray, speed: np.ndarray, near: Sequence[float]):
+    def _compare(self, where: np.ndarray, speed: np.ndarray, near: State) -> tuple[np.ndarray, Values, dict[str, float]]:
         """q̈ and the unknown forces at one state; returns (q, derived numbers, simulated forces)."""
         balance, placement = self.equations.at(where, speed), self.placement
         x, v = where.tolist(), speed.tolist()
@@ -306,7 +308,7 @@ def simulate_start(study: Study, found: Instant, numbers: Mapping[str, float] | 
     """Speeds that follow, accelerations and unknown forces at the start, put to the test. Raises as `simulate`."""
     bench = Bench(Derived(study.system, told(study)), numbers)
     bench.placement.mechanism.clock = 0.0
-    start = bench.declared_start(found.sought)
+    start = there(bench.declared_start(found.sought))
     bench.compare_start(start)
     for name, value in found.speeds.items():
         rate = start.rates[bench.placement.names.index(name)]

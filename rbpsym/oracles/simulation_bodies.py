@@ -7,11 +7,14 @@ is X = (x, y, φ) and V = dX/dt of all bodies in a row; angles and torques are c
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 from rbpsym.elements.interactions import INTERACTIONS
 from rbpsym.elements.kinds import KindParts
+from rbpsym.errors import there
 from rbpsym.expr.tree import Node, Sym, walk
 from rbpsym.field import Scalar
 from rbpsym.field.evaluate import scalar
@@ -20,7 +23,7 @@ from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.numbers import Values
 from rbpsym.statement.model import Body, Element, PointRef, Problem
 
-State = list[float]
+State = Sequence[float] | np.ndarray  # of all bodies, X or V
 
 
 class Spot(Frozen):
@@ -103,13 +106,13 @@ class Mechanism:
 
     def body_number(self, name: str | None) -> int:
         """Index of a body, -1 for the ground."""
-        return self.place.get(name, -1)
+        return self.place.get(name or "", -1)
 
     def spot(self, ref: PointRef) -> Spot:
         """The point that a reference means."""
         if ref.body is None:
-            return Spot(-1, *self.pair(ref.at))
-        return self.spot_of(self.problem.body(ref.body), ref.point)
+            return Spot(-1, *self.pair(there(ref.at)))
+        return self.spot_of(self.problem.body(ref.body), there(ref.point))
 
     def spot_of(self, body: Body, point: str) -> Spot:
         """A named point of a body."""

@@ -11,14 +11,16 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.elements.kinds import KindParts
+from rbpsym.field.elliptic import FUNCTIONS
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.numbers import FUNCTIONS, Values
+from rbpsym.mechanics.numbers import Values
 from rbpsym.oracles.simulation_bodies import Mechanism, Spot, State
 from rbpsym.oracles.simulation_joints import Drag, Entries, Kept, StateRow
 from rbpsym.statement.model import Element, PointRef
@@ -125,24 +127,26 @@ def _bent(element: Element, mechanism: Mechanism, start: State) -> CurveAtState:
     side, place = -1 if element.values.get("side") == "negative" else 1, (scalar(bend.x), scalar(bend.y))
 
     def at(u: complex) -> np.ndarray:
-        return np.array(Values({**mechanism.numbers, bend.name: u}, COMPLEX_FUNCTIONS).row(place))
+        known: dict[str, Any] = {**mechanism.numbers, bend.name: u}  # a complex one: of it derivatives are taken
+        return np.array(Values(known, COMPLEX_FUNCTIONS).row(place))
 
     def along(u: complex) -> np.ndarray:
-        return (8 * (at(u + H) - at(u - H)) - at(u + 2 * H) + at(u - 2 * H)) / (12 * H)
+        return np.asarray((8 * (at(u + H) - at(u - H)) - at(u + 2 * H) + at(u - 2 * H)) / (12 * H))
 
     def apart(where: Complex, u: complex) -> np.ndarray:
-        return np.array(spot_at(touching, where)) - at(u)
+        return np.asarray(np.array(spot_at(touching, where)) - at(u))
 
     first = list(map(complex, start))
     last = [min(np.linspace(-8.0, 8.0, 1601), key=lambda u: np.nan_to_num(np.linalg.norm(apart(first, u)), nan=np.inf))]
 
     def parameter(where: Complex) -> complex:
         if bend.axis:
-            return spot_at(touching, where)["xy".index(bend.axis)]
+            x, y = spot_at(touching, where)
+            return x if bend.axis == "x" else y
         u = complex(last[0])
         for _ in range(NEWTON):
             way = along(u)
-            u += way.dot(apart(where, u)) / way.dot(way)
+            u += complex(way.dot(apart(where, u)) / way.dot(way))
         last[0] = u.real
         return u
 
@@ -153,7 +157,7 @@ def _bent(element: Element, mechanism: Mechanism, start: State) -> CurveAtState:
 
     def gap(where: Complex) -> complex:
         (x, y), (nx, ny) = apart(where, parameter(where)), normal(where)
-        return x * nx + y * ny
+        return complex(x * nx + y * ny)
 
     return CurveAtState(gap, normal, touching, 0.0, -1)
 
@@ -174,19 +178,24 @@ def _line(element: Element, mechanism: Mechanism, start: State) -> CurveAtState:
         (x, y), (nx, ny) = spot_at(frame, where), across(where)
         return (point[0] - x) * nx + (point[1] - y) * ny - c
 
-    side = _side(
-        element, touching, bearer, lambda p: height(list(map(complex, start)), p).real, across(start)[1].real, start
-    )
+    def upward(where: Complex) -> Point:
+        x, y = across(where)
+        return side * x, side * y
+
+    first = list(map(complex, start))
+    side = _side(element, touching, bearer, lambda p: height(first, p).real, across(first)[1].real, start)
     return CurveAtState(
         lambda where: side * height(where, spot_at(touching, where)) - rim,
-        lambda where: tuple(side * n for n in across(where)),
+        upward,
         touching,
         rim,
         bearer,
     )
 
 
-def _side(element: Element, touching: Spot, bearer: int, height, rise: float, start: State) -> int:
+def _side(
+    element: Element, touching: Spot, bearer: int, height: Callable[[tuple[float, float]], float], rise: float, start: State
+) -> int:
     stated = element.values.get("side", "positive")
     if stated != "auto":
         return 1 if stated == "positive" else -1

@@ -6,7 +6,8 @@ unknown forces are the multipliers λ. Nothing of the symbolic solution is used.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -76,7 +77,7 @@ class Equations:
         """Σ ½ M V² + ½ I_cm ω²."""
         return 0.5 * float(self.masses @ (speed * speed))
 
-    def powers(self, speed: np.ndarray, balance: Response, account: dict[tuple[str, str, bool], int]) -> list[float]:
+    def powers(self, speed: np.ndarray, balance: Response, account: Mapping[tuple[str, str, bool], int]) -> list[float]:
         """Power of every force on every body, F·V_cm and τ_cm ω apart, in the order of `account`."""
         found, names, speeds = [0.0] * len(account), self.mechanism.problem.body_names, speed.tolist()
         for name, column, push in self._pushes(balance) if account else ():
@@ -116,7 +117,7 @@ def duration(where_rate: np.ndarray, gained: np.ndarray, reach: float) -> float:
     speed, gain = (float(np.abs(values * scale).max(initial=0.0)) for values in (where_rate, gained))
     if speed < 1e-9 and gain < 1e-9:
         return 0.1
-    return min(2.0, 0.8 / (speed + (speed * speed + 0.8 * gain) ** 0.5))
+    return min(2.0, 0.8 / (speed + math.sqrt(speed * speed + 0.8 * gain)))
 
 
 def trajectory(rate: Rate, start: np.ndarray, time: float) -> list[np.ndarray]:

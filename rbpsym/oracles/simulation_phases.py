@@ -15,7 +15,7 @@ import numpy as np
 
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.elements.kinds import KindParts
-from rbpsym.errors import NotApplicable
+from rbpsym.errors import NotApplicable, there
 from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.numbers import number, samples
@@ -26,7 +26,7 @@ from rbpsym.oracles.simulation import Bench, Derived, Errors, SimulationReport, 
 from rbpsym.oracles.simulation_bodies import Mechanism, placed
 from rbpsym.oracles.simulation_contacts import ROWS, slipping
 from rbpsym.oracles.simulation_joints import Kept
-from rbpsym.oracles.simulation_placement import dotted
+from rbpsym.oracles.simulation_placement import Start, dotted
 from rbpsym.statement.model import Element, Phase, PointRef, Problem
 
 LONGEST = 200.0  # lengths of the usual motion in which an event must have come
@@ -51,7 +51,7 @@ def simulate_problem(study: Study) -> SimulationReport:
 
 def _parameters(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
     """Numbers at which the motion comes to all phases."""
-    asked = [demand.value for stage in parts[1:] for demand in stage.began.before.valid]
+    asked = [demand.value for stage in parts[1:] for demand in there(stage.began).before.valid]
     fitting = (found for found in samples(problem) if all(number(value, found) > 0 for value in asked))
     numbers = next(fitting, None)
     if numbers is None:
@@ -61,7 +61,7 @@ def _parameters(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
 
 def followed(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
     """Relative differences between derived and simulated events and impulses, by phase and quantity."""
-    numbers, found = _parameters(problem, parts), {}
+    numbers, found = _parameters(problem, parts), dict[str, float]()
     for phase, before, after in zip(problem.phases, parts, parts[1:], strict=False):
         errors = Errors()
         _compare(phase, before.study, after, numbers, errors)
@@ -82,7 +82,7 @@ def _compare(
     ended: Callable[[float], object] = lambda time: None,
 ) -> None:
     """`ended` is told how long the phase before has lasted."""
-    bench, next_bench, began = _bench(study, numbers), _bench(after.study, numbers), after.began
+    bench, next_bench, began = _bench(study, numbers), _bench(after.study, numbers), there(after.began)
     derived = {name: number(value, numbers) for name, value in began.before.places.items()}
     end = _end(bench, phase, study, derived, numbers)
     ended(end.time)
@@ -101,7 +101,9 @@ def _compare(
     errors.note("energy", "lost", number(began.energy_lost, numbers), lost)
 
 
-def _note(errors: Errors, kind: str, bench: Bench, derived: Mapping[str, Scalar], numbers, seen: np.ndarray) -> None:
+def _note(
+    errors: Errors, kind: str, bench: Bench, derived: Mapping[str, Scalar], numbers: Mapping[str, float], seen: np.ndarray
+) -> None:
     for name, value in zip(bench.placement.names, seen, strict=True):
         errors.note(kind, name, number(derived[name], numbers), float(value))
 
@@ -109,7 +111,7 @@ def _note(errors: Errors, kind: str, bench: Bench, derived: Mapping[str, Scalar]
 # --- the event
 
 
-def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], numbers) -> End:
+def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], numbers: Mapping[str, float]) -> End:
     """The simulated state at the event. Raises NotApplicable if it does not come."""
     bench.placement.mechanism.clock = 0.0
     start = bench.declared_start()
@@ -120,19 +122,19 @@ def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float],
     if _is_idle(bench, start):
         start = _on_the_way(bench, study, derived)
     if phase.event == "time":
-        end = bench.placement.mechanism.number(phase.value)
+        end = bench.placement.mechanism.number(there(phase.value))
         return _seen(bench, start, lambda time, where, speed: time - end)
     watch = WATCHES[phase.event](bench, phase, start)
     return _seen(bench, start, lambda time, where, speed: watch(where, speed))
 
 
-def _is_idle(bench: Bench, start) -> bool:
+def _is_idle(bench: Bench, start: Start) -> bool:
     """At rest where nothing moves it: on top of a sphere, say, which it leaves in no finite time."""
     gained = bench.equations.at(start.where, start.speed).gained
-    return max(np.abs(gained).max(), np.abs(start.speed).max()) < 1e-9
+    return float(max(np.abs(gained).max(), np.abs(start.speed).max())) < 1e-9
 
 
-def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]):
+def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]) -> Start:
     """Half-way to the event, with the speed from the first integral."""
     [name] = study.squares
     known = {**bench.sample, **derived}
@@ -142,7 +144,7 @@ def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]):
     return bench.start({name: here}, {name: rate if derived[name] > begin else -rate}, (name,))
 
 
-def _seen(bench: Bench, start, watch: Callable[[float, np.ndarray, np.ndarray], float]) -> End:
+def _seen(bench: Bench, start: Start, watch: Callable[[float, np.ndarray, np.ndarray], float]) -> End:
     """The first change of sign along the motion."""
     size, step = bench.equations.size, bench.usual_time(start)
     event = integration.Event(lambda time, state: watch(time, state[:size], state[size : 2 * size]))
@@ -155,18 +157,19 @@ def _seen(bench: Bench, start, watch: Callable[[float, np.ndarray, np.ndarray], 
     return End(time, state[:size], state[size : 2 * size])
 
 
-def _watch_slip(bench: Bench, phase: Phase, start) -> Watch:
-    element = _element(bench, phase.subject)
+def _watch_slip(bench: Bench, phase: Phase, start: Start) -> Watch:
+    element = _element(bench, there(phase.subject))
     row = slipping(element, bench.placement.mechanism, start.where.tolist())
     return lambda where, speed: dotted(row.at(where.tolist(), speed.tolist()).entries, speed.tolist())
 
 
-def _watch_push(bench: Bench, phase: Phase, start) -> Watch:
-    return lambda where, speed: bench.multipliers(where, speed)[phase.subject]
+def _watch_push(bench: Bench, phase: Phase, start: Start) -> Watch:
+    subject = there(phase.subject)
+    return lambda where, speed: bench.multipliers(where, speed)[subject]
 
 
-def _watch_grip(bench: Bench, phase: Phase, start) -> Watch:
-    element = _element(bench, phase.subject)
+def _watch_grip(bench: Bench, phase: Phase, start: Start) -> Watch:
+    element = _element(bench, there(phase.subject))
     limit = bench.placement.mechanism.number(element["limit"])
 
     def left(where: np.ndarray, speed: np.ndarray) -> float:
@@ -176,9 +179,9 @@ def _watch_grip(bench: Bench, phase: Phase, start) -> Watch:
     return left
 
 
-def _watch_value(bench: Bench, phase: Phase, start) -> Watch:
-    target = bench.placement.mechanism.number(phase.value)
-    place, near = bench.placement.names.index(phase.subject), [start.q]
+def _watch_value(bench: Bench, phase: Phase, start: Start) -> Watch:
+    target = bench.placement.mechanism.number(there(phase.value))
+    place, near = bench.placement.names.index(there(phase.subject)), [start.q]
 
     def ahead(where: np.ndarray, speed: np.ndarray) -> float:
         near[0] = bench.placement.coordinates(where.tolist(), near[0])
@@ -187,8 +190,8 @@ def _watch_value(bench: Bench, phase: Phase, start) -> Watch:
     return ahead
 
 
-def _watch_speed(bench: Bench, phase: Phase, start) -> Watch:
-    place, near = bench.placement.names.index(phase.subject), [start.q]
+def _watch_speed(bench: Bench, phase: Phase, start: Start) -> Watch:
+    place, near = bench.placement.names.index(there(phase.subject)), [start.q]
 
     def left(where: np.ndarray, speed: np.ndarray) -> float:
         near[0] = bench.placement.coordinates(where.tolist(), near[0])
@@ -197,14 +200,14 @@ def _watch_speed(bench: Bench, phase: Phase, start) -> Watch:
     return left
 
 
-def _watch_gap(bench: Bench, phase: Phase, start) -> Watch:
-    mechanism = copy(bench.placement.mechanism)
-    mechanism.slips = {phase.gap.name: 1}  # whatever it is: the gap does not ask
-    [kept, *_] = met(phase.gap, mechanism, start.where.tolist())
+def _watch_gap(bench: Bench, phase: Phase, start: Start) -> Watch:
+    mechanism, gap = copy(bench.placement.mechanism), there(phase.gap)
+    mechanism.slips = {gap.name: 1}  # whatever it is: the gap does not ask
+    [kept, *_] = met(gap, mechanism, start.where.tolist())
     return lambda where, speed: kept.at(where.tolist(), speed.tolist()).value
 
 
-WATCHES: Mapping[str, Callable[[Bench, Phase, object], Watch]] = {
+WATCHES: Mapping[str, Callable[[Bench, Phase, Start], Watch]] = {
     "no slip": _watch_slip,
     "slips": _watch_grip,
     "lost": _watch_push,

@@ -6,7 +6,7 @@ squares through these relations alone. A state to start from satisfies every con
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -19,6 +19,7 @@ from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import Values
 from rbpsym.oracles.simulation_bodies import Mechanism, State
 from rbpsym.oracles.simulation_joints import Condition, Entries, Kept, component, turn
+from rbpsym.statement.model import Body
 
 MOST_STEPS = 30
 CLOSE = 1e-15
@@ -63,7 +64,12 @@ class Placing(Frozen):
 
 def dotted(entries: Entries, values: State) -> float:
     """Σ entry × value."""
-    return sum(entry * values[column] for column, entry in entries)
+    return sum((entry * float(values[column]) for column, entry in entries), 0.0)
+
+
+def nearest(slopes: np.ndarray, values: State) -> np.ndarray:
+    """The least x by which slopes · x comes nearest to the values."""
+    return np.asarray(np.linalg.lstsq(slopes, np.array(values), rcond=None)[0])
 
 
 class Placement:
@@ -74,7 +80,7 @@ class Placement:
         self.names = tuple(c.name for c in mechanism.problem.coordinates)
         self.links = [link for body in mechanism.problem.bodies for link in self._links(body)]
 
-    def _links(self, body) -> list[Placing]:
+    def _links(self, body: Body) -> list[Placing]:
         k, found = self.mechanism.place[body.name], []
         if body.placed is not None:
             point, place = body.placed
@@ -109,7 +115,7 @@ class Placement:
         for _ in range(MOST_STEPS):
             known = Values(self.numbers(q))
             gap = [value - known.of(link.stated.value) for value, link in zip(seen, self.links, strict=True)]
-            step = np.linalg.lstsq(self.slopes(known), np.array(gap), rcond=None)[0]
+            step = nearest(self.slopes(known), gap)
             q = q + step
             if np.abs(step).max(initial=0.0) < CLOSE * (1 + np.abs(q).max(initial=0.0)):
                 break
@@ -119,7 +125,7 @@ class Placement:
         """q̇ of the velocities of the bodies."""
         known = Values(self.numbers(q))
         seen = [dotted(link.of(where, speed).entries, speed) - known.of(link.stated.drift) for link in self.links]
-        return np.linalg.lstsq(self.slopes(known), np.array(seen), rcond=None)[0]
+        return nearest(self.slopes(known), seen)
 
     def accelerations(self, q: State, rates: State, where: State, speed: State, gained: State) -> np.ndarray:
         """q̈ of the accelerations `gained` of the bodies."""
@@ -127,7 +133,7 @@ class Placement:
         for link in self.links:
             row = link.of(where, speed)
             seen.append(dotted(row.entries, gained) + row.bias - known.of(link.stated.bend))
-        return np.linalg.lstsq(self.slopes(known), np.array(seen), rcond=None)[0]
+        return nearest(self.slopes(known), seen)
 
     def state(self, where: State, speed: State, guess: State) -> tuple[np.ndarray, np.ndarray]:
         """(q, q̇) of a state of the bodies."""
@@ -188,7 +194,7 @@ class Conditions:
             rows.append(self._row([(column, 1.0)], None))
         return np.array(values), np.array(rows).reshape(-1, len(z)), np.array(drifts)
 
-    def _row(self, entries, slopes) -> list[float]:
+    def _row(self, entries: Entries, slopes: Sequence[float] | None) -> list[float]:
         row = [0.0] * (self.count + 3 * len(self.placement.mechanism.centers))
         if slopes is not None:
             row[: self.count] = [-slope for slope in slopes]
@@ -205,7 +211,7 @@ def _settled(conditions: Conditions, guess: np.ndarray, held: Collection[int]) -
         if np.abs(values).max(initial=0.0) < 1e-14:
             return z
         places = conditions.places
-        z[free] -= np.linalg.lstsq(slopes[np.ix_(places, free)], values[places], rcond=None)[0]
+        z[free] -= nearest(slopes[places][:, free], values[places])
     if np.abs(conditions.at(z)[0][conditions.places]).max(initial=0.0) > 1e-10:
         raise NotApplicable("no state of the bodies that satisfies all constraints was found near the sample state")
     return z
