@@ -50,6 +50,18 @@ const ACTS = {
     await page.waitForTimeout(300);
     return { before, after, tip, start, dragged: (await readings(page))["p.theta_0"], length: (await readings(page))["p.ell"], said: await page.textContent("#status") };
   },
+  numbers: async (page) => {
+    const at = async (x, y) => { const box = await page.locator("#curves").boundingBox(); return [box.x + x * box.width, box.y + y * box.height]; };
+    await page.selectOption("#curves-kind", "portrait");
+    await page.locator("#curves").scrollIntoViewIfNeeded();
+    await page.mouse.move(...(await at(0.5, 0.05)));
+    await page.mouse.down();
+    await page.mouse.up();
+    const top = await readings(page), ends = await page.locator("#curves text").allTextContents(), said = await page.locator("#places").textContent();
+    const field = page.locator('[data-number="Omega"]'), seen = [];
+    for (const text of ["40", "-1"]) { await field.fill(text); await field.press("Enter"); seen.push(await field.inputValue()); }
+    return { top, ends, said, seen };
+  },
   predict: async (page) => {
     const said = {}, told = () => page.textContent("#outcome");
     await page.click("#predict summary");

@@ -46,13 +46,28 @@ function slider(one) {
   const input = element("input", { type: "range", id, min: least, max: most, step: (most - least) / 200, "data-name": one.name });
   input.setAttribute("aria-label", [one.spoken, one.meaning].filter(Boolean).join(", "));
   const reading = new Reading("p." + one.name, one.unit, size);
-  const tell = () => { reading.set(state.numbers[one.name]); input.setAttribute("aria-valuetext", reading.node.textContent); };
+  const field = element("input", { type: "number", step: "any", "data-number": one.name, "aria-label": input.getAttribute("aria-label") + " (" + (one.unit || "1") + ")" });
+  const tell = () => {
+    reading.set(state.numbers[one.name]);
+    input.setAttribute("aria-valuetext", reading.node.textContent);
+    field.value = Number((state.numbers[one.name] / size).toPrecision(6));
+  };
   input.value = now;
   tell();
+  reading.node.hidden = true; // the field shows it
   input.addEventListener("input", () => { state.numbers[one.name] = Number(input.value); tell(); soon(); });
   input.addEventListener("change", () => tells("changed", { name: one.name }));
-  const name = element("span", { class: "slider-name" }, [formula(one), " ", reading.node]);
-  return element("div", { class: "slider", title: one.meaning }, [element("label", { for: id }, name), input]);
+  field.addEventListener("change", () => { if (typed(one, field.valueAsNumber * size, input)) { soon(); tells("changed", { name: one.name }); } tell(); });
+  const name = element("label", { for: id, class: "slider-name" }, formula(one));
+  return element("div", { class: "slider", title: one.meaning }, [name, " ", field, one.unit ? "\u202f" + one.unit : "", reading.node, input]);
+}
+
+/** A number that was typed counts, also beyond the ends of its slider; where only positive ones make sense, others do not. */
+function typed(one, value, input) {
+  if (!Number.isFinite(value) || (one.least > 0 && value <= 0) || (one.least === 0 && value < 0)) return false;
+  state.numbers[one.name] = value;
+  Object.assign(input, { min: Math.min(input.min, value), max: Math.max(input.max, value), value });
+  return true;
 }
 
 let waiting = 0;
@@ -168,7 +183,7 @@ function seeker(motion, place, name) {
   const of = motion.data.coordinates[name], values = motion.frames.map((frame) => coordinate(motion, frame, name));
   const least = Math.min(...values), most = Math.max(...values), id = `place-${place}-${name}`;
   const input = element("input", { type: "range", id, min: least, max: most, step: (most - least) / 500 || 1 });
-  const several = state.motions.length > 1 ? motion.data.title : "";
+  const several = state.motions.length > 1 ? motion.data.title : "", wraps = comesBack(motion, name);
   input.setAttribute("aria-label", [of.here.spoken, of.meaning, several].filter(Boolean).join(", "));
   input.disabled = !(most - least > 1e-9);
   const reading = new Reading(`${place}.at.${name}`, of.unit, of.size);
@@ -176,6 +191,7 @@ function seeker(motion, place, name) {
     const moment = motion.at(state.time), value = moment.out[moment.data.coordinates[name]];
     if (document.activeElement !== input || state.playing) input.value = value;
     reading.set(value);
+    if (wraps && value !== wrapped(value)) reading.node.textContent += told("turns_more", { angle: shown(wrapped(value) / of.size), turns: Math.round(value / TURN) });
     input.setAttribute("aria-valuetext", reading.node.textContent);
   };
   input.addEventListener("input", () => { pause(); seek(momentOf(motion, values, Number(input.value))); });
@@ -231,7 +247,8 @@ function tick(now) {
 // --- the page around: it hears what happens and may set numbers, the time and whether it plays
 
 function tells(event, keys = {}) {
-  if (window.parent !== window) window.parent.postMessage({ rbpsym: 1, event, time: state.time, numbers: { ...state.numbers }, ...keys }, "*");
+  const own = Object.fromEntries([...NUMBERS].filter(([name, one]) => state.numbers[name] !== one.value).map(([name]) => [name, state.numbers[name]]));
+  if (window.parent !== window) window.parent.postMessage({ rbpsym: 1, event, time: state.time, numbers: { ...state.numbers }, own, ...keys }, "*");
 }
 
 window.addEventListener("message", ({ data, source }) => {
@@ -268,6 +285,7 @@ function reset() {
   sliders();
   rebuild();
   restart();
+  tells("changed", { name: "reset" });
 }
 
 byId("play").addEventListener("click", () => (state.playing ? pause() : play()));
@@ -281,7 +299,7 @@ byId("predict").addEventListener("toggle", () => predicting(byId("predict").open
 byId("curves-kind").addEventListener("change", () => { curves(); seek(state.time); });
 byId("line-of").addEventListener("change", (event) => { state.change.force = event.target.value; aside(0); });
 byId("line-aside").addEventListener("input", (event) => { pause(); aside(Number(event.target.value)); });
-const seeking = (event) => { const box = byId("curves").getBoundingClientRect(); if (state.curves && state.curves.isInTime && event.buttons) { pause(); seek(state.curves.timeAt(((event.clientX - box.left) / box.width) * WIDE)); } };
+const seeking = (event) => { const box = byId("curves").getBoundingClientRect(); if (state.curves && event.buttons) { pause(); seek(state.curves.timeAt(((event.clientX - box.left) / box.width) * WIDE, ((event.clientY - box.top) / box.height) * HIGH)); } };
 byId("curves").addEventListener("pointerdown", seeking);
 byId("curves").addEventListener("pointermove", seeking);
 document.addEventListener("keydown", (event) => {
