@@ -45,8 +45,13 @@ class Refused(Frozen):
 
 def own_answers(study: Study) -> Iterator[Answer | Refused]:
     """What the problem of a study asks itself, each with its answer or with the sentence why there is none."""
+    return answered_all(study, letters(study))
+
+
+def answered_all(study: Study, questions: Mapping[str, str]) -> Iterator[Answer | Refused]:
+    """The same of questions, each with the letter by which its answer is called."""
     asked = Asked(study.problem, study)
-    for text, letter in letters(study).items():
+    for text, letter in questions.items():
         try:
             if (text, letter) not in study.answered:
                 study.answered[text, letter] = answered(asked, text, letter)

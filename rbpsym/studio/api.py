@@ -24,6 +24,7 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.field import Scalar
 from rbpsym.languages import title_in
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.step import Derivation
@@ -134,21 +135,26 @@ def notes(text: str, language: str = "en", detail: str = "standard") -> Answer:
 
 def glance(text: str, language: str = "en") -> Answer:
     """{title, figure, alt, motion, forces}: what is known at once: the drawing (SVG); accelerations and forces as MathML."""
+    known = study(text)
+    motion, forces = _solved(known, Notation(known.problem.notation))
+    title = known.problem.title.get(language) or known.problem.name
+    return {"title": title, **_drawn(known, language), "motion": motion, "forces": forces}
+
+
+def picture(name: str, language: str = "en") -> Answer:
+    """{figure, alt}: the drawing (SVG) of a problem that ships."""
+    return _drawn(study_of(problem_of(statement(name)["text"])), language)
+
+
+def _drawn(known: Study, language: str) -> Answer:
     from rbpsym.document.notes_figures import system_figure
     from rbpsym.document.words import Words
     from rbpsym.pictures.figures.svg import to_svg
 
-    known = study(text)
     said = Words(language, known.problem)
-    motion, forces = _solved(known, said.notation)
     drawn = None if known.problem.is_at_rest else system_figure(Derivation(known, ()), said)
-    return {
-        "title": known.problem.title.get(language) or known.problem.name,
-        "figure": "".join(to_svg(scene, said.notation) for scene in drawn.scenes) if drawn else "",
-        "alt": drawn.alt if drawn else "",
-        "motion": motion,
-        "forces": forces,
-    }
+    scenes = "".join(to_svg(scene, said.notation) for scene in drawn.scenes) if drawn else ""
+    return {"figure": scenes, "alt": drawn.alt if drawn else ""}
 
 
 def _solved(known: Study, notation: Notation) -> tuple[list[str], list[str]]:
@@ -167,11 +173,13 @@ def _values(found: Mapping[str, Scalar], known: Study) -> list[t.Node]:
     return [node for node in nodes if sum(1 for _ in t.walk(node)) <= GLANCE]
 
 
-def answers(text: str) -> list[Answer]:
-    """[{question, shown, verdict, says, where}]: each question with its answer, `shown` and `where` as MathML."""
-    from rbpsym.ask.asking import own_answers
+def answers(text: str, questions: list[str] = NONE) -> list[Answer]:
+    """[{question, shown, verdict, says, where}]: its own questions, or these, with answers; `shown` and `where` as MathML."""
+    from rbpsym.ask.asking import answered_all, own_answers
+    from rbpsym.ask.certified import LETTER
 
-    return list(map(_told, own_answers(study(text))))
+    known = study(text)
+    return list(map(_told, answered_all(known, dict.fromkeys(questions, LETTER)) if questions else own_answers(known)))
 
 
 def _told(found: Any) -> Answer:
@@ -280,19 +288,25 @@ def _tutor(text: str, language: str) -> Any:
 
 
 def letters(text: str, language: str = "en") -> Answer:
-    """{letters}: the names that a student will type."""
-    return {"letters": _tutor(text, language).letters}
+    """{letters, shown}: the names that a student will type, and how they are printed (MathML)."""
+    tutor = _tutor(text, language)
+    return {"letters": tutor.letters, "shown": list(map(tutor.shown, tutor.letters))}
+
+
+def typed(text: str, line: str, language: str = "en") -> Answer:
+    """{math}: a line as it is printed (MathML); "" as long as it can't be read."""
+    return {"math": _tutor(text, language).shown(line)}
 
 
 def judge(text: str, line: str, lines: list[str] = NONE, language: str = "en") -> Answer:
-    """{verdict, says, step, principle, choices} of a student's line, typed plainly or LaTeX; `lines` are those above it.
+    """{verdict, says, math, step, principle, choices} of a student's line, typed plainly or LaTeX; `lines` are those above it.
 
     Where the line is one of the principles `choices` [{key, words}], the student may be asked which (`principle` is its key).
     """
     tutor = _tutor(text, language)
     found = tutor.judge(line, lines)
     asked = tutor.principles() if found.principle else []
-    told = {"verdict": found.verdict, "says": found.says, "step": found.step}
+    told = {"verdict": found.verdict, "says": found.says, "math": tutor.shown(line), "step": found.step}
     return {**told, "principle": found.principle, "choices": asked}
 
 
@@ -302,7 +316,7 @@ def hint(text: str, lines: list[str] = NONE, depth: int = 1, language: str = "en
 
 
 def record(text: str, lines: list[str], language: str = "en") -> Answer:
-    """{problem, lines: [{line, verdict, says}], steps, all}: what a student hands in."""
+    """{problem, title, lines: [{line, verdict, says}], steps, all}: what a student hands in."""
     found: Answer = _tutor(text, language).record(lines)
     return found
 
@@ -315,7 +329,7 @@ def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
     one.__name__: one
     for one in (
-        schema, gallery, statement, glance, notes, answers, explorer, export, worksheet, check, completions, letters, judge,
-        hint, record,
+        schema, gallery, statement, picture, glance, notes, answers, explorer, export, worksheet, check, completions, letters,
+        typed, judge, hint, record,
     )
 }  # fmt: skip

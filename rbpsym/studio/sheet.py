@@ -7,7 +7,7 @@ constant. Else it holds if one of the checks of steps proves it: as an identity,
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from functools import cached_property, partial
 from types import MappingProxyType
@@ -33,6 +33,7 @@ from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.typeset.latex import to_latex
 
 CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
+NAMED = frozenset({"E", "I", "K", "U"})  # energies and moments of inertia: what else of the derivation's letters a student will type
 IN_STATES, ORDERS = (checks.identity, checks.on_motion, checks.along_motion), ("<", "<=", ">", ">=")
 INEQUALITY, PRINTED = re.compile(r"[<>≤≥]"), re.compile(r"[\\']")
 
@@ -90,7 +91,17 @@ class PhaseSheet(Frozen):
         problem = self.derivation.study.problem
         found = book(self.names | self._rates.keys(), problem.notation, self.language, problem.names_in(self.language))
         free = {way: name for way, name in self._ground.book.typed.items() if way not in found.names}
-        return replace(found, typed=MappingProxyType(free | dict(found.typed)))
+        alone = {name.partition("_")[0]: name for name in self.named if self._stems.count(name.partition("_")[0]) == 1}
+        return replace(found, typed=MappingProxyType({**alone, **free, **found.typed}))
+
+    @cached_property
+    def named(self) -> tuple[str, ...]:
+        """The energies and moments of inertia that the derivation has letters for; of one kind alone its stem may be typed (U)."""
+        return tuple(sorted(n for n in self.own & self.context.scalars.keys() if n.partition("_")[0] in NAMED))
+
+    @property
+    def _stems(self) -> list[str]:
+        return [name.partition("_")[0] for name in self.named]
 
     @cached_property
     def _rates(self) -> dict[str, t.Deriv]:
@@ -134,6 +145,12 @@ class PhaseSheet(Frozen):
             with suppress(ReadError):  # in letters that students use untold
                 return self._typed(line)
             raise error
+
+    def readings(self, line: str) -> Iterator[t.Node]:
+        """What a line may mean: I, which nobody has told, is that about the centre of mass or about a point. Raises ReadError."""
+        yield (read := self.read(line))
+        if "I" in t.names(read) - self.own:
+            yield from (t.renamed(read, {"I": t.Sym(name)}) for name in self.named if name.startswith("I_"))
 
     def _typed(self, line: str) -> t.Node:
         return self._with_rates(read_formula(line, self._book, labels=False))

@@ -8,6 +8,7 @@ the reason. A hint tells the next step that can be made: its sentence, then its 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from functools import cached_property
 from typing import Any
 
@@ -29,6 +30,7 @@ from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import PhaseSheet, sheets
 from rbpsym.typeset.latex import to_latex
+from rbpsym.typeset.mathml import to_mathml
 from rbpsym.typeset.text import to_text
 
 TRUE, UNUSED, UNJUSTIFIED = "true", "true, not used", "true, not yet justified"
@@ -91,7 +93,14 @@ class Tutor(Frozen):
         problem = self.derivation.study.problem
         moving = [f"{c.name}{tail}" for c in problem.coordinates for tail in ("", "_dot", "_ddot")]
         own = [problem.notation.get(name, name) for name in moving]
-        return [*(q.name for q in problem.parameters), *own, *self.derivation.study.system.unknowns]
+        return [*(q.name for q in problem.parameters), *own, *self.derivation.study.system.unknowns, *self.sheets[""].named]
+
+    def shown(self, line: str) -> str:
+        """A line as it is printed (MathML); "" where it can't be read."""
+        for sheet in self.sheets.values():
+            with suppress(RbpsymError):
+                return to_mathml(sheet.read(line), self.notation)
+        return ""
 
     # --- judging
 
@@ -156,15 +165,24 @@ class Tutor(Frozen):
         if ids := sheet.printed.get("".join(line.split())):
             return TRUE, self._told(TRUE, "true") + where, ids[0]
         try:
-            read = sheet.read(line)
+            readings = tuple(sheet.readings(line))
         except RbpsymError as error:
             return UNREAD, self._unread(error), ""
-        if not isinstance(read, (t.Chain, t.Relations)):
+        if not isinstance(readings[0], (t.Chain, t.Relations)):
             return UNREAD, self._told(UNREAD, "no_equation"), ""
+        found = []
+        for read in readings:
+            found.append(self._decided(read, sheet, where, is_first=not phase))
+            if found[-1][0] in ACCEPTED:
+                return found[-1]
+        return found[0]
+
+    def _decided(self, read: t.Node, sheet: PhaseSheet, where: str, *, is_first: bool) -> tuple[str, str, str]:
+        """What a line is in one of its meanings."""
         if id := sheet.step_of(read):
             return TRUE, self._told(TRUE, "true") + where, id
         found = sheet.holds(read)
-        if found.is_proved or (not found.is_refuted and not phase and self._is_proved_by_check(read, sheet)):
+        if found.is_proved or (not found.is_refuted and is_first and self._is_proved_by_check(read, sheet)):
             return UNUSED, self._told(UNUSED, "unused") + where, ""
         return self._refused(read, sheet, found)
 
@@ -230,12 +248,14 @@ class Tutor(Frozen):
         return " ".join([*told, *shown]), to_latex(step.statement, self.notation) if depth >= 3 else ""
 
     def record(self, lines: Iterable[str]) -> dict[str, Any]:
-        """What is handed in: the problem, each line with its verdict, how many of all steps of standard notes stand."""
+        """What is handed in: the problem with its title, each line with its verdict, how many of all steps of standard notes stand."""
         judged = list(self._in_turn(tuple(lines)))
         rows = [{"line": one.line, "verdict": one.verdict, "says": one.says} for one in judged]
         shown = sum(step.level <= STANDARD for step in self.steps.values())
         steps = len({one.step for one in judged} - {""})
-        return {"problem": self.derivation.study.problem.name, "lines": rows, "steps": steps, "all": shown}
+        problem = self.derivation.study.problem
+        title = problem.title.get(self.language) or problem.name
+        return {"problem": problem.name, "title": title, "lines": rows, "steps": steps, "all": shown}
 
     def _in_turn(self, lines: tuple[str, ...]) -> Iterator[Judged]:
         for place, line in enumerate(lines):

@@ -1,9 +1,11 @@
 // The page: the statement at the left, what follows from it at the right, as one types; first what is known at once.
 import { Engine, Fault } from "./engine.js";
 import { editor, put, tell, undone } from "./editor.js";
-import { address, forExplorer, packed, unpacked, wanted } from "./link.js";
+import { address, forExplorer, packed, unpacked, wanted, withNumbers } from "./link.js";
 import { frameOf, listens, tells } from "./embed.js";
-import { Form } from "./form.js";
+import { Form, questionsIn } from "./form.js";
+import { read } from "./records.js";
+import { shelf } from "./shelf.js";
 import { Tutor } from "./tutor.js";
 import { WORDS, dress, say, speak } from "./words.js";
 
@@ -133,19 +135,16 @@ function follow(event) {
 const FILL = {
   async answers() {
     const found = await work("answers", { text }, true);
-    const figure = el("div", { className: "scenes", role: "img", ariaLabel: glance.alt, innerHTML: glance.figure });
-    const list = found.map((one) => el("section", {}, el("h2", { textContent: one.question }), ...said(one)));
+    const figure = el("div", { className: "scenes", role: "img", ariaLabel: glance.alt, innerHTML: glance.figure }), list = found.map(answered);
+    $("questions").replaceChildren(...questionsIn(text, tables).map((value) => el("option", { value })));
     $("answers").replaceChildren(...(glance.figure ? [figure] : []), ...(list.length ? list : [el("p", { textContent: say("asksnothing") })]));
   },
   async explorer() {
     const none = $("explorer-none");
     try {
-      const { html } = await work("explorer", { ...asked(), beside: $("beside").value }, true), old = $("explorer"), frame = old.cloneNode();
-      frame.hidden = !(none.hidden = true);
-      frame.hidden = false;
-      frame.onload = () => { frame.onload = null; frame.contentWindow.postMessage(html, "*"); };
-      frame.src = "./frame.html#" + forExplorer();
-      old.replaceWith(frame);
+      const { html } = await work("explorer", { ...asked(), beside: $("beside").value }, true);
+      none.hidden = true;
+      framed("explorer", html, forExplorer());
     } catch (error) {
       if (error.message === "outdated") throw error;
       $("explorer").hidden = true; none.hidden = false;
@@ -154,6 +153,31 @@ const FILL = {
   },
   async tutor() { await tutor.open(text, glance.title); },
 };
+
+/** A page with scripts of its own, in a frame that holds nothing else. */
+function framed(id, html, hash = "") {
+  const old = $(id), frame = old.cloneNode();
+  frame.hidden = false;
+  frame.onload = () => { frame.onload = null; frame.contentWindow.postMessage(html, "*"); };
+  frame.src = "./frame.html#" + hash;
+  old.replaceWith(frame);
+}
+
+const answered = (one) => el("section", {}, el("h2", { textContent: one.question }), ...said(one));
+
+/** A question that is asked beside the statement; it may be put into it. */
+async function ask(event) {
+  event.preventDefault();
+  const question = $("asked").value.trim();
+  if (!question) return;
+  $("told").textContent = say("deriving");
+  try {
+    const [found] = await work("answers", { text, questions: [question] });
+    $("told").replaceChildren(answered(found));
+    $("keep").hidden = !found.verdict;
+    $("keep").onclick = () => { $("keep").hidden = true; $("told").replaceChildren(); put(view, `${text.trimEnd()}\n\n[[ask]]\nquestion = ${JSON.stringify(question)}\n`); };
+  } catch (error) { $("told").textContent = error.error?.what ?? String(error); }
+}
 
 function said(one) {
   const shown = one.shown.map((math) => el("p", { innerHTML: (one.verdict === "PROVED" ? "✓ " : "? ") + math }));
@@ -249,12 +273,18 @@ async function started(name) {
   try { put(view, (await engine.ask("statement", { name })).text); } catch (error) { wrong(error); if (name !== FIRST) await started(FIRST); }
 }
 
+/** Another problem: the explorer's numbers were those of the one before. */
+function opening(name) {
+  history.replaceState(null, "", withNumbers({}));
+  return started(name);
+}
+
 function buttons(parent, formats, write) {
   $(parent).append(...Object.entries(formats).map(([format, label]) => el("button", { type: "button", textContent: label, onclick: () => write(format) })));
 }
 
-async function copied(content) {
-  try { await navigator.clipboard.writeText(content); status(say("copied")); } catch { status(content); }
+async function copied(content, words = "copied") {
+  try { await navigator.clipboard.writeText(content); status(say(words)); } catch { status(content); }
 }
 
 function asForm(is) {
@@ -291,15 +321,20 @@ buttons("formats", NOTES, (format) => exported("export", { format, detail: $("de
 buttons("sheets", SHEETS, (format) => exported("worksheet", { format, seed: $("seed").value }));
 $("save").onclick = () => save("problem.toml", text);
 $("decide").onclick = decided;
-$("record").onclick = async () => save("record.json", JSON.stringify(await work("record", { ...asked(), lines: tutor.lines }), null, 2));
+$("record").onclick = async () => { const found = await tutor.record(); save(`${found.student || "record"}.json`, JSON.stringify(found, null, 2)); };
 $("detail").onchange = refresh;
-$("language").onchange = () => { dressed(); refresh(); };
+$("language").onchange = () => { dressed(); carded(); refresh(); };
 $("stop").onclick = () => engine.stop();
 $("asform").onclick = () => asForm(true);
 $("astext").onclick = () => asForm(false);
-$("gallery").onchange = () => $("gallery").value && started($("gallery").value);
 $("link").onclick = async () => copied(address({ p: await packed(text), only: null }));
-$("embed").onclick = async () => copied(frameOf(address({ p: await packed(text), only: tab, tab: null }), document.title));
+$("embed").onclick = async () => copied(frameOf(address({ p: await packed(text), only: tab, tab: null }), document.title), "embed.copied");
+$("whole").onclick = () => $("whole").setAttribute("aria-pressed", document.body.classList.toggle("whole"));
+$("ask").onsubmit = ask;
+$("files").onchange = async () => $("records").replaceChildren(await read($("files").files, work, el));
+$("look").onclick = async () => {
+  try { framed("sheet", (await work("worksheet", { ...asked(), format: "html", seed: $("seed").value })).files[0].content); } catch (error) { $("exported").textContent = error.error?.told ?? String(error); }
+};
 $("beside").onchange = () => { history.replaceState(null, "", address({ beside: $("beside").value || null })); done.explorer = false; fill(); };
 $("undo").onclick = () => undone(view);
 try { if (localStorage.getItem("studio form")) asForm(true); } catch { /* the same */ }
@@ -310,16 +345,17 @@ listens({
   ask: ({ request: { do: name, ...rest } }) => work(name, { text, ...rest }),
   set: (data) => $("explorer").contentWindow.postMessage(data, "*"),
   state: async () => ({ text, tab, link: address({ p: await packed(text) }) }),
-}, () => $("explorer"));
+}, () => $("explorer"), ({ own }) => own && history.replaceState(null, "", withNumbers(own)));
 
 opened();
 engine.ask("completions").then((found) => { tables = found; if (!$("form").hidden) form.show(text); });
-engine.ask("gallery").then((cards) => {
+const shelved = shelf(el, (name) => engine.ask("picture", { name, language: $("language").value }, true), opening, (fresh) => put(view, fresh));
+const carded = async () => { const cards = await engine.ask("gallery", { language: $("language").value }); shelved(cards); return cards; };
+carded().then((cards) => {
   for (const topic of new Set(cards.map((card) => card.topic))) {
     const own = cards.filter((card) => card.topic === topic).map((card) => el("option", { value: card.name, textContent: card.title }));
-    $("gallery").append(el("optgroup", { label: topic }, ...own));
+    $("beside").append(el("optgroup", { label: topic }, ...own));
   }
-  $("beside").append(...[...$("gallery").querySelectorAll("optgroup")].map((group) => group.cloneNode(true)));
   $("beside").value = wanted().get("beside") ?? "";
   if ($("beside").value && done.explorer) $("beside").onchange();
 });

@@ -64,6 +64,14 @@ function pointsIn(text, tables) {
   });
 }
 
+/** Questions that can be asked of a text: those of the engine's table, with the names of its bodies, coordinates and constraints. */
+export function questionsIn(text, tables) {
+  const sections = read(text), of = (kind) => sections.filter((one) => one.name.startsWith(kind + ".")).map((one) => one.name.split(".")[1]);
+  const names = { BODY: of("bodies"), COORDINATE: of("coordinates"), FORCE: of("constraints"), CONTACT: of("constraints"), PHASE: of("phases") };
+  const filled = (phrase) => { const place = Object.keys(names).find((key) => phrase.includes(key)); return place ? names[place].flatMap((name) => filled(phrase.replaceAll(place, name))) : [phrase]; };
+  return [...new Set((tables?.quantities ?? []).filter((one) => /[A-Z]{4}/.test(one)).flatMap(filled))].filter((one) => !/[A-Z]{4}/.test(one));
+}
+
 export class Form {
   constructor(holder, el, tables, changed) { Object.assign(this, { holder, el, tables, changed, text: "" }); }
 
@@ -73,6 +81,7 @@ export class Form {
     const focused = document.activeElement?.id, sections = read(text);
     this.holder.replaceChildren(...sections.map((one, k) => this.section(one, k)), this.adder());
     this.holder.append(this.names("form-names", pointsIn(text, this.tables())), this.names("form-dimensions", Object.keys(this.tables()?.dimensions ?? {})));
+    document.getElementById("questions").replaceChildren(...questionsIn(text, this.tables()).map((value) => this.el("option", { value })));
     if (focused) document.getElementById(focused)?.focus();
     this.tell(this.error);
   }
@@ -116,7 +125,7 @@ export class Form {
     const { el } = this, choices = this.choices(section, key), long = value.includes("\n") || value.length > 60;
     if (choices) return el("select", { id }, ...[...new Set([value, ...choices])].map((name) => el("option", { value: name, textContent: name, selected: name === value })));
     const input = el(long ? "textarea" : "input", { id, value, ...(long ? { rows: Math.min(8, value.split("\n").length + 1) } : { autocomplete: "off" }), spellcheck: false });
-    const takes = this.takes(section)[key], list = section.name === "parameters" ? "form-dimensions" : /point|bod/.test(takes) ? "form-names" : "";
+    const takes = this.takes(section)[key], list = section.name === "parameters" ? "form-dimensions" : key === "question" ? "questions" : /point|bod/.test(takes) ? "form-names" : "";
     if (list && !long) input.setAttribute("list", list);
     return input;
   }
@@ -188,15 +197,20 @@ export class Form {
   /** A new body, force, constraint …: its kind is chosen, then its name; its keys follow with their meanings. */
   adder() {
     const kinds = Object.entries(this.tables()?.kinds ?? {}).filter(([section]) => section !== "impulses");
+    const whole = { coordinates: "dimension", parameters: "" }, has = new Set(read(this.text).map((one) => one.name));
+    const sections = Object.entries(whole).filter(([name]) => !has.has(name)).map(([name, key]) => [`${name} ${key}`, `${name} – ${this.tables()?.sections[name] ?? ""}`]);
     const options = kinds.flatMap(([section, { key, names }]) => Object.entries(names).map(([name, { meaning }]) => [`${section} ${key} ${name}`, `${section}: ${name} – ${meaning}`]));
     const end = (lines) => this.put([...this.text.replace(/\n+$/, "").split("\n"), "", ...lines, ""]);
     const begin = (value) => {
-      const [section, key, name] = value.split(" "), { keys, takes } = this.tables().kinds[section].names[name];
+      const [section, key, name] = value.split(" ");
+      if (section === "parameters") return end(["[parameters]", 'g = "acceleration: acceleration of gravity"']);
+      if (!name) return ask(section, (own) => end([`[${section}.${own}]`, `${key} = "angle"`, 'start = ""', 'speed = "0"']));
+      const { keys, takes } = this.tables().kinds[section].names[name];
       const needed = Object.entries(keys).filter(([, meaning]) => !/may be left out$/.test(meaning)).map(([one]) => `${one} = ${blank(takes[one])}`);
-      place.replaceChildren(this.named(name, (own) => end([`[${section}.${own}]`, `${key} = "${name}"`, ...needed])));
-      place.querySelector("input").focus();
+      ask(name, (own) => end([`[${section}.${own}]`, `${key} = "${name}"`, ...needed]));
     };
-    const place = this.el("span"), ask = this.el("button", { type: "button", textContent: say("question"), onclick: () => end(["[[ask]]", 'question = ""']) });
-    return this.el("div", { className: "tools" }, this.menu(say("add"), options, begin), " ", place, " ", ask);
+    const ask = (name, chosen) => { place.replaceChildren(this.named(name, chosen)); place.querySelector("input").focus(); };
+    const place = this.el("span"), question = this.el("button", { type: "button", textContent: say("question"), onclick: () => end(["[[ask]]", 'question = ""']) });
+    return this.el("div", { className: "tools" }, this.menu(say("add"), [...sections, ...options], begin), " ", place, " ", question);
   }
 }

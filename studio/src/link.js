@@ -23,6 +23,12 @@ export function forExplorer() {
   return rest.toString();
 }
 
+/** The same address with the numbers of the explorer that are not those of the example, and no others. */
+export function withNumbers(own) {
+  const kept = wanted();
+  return address({ ...Object.fromEntries([...kept.keys()].filter((key) => !OWN.includes(key)).map((key) => [key, null])), ...own });
+}
+
 /** The same address with other values; what is null is taken out. */
 export function address(values) {
   const keys = wanted();

@@ -26,6 +26,14 @@ await noted(1);
 seen.title = await title();
 seen.status = await page.textContent("#status");
 
+// the problems that ship, with their drawings
+await page.click("#gallery");
+await page.fill("#wanted", "escalera resbala");
+await page.fill("#wanted", "sliding LADDER spring");
+await page.locator("#cards button:visible svg").first().waitFor({ timeout: 30000 });
+seen.shelf = [await page.locator("#cards button:visible strong").allTextContents(), await axe("shelf")];
+await page.click("#close");
+
 // an edit: typed at the end of the statement
 const end = async (text) => { await page.click("#editor .cm-content"); await page.keyboard.press("Control+End"); await page.keyboard.insertText(text); };
 await end('\n[[ask]]\nquestion = "N_f at the start"\n');
@@ -33,6 +41,13 @@ await noted(2);
 await page.click("#tab-answers");
 await page.locator("#answers").getByText("N_f at the start").waitFor({ timeout: 30000 });
 seen.edited = await page.locator("#answers h2").count();
+await page.fill("#asked", "F_x at the start");
+await page.keyboard.press("Enter");
+await page.locator("#told").getByText("means nothing").waitFor({ timeout: 30000 });
+await page.fill("#asked", "N_w at the start");
+await page.keyboard.press("Enter");
+await page.locator("#told math").waitFor({ timeout: 30000 });
+seen.asked = [await page.textContent("#told"), await page.locator('#questions option[value="angular velocity of ladder"]').count()];
 seen.glance = await page.evaluate(() => [document.querySelectorAll("#figure svg").length, document.querySelectorAll("#motion math").length]);
 
 // the same as a form: a value that is changed there is changed in the text
@@ -66,6 +81,9 @@ await page.click("#tab-explorer");
 await page.frameLocator("#explorer").getByRole("button", { name: "Play" }).waitFor({ timeout: 30000 });
 seen.explorer = true;
 const explorer = page.frameLocator("#explorer");
+await explorer.locator('[data-number="M"]').fill("12.5");
+await explorer.locator('[data-number="M"]').press("Enter");
+await page.waitForFunction(() => /&M=12.5/.test(location.hash), null, { timeout: 10000 });
 await explorer.locator("#loose-title").click();
 await explorer.locator('[data-holds="N_w"]').uncheck();
 await explorer.getByText("as stated: total").waitFor({ timeout: 60000 });
@@ -74,6 +92,8 @@ await explorer.locator("#picture-1 path.band").first().waitFor({ timeout: 60000 
 await page.selectOption("#beside", "");
 seen.released = true;
 await page.click("#tab-export");
+await page.click("#look");
+seen.sheet = await page.frameLocator("#sheet").locator("h1").textContent({ timeout: 60000 });
 const waiting = page.waitForEvent("download", { timeout: 60000 });
 await page.click("#formats >> text=LaTeX");
 const file = await waiting;
@@ -89,10 +109,23 @@ await page.waitForSelector("#decided td", { timeout: 30000 });
 seen.check = await page.textContent("#decided");
 await page.click("#tab-tutor");
 await page.fill("#line", "theta_ddot = -3*g/(2*ell)*cos(theta)");
+seen.typed = await page.locator("#typed mfrac").textContent({ timeout: 60000 });
 await page.keyboard.press("Enter");
 await page.waitForFunction(() => document.querySelector("#score").textContent, null, { timeout: 60000 });
 seen.axeTutor = await axe("tutor");
 seen.tutor = await page.textContent("#lines li");
+
+// what is handed in, and how a teacher reads it: a record that praises itself is judged anew
+await page.click("#hint");
+await page.fill("#student", "Ana");
+const handing = page.waitForEvent("download", { timeout: 30000 });
+await page.click("#record");
+const record = JSON.parse(readFileSync(await (await handing).path(), "utf8"));
+for (const line of record.lines) line.verdict = "true";
+const handed = (name, text) => ({ name, mimeType: "application/json", buffer: Buffer.from(text) });
+await page.setInputFiles("#files", [handed("ana.json", JSON.stringify(record)), handed("other.json", "{}")]);
+await page.locator("#records table").waitFor({ state: "attached", timeout: 60000 });
+seen.records = await page.locator("#records tr").evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
 await page.click("#tab-notes");
 
 // a link brings the problem to another page

@@ -88,6 +88,14 @@ def test_a_sheet_travels_as_a_list_of_lines(ladder: str) -> None:
     assert "of another kind" in asked(do="record", text=ladder, lines=[1])["error"]["what"]
 
 
+def test_a_line_is_seen_as_it_is_printed_while_it_is_typed(ladder: str) -> None:
+    line = "theta_ddot = 3*g/(4*ell)*cos(theta)"
+    whole, part = (asked(do="typed", text=ladder, line=typed)["ok"]["math"] for typed in (line, line[:15]))
+    assert "<mfrac>" in whole and part == "" and asked(do="judge", text=ladder, line=line)["ok"]["math"] == whole
+    found = asked(do="letters", text=ladder)["ok"]
+    assert all(one.startswith("<math") for one in found["shown"]) and len(found["shown"]) == len(found["letters"])
+
+
 def test_the_schema_tells_every_operation() -> None:
     found = asked(do="schema")["ok"]
     assert set(found) == set(api.OPERATIONS)
@@ -105,6 +113,9 @@ def test_completions_tell_what_the_registries_hold() -> None:
 
 def test_answers_are_proved(ladder: str) -> None:
     assert [one["verdict"] for one in asked(do="answers", text=ladder)["ok"]] == ["PROVED", "PROVED"]
+    others = asked(do="answers", text=ladder, questions=["N_f at the start", "F at the start"])["ok"]
+    assert [one["verdict"] for one in others] == ["PROVED", ""] and "means nothing" in others[1]["says"]
+    assert asked(do="picture", name="sliding-ladder")["ok"]["figure"] == asked(do="glance", text=ladder)["ok"]["figure"]
 
 
 def test_at_a_glance_are_drawing_motion_and_forces(ladder: str) -> None:

@@ -134,6 +134,12 @@ def test_the_page_does_all_it_is_for() -> None:
     assert seen["pdf"] == ["sliding-ladder.pdf", "%PDF-"]
     assert seen["export"][0].endswith(".tex")
     assert "REFUTED" in seen["check"]
+    assert seen["shelf"] == [["Sliding ladder with a spring"], []]
+    assert seen["asked"][0].startswith("N_w at the start✓") and seen["asked"][1] == 1
+    assert seen["sheet"] == "Sliding ladder" and seen["typed"] == "3\u2062g2\u2062ℓ"
+    head, ana, lines, other = seen["records"]
+    assert ana == ["Ana", "Sliding ladder", "0/1", ana[3], "1", "0/0"] and ana[3].startswith("0/") and len(head) == 6
+    assert "wrong" in lines[0] and other == ["other.json", "this is no record"]
     assert "wrong" in seen["tutor"] and "2 times what it should be" in seen["tutor"]
     assert seen["glance"] == [1, 3]
     assert seen["formed"] and seen["axeForm"] == seen["axeTutor"] == []

@@ -213,6 +213,19 @@ def test_a_result_asks_for_what_it_follows_from() -> None:
     assert own.judge(line, reasons).verdict == TRUE
 
 
+@pytest.mark.parametrize(
+    ("name", "line", "is_so"),
+    [("rod-pendulum", "I = M*ell^2/3", True), ("rod-pendulum", "I = M*ell^2/12", True), ("rod-pendulum", "I = M*ell^2/2", False),
+     ("rod-pendulum", "I*theta_ddot = -M*g*ell/2*sin(theta)", True), ("sliding-ladder", "K + U = M*g*ell*sin(theta_0)", True),
+     ("sliding-ladder", "K + U = M*g*ell*cos(theta_0)", False)],
+)  # fmt: skip
+def test_letters_that_nobody_told_are_read_as_students_mean_them(name: str, line: str, is_so: bool) -> None:
+    """I of the only body is that about its centre of mass or about where it is held; U is the only potential energy."""
+    judged = tutor(name).judge(line)
+    assert (judged.verdict in ACCEPTED) is is_so and (is_so or judged.verdict == WRONG)
+    assert "I_O" in tutor("rod-pendulum").letters
+
+
 def test_hints_lead_to_the_end() -> None:
     own, lines = tutor("sliding-ladder"), list[str]()
     while (step := own.next_step(lines)) is not None:
