@@ -33,7 +33,7 @@ from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.typeset.latex import to_latex
 
 CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
-NAMED = frozenset({"E", "I", "K", "U"})  # energies and moments of inertia: what else of the derivation's letters a student will type
+NAMED = frozenset({"E", "I", "K", "U"})  # energies, moments of inertia: what else of the derivation's letters a student types
 IN_STATES, ORDERS = (checks.identity, checks.on_motion, checks.along_motion), ("<", "<=", ">", ">=")
 INEQUALITY, PRINTED = re.compile(r"[<>≤≥]"), re.compile(r"[\\']")
 
@@ -96,7 +96,7 @@ class PhaseSheet(Frozen):
 
     @cached_property
     def named(self) -> tuple[str, ...]:
-        """The energies and moments of inertia that the derivation has letters for; of one kind alone its stem may be typed (U)."""
+        """The energies and moments of inertia that the derivation has letters for; the stem of one alone may be typed (U)."""
         return tuple(sorted(n for n in self.own & self.context.scalars.keys() if n.partition("_")[0] in NAMED))
 
     @property

@@ -248,7 +248,7 @@ class Tutor(Frozen):
         return " ".join([*told, *shown]), to_latex(step.statement, self.notation) if depth >= 3 else ""
 
     def record(self, lines: Iterable[str]) -> dict[str, Any]:
-        """What is handed in: the problem with its title, each line with its verdict, how many of all steps of standard notes stand."""
+        """What is handed in: the problem, each line with its verdict, how many of all steps of standard notes stand."""
         judged = list(self._in_turn(tuple(lines)))
         rows = [{"line": one.line, "verdict": one.verdict, "says": one.says} for one in judged]
         shown = sum(step.level <= STANDARD for step in self.steps.values())

@@ -61,7 +61,7 @@ export class Tutor {
       if (matchMedia("(pointer: fine)").matches) line.focus();
       line.oninput();
     };
-    const key = (sign, name, look = "") => this.el("button", { type: "button", className: look, [name ? "innerHTML" : "textContent"]: name || sign, ariaLabel: sign, title: sign, onclick: () => put(sign) });
+    const key = (sign, name, look = "") => this.el("button", { type: "button", className: look, [name ? "innerHTML" : "textContent"]: name || sign, title: sign, onclick: () => put(sign) });
     $("letters").replaceChildren(...names.map((name, k) => key(name, shown[k])), ...SIGNS.map((sign) => key(sign)), ...[...DIGITS, BACK].map((sign) => key(sign, "", "digit")));
   }
 

@@ -408,7 +408,8 @@ def problem_length(name: str) -> float:
 def test_an_angle_is_wrapped_the_cursor_follows_the_pointer_and_numbers_are_typed(tmp_path: Path) -> None:
     """A rod that goes round: speed against place within half a turn to both sides; where it is fastest, it hangs."""
     text = FILES["rod-pendulum"].read_text(encoding="utf-8").replace("range   =", 'speed = "Omega"\n# range')
-    text = text.replace("[example]", '[example]\nOmega = "9 rad/s"').replace("[parameters]", '[parameters]\nOmega = "angular velocity"')
+    text = text.replace("[example]", '[example]\nOmega = "9 rad/s"')
+    text = text.replace("[parameters]", '[parameters]\nOmega = "angular velocity"')
     file = tmp_path / "round.toml"
     file.write_text(text, encoding="utf-8")
     [seen] = met(tmp_path, {"file": str(written(tmp_path, str(file))), "act": "numbers"})
@@ -416,7 +417,7 @@ def test_an_angle_is_wrapped_the_cursor_follows_the_pointer_and_numbers_are_type
     assert angle > 1 and abs(np.sin(angle / 2)) < 0.1
     assert float(seen["top"]["0.curve.ω (θ)"]) == float(seen["top"]["0.v.theta"])
     assert seen["ends"][2].startswith("1") and "360°" in seen["said"]
-    assert seen["seen"] == ["40", "40"] and float(seen["readings"]["p.Omega"]) == 40  # beyond its slider; no positive number is −1
+    assert seen["seen"] == ["40", "40"] and float(seen["readings"]["p.Omega"]) == 40  # beyond its slider; not −1
 
 
 @played
