@@ -280,11 +280,14 @@ class Problem(Shown):
 
     def names_in(self, language: str) -> Mapping[str, str]:
         """What names are called in a language where that differs: its [names], else meanings of bodies that are one word."""
-        own = {name: name for name in (element.name for element in self.elements)}
-        own |= {body.name: body.meaning or body.name for body in self.bodies}
-        meant = {name: worded(word, language) for name, word in own.items() if worded(word, language) != word}
-        meant |= {name: word for name, word in self.meanings.get(language, {}).items() if name in self.body_names}
-        words = {name: word for name, word in meant.items() if word.isalpha() and [*meant.values()].count(word) == 1}
+        meant = self.meanings.get(language, {})
+        own = {body.name: body.meaning for body in self.bodies}
+        said = {name: worded(name, language) for name in (*own, *(element.name for element in self.elements))}
+        for name, meaning in own.items():
+            word = meant.get(name) or worded(meaning, language)
+            said |= {name: word} if word.isalpha() and word != meaning else {}
+        said = {name: word for name, word in said.items() if word != name}
+        words = {name: word for name, word in said.items() if [*said.values()].count(word) == 1}
         return words | dict(self.names.get(language, {}))
 
     @property

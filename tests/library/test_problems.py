@@ -10,6 +10,7 @@ import pytest
 
 from rbpsym.commands.arguments import entry
 from rbpsym.commands.listing import LEVELS
+from rbpsym.languages import languages, phrases
 from rbpsym.statement.library import library_folder, problem_files
 from tests.library.derived import AT_START, NAMES, derived, problem
 
@@ -25,14 +26,18 @@ def bound():
 
 
 @by_name
-def test_it_is_told_in_english_and_spanish(name):
-    head = entry("problem", name, problem_files()[name])
-    for texts in (head.titles, head.topics, head.levels):
-        assert texts.keys() >= {"en", "es"} and all(texts.values())
-    found = problem(name)
-    own = {q.name for q in found.parameters if q.name not in found.implicit} | {c.name for c in found.coordinates}
-    assert found.meanings["es"].keys() >= own
-    assert all(c.quantity.meaning for c in found.coordinates)
+def test_it_is_told_in_every_language(name):
+    """By its file, or by what the language knows of the library's words."""
+    head, found = entry("problem", name, problem_files()[name]), problem(name)
+    quantities = {*found.parameters, *(coordinate.quantity for coordinate in found.coordinates)}
+    own = {quantity.name: quantity.meaning for quantity in quantities if quantity.name not in found.implicit}
+    own |= {body.name: body.meaning for body in found.bodies}
+    assert all(own[coordinate.name] for coordinate in found.coordinates)
+    for language in set(languages()) - {"en"}:
+        texts = [*(told.get(language) or told["en"] for told in (head.titles, head.topics, head.levels) if language not in told)]
+        texts += [meaning for of, meaning in own.items() if meaning and of not in found.meanings.get(language, {})]
+        texts += [text for text, told in found.questions.items() if language not in told]
+        assert not set(texts) - phrases(language, "library").keys()
 
 
 @by_name
@@ -46,7 +51,7 @@ def test_the_problems_of_a_folder_have_one_topic():
     topics = {}
     for name, file in problem_files().items():
         head = entry("problem", name, file)
-        topics.setdefault(file.parent, set()).add((head.topic("en"), head.topic("es")))
+        topics.setdefault(file.parent, set()).add(tuple(head.topic(language) for language in languages()))
     assert all(len(found) == 1 for found in topics.values()), topics
 
 

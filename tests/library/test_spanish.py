@@ -10,7 +10,9 @@ import pytest
 from rbpsym.document.notes import notes
 from rbpsym.document.phrases import grammar
 from rbpsym.document.writers import writer
+from rbpsym.expr.glyphs import spaced
 from rbpsym.expr.letters import LETTERS
+from rbpsym.languages import languages, phrases
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from tests.library.derived import NAMES, derived, problem
@@ -63,13 +65,14 @@ def test_articles_agree_with_their_nouns(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_what_reads_as_an_english_word_has_a_spanish_name(name: str) -> None:
+def test_what_reads_as_an_english_word_has_a_name_in_each_language(name: str) -> None:
     found = problem(name)
     own = [*found.body_names, *(element.name for element in (*found.constraints, *found.interactions))]
     own += [point for body in found.bodies for point in body.points if point not in SHAPE_POINTS]
     own += [phase.name for phase in found.phases]
-    spanish = found.names_in("es")
-    assert not [word for word in own if is_a_word(word) and word not in spanish and word not in SAME]
+    for language in set(languages()) - {"en"}:
+        known = {*found.names_in(language), *phrases(language, "library")}
+        assert not [word for word in own if is_a_word(word) and not {word, spaced(word)} & known and word not in SAME]
 
 
 SHAPE_POINTS = frozenset(

@@ -1,4 +1,4 @@
-"""Spanish: every key of English with the same places, and the grammar of articles and contractions."""
+"""Each language: every key of English with the same places; the grammar of articles, cases and contractions."""
 
 from __future__ import annotations
 
@@ -14,45 +14,75 @@ from rbpsym.document.phrases import grammar, plain
 from rbpsym.document.writers import writer
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.tree import Fn, Sym
-from rbpsym.languages import part_of, phrases
+from rbpsym.languages import languages, part_of, phrases
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.typeset.speech import WORDS
 
-ENGLISH, SPANISH = phrases("en"), phrases("es")
+SPANISH = phrases("es")
+FOREIGN = [language for language in languages() if language != "en"]
+PARTS = ("notes", "worksheets", "studio")
 
 
 def base(key: str) -> str:
-    return re.sub(r"\.(masculine|feminine)$", "", key)
+    return re.sub(r"\.(masculine|feminine|neuter)$", "", key)
 
 
-def is_own(key: str) -> bool:
-    """Does a key tell what each language has for itself: its grammar, its functions, its letters?"""
-    return key.startswith(("grammar.", "notation.", "functions.", "spoken.letters.", "sentence."))
+def told(language: str, part: str) -> dict[str, str]:
+    """The texts but those that each language has for itself: its grammar, its functions, its letters."""
+    own = ("grammar.", "notation.", "functions.", "spoken.letters.", "sentence.")
+    return {key: text for key, text in phrases(language, part).items() if not key.startswith(own)}
 
 
 def places(text: str) -> set[str]:
-    return {name for _, name, _, _ in Formatter().parse(text) if name}
+    return {name.lower() for _, name, _, _ in Formatter().parse(text) if name}
 
 
-def test_the_keys_are_those_of_english() -> None:
-    assert {base(key) for key in SPANISH if not is_own(key)} == {key for key in ENGLISH if not is_own(key)}
+def cases(text: str) -> set[str]:
+    return {case for _, _, case, _ in Formatter().parse(text) if case}
 
 
-def test_the_places_are_those_of_english() -> None:
-    def lower(text: str) -> set[str]:
-        return {name.lower() for name in places(text)}
+@pytest.mark.parametrize("part", PARTS)
+@pytest.mark.parametrize("language", FOREIGN)
+def test_keys_and_places_are_those_of_english(language: str, part: str) -> None:
+    english, own = told("en", part), told(language, part)
+    assert {base(key) for key in own} == english.keys()
+    assert not [key for key, text in own.items() if places(text) != places(english[base(key)])]
+    assert {case for text in own.values() for case in cases(text)} <= grammar(language).cases.keys()
 
-    shared = ((key, text) for key, text in SPANISH.items() if not is_own(key))
-    assert not [key for key, text in shared if lower(text) != lower(ENGLISH[base(key)])]
+
+@pytest.mark.parametrize("part", PARTS[:2])
+@pytest.mark.parametrize("language", FOREIGN)
+def test_all_translate_the_same_sentences(language: str, part: str) -> None:
+    assert part_of("sentence", language, part).keys() == part_of("sentence", FOREIGN[0], part).keys()
 
 
 def test_english_formulas_are_spoken_as_the_printer_speaks_by_itself() -> None:
     assert part_of("spoken", "en") == dict(WORDS)
 
 
-def test_each_gender_has_the_other() -> None:
-    assert all(base(key) + ".feminine" in SPANISH for key in SPANISH if key.endswith(".masculine"))
+@pytest.mark.parametrize("language", FOREIGN)
+def test_each_gender_has_the_others(language: str) -> None:
+    keys = [key.rpartition(".") for key in told(language, "notes") if base(key) != key]
+    genders = {gender for _, _, gender in keys}
+    assert all((of, ".", gender) in keys for of, _, _ in keys for gender in genders)
+
+
+@pytest.mark.parametrize(
+    ("noun", "nominative", "accusative", "dative", "genitive"),
+    [
+        ("Stab", "der Stab", "den Stab", "dem Stab", "des Stabes"),
+        ("untere Scheibe", "die untere Scheibe", "die untere Scheibe", "der unteren Scheibe", "der unteren Scheibe"),
+        ("linkes Vorderrad", "das linke Vorderrad", "das linke Vorderrad", "dem linken Vorderrad", "des linken Vorderrades"),
+        ("oberer Zylinder", "der obere Zylinder", "den oberen Zylinder", "dem oberen Zylinder", "des oberen Zylinders"),
+        ("Stab 2", "Stab 2", "Stab 2", "Stab 2", "von Stab 2"),
+    ],
+)
+def test_german_cases(noun: str, nominative: str, accusative: str, dative: str, genitive: str) -> None:
+    said = plain("body.named" if noun[-1] == "2" else "body.the", "de", body=noun)
+    told_in = [grammar("de").declined(said, case) for case in ("acc", "dat", "gen")]
+    assert [said, *told_in] == [nominative, accusative, dative, genitive]
+    assert plain("ref.from", "de", steps=["(1)", "(2)"]) == "Aus (1) und (2)"
 
 
 @pytest.mark.parametrize(
