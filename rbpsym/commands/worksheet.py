@@ -34,7 +34,7 @@ MOST = 100_000
 )
 @click.option("--key", is_flag=True, help="Write keys too.")
 @click.option("--solution", is_flag=True, help="Write keys, and solutions with the whole derivation.")
-@click.option("--lang", "language", metavar="LANGUAGE", default="", help="en or es; else that of the worksheet.")
+@click.option("--lang", "language", metavar="LANGUAGE", default="", help="Its code, as en; else that of the worksheet.")
 @formats_option((*PAPERS, *PLATFORMS), "pdf")
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes (0: one a core).")
