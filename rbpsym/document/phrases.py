@@ -96,14 +96,15 @@ class Grammar(Frozen):
         return self.genders.get(word) or next((name for end, name in self.endings if word.endswith(end)), "masculine")
 
     def declined(self, phrase: str, case: str) -> str:
-        """A noun phrase in another case than that of a subject.
+        """Noun phrases in another case than that of a subject.
 
         >>> Grammar(cases={"acc": (("^der ", "den "),)}).declined("der Stab", "acc")
         'den Stab'
         """
+        parts = re.split(f"({re.escape(self.last)}|, )", phrase)
         for pattern, told in self.cases.get(case, ()):
-            phrase = re.sub(pattern, told, phrase)
-        return phrase
+            parts[::2] = [re.sub(pattern, told, part) for part in parts[::2]]
+        return "".join(parts)
 
     def contracted(self, text: str) -> str:
         """The text with its contractions.

@@ -23,8 +23,8 @@ MARK = "`"  # stands around the formulas of a question in another language
 def question(text: str, said: Words) -> Inlines:
     """The question in the language of the page if the file tells it so, else as it is asked."""
     told = said.problem.questions.get(text, {}).get(said.language) if said.problem else None
-    told = told or worded(text, said.language)
-    return merged(_marked(told, said)) if told != text else spoken(_with_articles(text, said), said)
+    told = told or worded(f"asked.{text}", said.language)
+    return merged(_marked(told, said)) if told != f"asked.{text}" else spoken(_with_articles(text, said), said)
 
 
 BEFORE = r"(?:^|(?<=^does )|(?<=^is )|(?<=which )|(?<=where )|(?<=when )|(?<=until )|(?<= of ))"

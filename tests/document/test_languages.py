@@ -82,7 +82,7 @@ def test_german_cases(noun: str, nominative: str, accusative: str, dative: str, 
     said = plain("body.named" if noun[-1] == "2" else "body.the", "de", body=noun)
     told_in = [grammar("de").declined(said, case) for case in ("acc", "dat", "gen")]
     assert [said, *told_in] == [nominative, accusative, dative, genitive]
-    assert plain("ref.from", "de", steps=["(1)", "(2)"]) == "Aus (1) und (2)"
+    assert grammar("de").declined("der Stab und der obere Stab", "acc") == "den Stab und den oberen Stab"
 
 
 @pytest.mark.parametrize(
