@@ -24,8 +24,13 @@ EVENT = r"(?:begin to |start to |begins to |starts to )?(slip|tip)s?(?: over)?"
 ORDER = re.compile(rf"(?:the )?\w+ {EVENT} before (?:the )?\w+ {EVENT}(?: as (\w+) (?:grows|increases))?")
 
 
+NO_EFFECT = re.compile(r"(?:the )?(.+) (?:does not depend on|is independent of) (?:the )?(\w+)")
+
+
 def which(world: AskedPhase, superlative: str | None, name: str, text: str) -> Finding:
     """SYMBOL for which a condition is met (see `critical.which`), or one limit comes before another."""
+    if same := NO_EFFECT.fullmatch(text):
+        return optima.without_effect(world, name, *same.groups())
     if superlative and name not in {*_free(world), *world.coordinates, COEFFICIENT} and _is_quantity(world, name):
         return bounded(world, superlative, name, text)
     first = _first_of_two(world, name, text)

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from rbpsym.ask.question import Question
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.field import NOTHING, Scalar, depends_on, names_in, substitute, symbol
-from rbpsym.mechanics.arrivals import followed
+from rbpsym.field import Scalar, depends_on, names_in, substitute, symbol
+from rbpsym.mechanics.arrivals import followed, of_coordinate
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import given
@@ -84,12 +84,13 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     another question."""
     said = CONVERSE.fullmatch(text)
     world = asked.world(asked.lasting) if said else None
-    if said is None or said[3] not in world.study.system.independent:
+    moves = names_in(world.dependent.get(said[3], symbol(said[3]))) & {*world.motion.scope.rates} if said else set()
+    if said is None or moves not in ({said[3]}, {"t"}):
         return None
     if said[1] not in ("t", "time") and not (said[2] and said[1] in world.coordinates) and not last:
         return None
     name, speed, known = said[3], bool(said[2]), {quantity.name for quantity in asked.problem.parameters}
-    begun, first = (world.study.system.scope.start.get(f"{name}{dot}", NOTHING) for dot in ("", "_dot"))
+    begun, first = (substitute(one, world.motion.scope.start) for one in of_coordinate(world.study, name))
     way = sign(first or first_push(world.motion, name), world.motion.assumptions).sense
     letter = world.study.letters.free("v" if speed else f"{name}_1")
     ends = {"lower" if way > 0 else "upper": present(begun)} if way and not speed and names_in(begun) <= known else {}

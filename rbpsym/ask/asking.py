@@ -111,12 +111,14 @@ WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|
 
 def _plain(asked: Asked, text: str) -> str:
     """The words of a question, values of parameters (“with F = 0”) at the end, “in phase rolling” for “in rolling”, “impulse of
-    J” for what is called J in a blow."""
+    J” for what is called J in a blow, “with F = 0” for “where F = 0”."""
     plain = " ".join(text.split()).rstrip(" ?.")
     blows = "|".join(re.escape(element.name) for phase in asked.problem.phases for element in phase.impulses)
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
     named = "|".join(re.escape(name) for name in asked.names if name not in ("rest", "equilibrium"))
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
+    constants = "|".join(quantity.name for quantity in asked.problem.parameters)
+    plain = re.sub(rf"(?<=\w),? (?:where|when|if|for|at) (?=(?:{constants or '(?!)'}) ?= ?)", " with ", plain)
     return " ".join((said[1], said[3], said[2])) if (said := WITHIN.fullmatch(plain)) else plain
 
 

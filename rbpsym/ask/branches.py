@@ -14,6 +14,7 @@ from rbpsym.ask.senses import narrowed, of_sense
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import all_of, undecided
 from rbpsym.field import depends_on, derivative
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.pushing import asked as asked_of_start
 from rbpsym.mechanics.roots import zeros
 from rbpsym.present.forms import present
@@ -33,6 +34,8 @@ def beyond(world: AskedPhase, name: str) -> tuple[Asked, int] | None:
     moments = [demand.value for demand in (*world.demands, *ways) if demand.op == ">"]
     for value in (*slips, *moments) if quantity is not None else ():
         ends = [end for end in zeros(value, name) if sign(end, given).kind == "positive"] if depends_on(value, name) else []
+        top = given.range_of(name)[1]
+        ends = [end for end in ends if top is None or settle([Demand(top - end)], given) is not None]
         side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(value, name), given).kind)
         if len(ends) == 1 and side and sign(value, given).kind is None and getattr(quantity, side) is None:
             other = replace(quantity, **{side: present(ends[0])})

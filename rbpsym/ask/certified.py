@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -53,9 +53,12 @@ TOLD = (
 )  # fmt: skip
 
 
-def certified(asked: Asked, question: Question, found: Found, letter: str = LETTER, *, is_ground: bool = False) -> Answer:
-    """The answer, which is given the letter, with its steps and its verdict; the ground of another answer (`is_ground`) is
-    a formula, and does not say how far the motion lasts."""
+def certified(
+    asked: Asked, question: Question, found: Found, letter: str = LETTER, *, is_ground: bool = False, apart: Container[str] = ()
+) -> Answer:
+    """The answer, which is given the letter (its own one, where that is none of those that it has to be kept `apart` from),
+    with its steps and its verdict; the ground of another answer (`is_ground`) is a formula, and does not say how far the
+    motion lasts."""
     from rbpsym.ask.answer import Answer
 
     place = found.moment.place if found.moment else asked_place(asked, found.study)
@@ -76,7 +79,7 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
         in_time.write(draft, found.moment)
         draft.chapter = "ask"
     lasts, open_ = ((), ()) if is_ground else asks(asked, found)
-    last, values = _last(draft, found, letter, lasts), found.values
+    last, values = _last(draft, found, letter, lasts, apart), found.values
     if question.is_direction:
         last, values = _direction(draft, question, found)
     asking = [step.id for step in draft.steps if step.obligations] if found.told.startswith("phase ") else ()
@@ -167,12 +170,13 @@ def _speeds(found: Found) -> list[str]:
     return [name for name in found.study.squares if needed and f"{name}_dot" in told]
 
 
-def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> Step:
+def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apart: Container[str]) -> Step:
     """The step that states the answer."""
     met = (*found.asked, *(found.moment.state.valid if found.moment else ()), *lasts)
     parted = f"{name}_" if "_" not in name else name
     marks = "xy" if not found.told.startswith("osc") else range(1, len(found.values) + 1)
-    letters = [_own_letter(found) or name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
+    own = _own_letter(found)
+    letters = [own if own and own not in apart else name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
     letters = [draft.free(letter) for letter in letters]
     pairs = zip(letters, found.values, strict=True)
     rows = [t.equation(t.Sym(letter), draft.show(value, factor=True, met=met)) for letter, value in pairs]

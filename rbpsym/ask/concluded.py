@@ -33,7 +33,10 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
     kept = [pair for pair in used.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values]
     stem = f"{letter}_".lower() if "_" not in letter else letter.lower()
     names = [stem.rstrip("_")] if len(kept) == 1 else [f"{stem}{number}" for number in range(1, len(kept) + 1)]
-    quantities = [certified(world.asked, *pair, name, is_ground=True) for pair, name in zip(kept, names, strict=True)]
+    quantities: list[Answer] = []
+    for pair, own in zip(kept, names, strict=True):
+        taken = [row[0].name for one in quantities for row in t.relations(one.steps[-1].statement) if isinstance(row[0], t.Sym)]
+        quantities.append(certified(world.asked, *pair, own, is_ground=True, apart=taken))
     name = found.symbol or (found.place or ("",))[0]
     more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
     there, open_ = left_open(world, found)

@@ -178,7 +178,7 @@ def moment_of(asked: Asked, when: When, question: Question) -> Moment:
         found, refused = None, error
     if (end := found and found.phase) and when.kind == "until" and found.state.time is None:
         when = _as_place(asked, found, end, when)
-    is_part = found is None or (found.state.time is None and ("time" in question.quantity or _is_open(asked, found)))
+    is_part = found is None or (found.state.time is None if "time" in question.quantity else _is_open(asked, found))
     if when.kind in ("reaches", "rests", "vanishes") and is_part:
         ahead = range(asked.lasting, len(asked.names))
         places = [place] if place is not None else [found.place] if found else ahead

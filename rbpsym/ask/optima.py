@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.ask.answer import on_way_back
-from rbpsym.ask.critical import SUPERLATIVES
+from rbpsym.ask.critical import SUPERLATIVES, equal_for
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
@@ -28,14 +28,14 @@ from rbpsym.ask.seen import (
     whole_ways,
 )
 from rbpsym.ask.special import limit_said
-from rbpsym.ask.wanted import on_what
+from rbpsym.ask.wanted import Wanted, on_what
 from rbpsym.ask.zeros import precedes, settled_sign, sign_table, where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import RbpsymError, StatementError
-from rbpsym.field import Scalar, depends_on, is_zero, substitute, symbol
+from rbpsym.field import Scalar, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.mechanics.demands import Demand, possible, settle
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.roots import period
@@ -313,6 +313,15 @@ def with_equal(world: AskedPhase, first: str, second: str, phrase: str) -> Findi
     said = checked("vanishes_for", value=gap if same else other - value, name=second, places=places, given=asked)
     places = tuple(neat(zero.place, given) for zero in zeros)
     return Finding(**said, symbol=second, values=places, asked=tuple(z.asked for z in zeros))
+
+
+def without_effect(world: AskedPhase, name: str, phrase: str, other: str) -> Finding:
+    """SYMBOL for which a quantity does not depend on another one: its rate vanishes for all values of that."""
+    text, rate = f"{phrase} does not depend on {other}", derivative(seen(world, phrase), parameter(world, other))
+    found = equal_for(world, None, name, Wanted((rate,), world.motion.assumptions, equal=True), text)
+    if any(depends_on(value, other) for value in found.values):
+        raise StatementError(f"there is no one {name} for which “{text}”, whatever {other} is")
+    return found
 
 
 def _like(given: Assumptions, first: str, second: str) -> Assumptions:

@@ -114,7 +114,7 @@ def _mover(world: AskedPhase) -> str:
 
 def _told_after(text: str) -> str:
     """“it not slip” as “it does not slip”, “theta = 0 stable” as “theta = 0 is stable”."""
-    text = re.sub(r"^(\w+) not (\w+)", r"\1 does not \2", text)
+    text = re.sub(r"^(\w+|.+(?= not depend on )) not (\w+)", r"\1 does not \2", text)
     return re.sub(r" ((?:un)?stable|zero)$", r" is \1", text)
 
 

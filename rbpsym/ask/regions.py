@@ -75,7 +75,10 @@ def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> R
         return Region()
     if not depends_on(value, along):
         return region(value, name, given.without(along))
-    lows = least(value, along, given, lambda low: True)
+    def is_plain(low: Extreme) -> bool:
+        return not any(depends_on(demand.value, name) for demand in low.asked)
+
+    lows = least(value, along, given, is_plain) or least(value, along, given, lambda low: True)
     if lows is None:
         return None
     return common([_of_low(low, name, along, given) for low in lows], given.without(along))

@@ -12,7 +12,7 @@ from rbpsym.decide import enclosure
 from rbpsym.decide.constants import is_algebraic, is_zero_number
 from rbpsym.decide.factoring import ANY, DECIDED, MINUS, NONZERO, PLUS, ZERO, flip, plus, power, times
 from rbpsym.decide.points import Point, names_of
-from rbpsym.field import ONE, Poly, Scalar, atoms, generator, inverse, is_exponential, quotient
+from rbpsym.field import ONE, UNITY, Poly, Scalar, atoms, generator, inverse, is_exponential, quotient
 from rbpsym.field import ZERO as ZERO_POLY
 from rbpsym.field import substitute as put
 from rbpsym.field.division import turnings
@@ -244,8 +244,23 @@ def _by_factors(study: SignStudy, poly: Poly) -> int:
     return mask
 
 
+def _by_logarithms(study: SignStudy, poly: Poly) -> int:
+    """Σ k ln x with whole numbers k: that of Π xᵏ - 1."""
+    product, scale = UNITY, lcm(*(c.denominator for c in poly.terms.values()))
+    for m, c in poly.terms.items():
+        found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == 1 else None
+        if found is None or found.kind != "ln" or abs(c * scale) > MOST_OF_ONE:
+            return ANY
+        product = product * found.arg ** int(c * scale)
+    return study.scalar(product - 1)
+
+
+MOST_OF_ONE = 8  # times a logarithm
+
+
 QUICK: tuple[Rule, ...] = ((_by_terms, "all terms have this sign"), (_by_number, "it is a number"))
 RULES: tuple[Rule, ...] = (
+    (_by_logarithms, "what the logarithms are of is compared with 1"),
     (_by_content, "a common factor is taken out"),
     (_by_root, "squares are compared"),
     (_by_quadratic, "a quadratic with this discriminant has no change of sign"),

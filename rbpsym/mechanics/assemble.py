@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from rbpsym.errors import StatementError
+from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
@@ -36,12 +36,27 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     given = poses(problem, inertias)
     names = (*_by_preference(problem), *open_names(given))
     tied = tie(problem, inertias, given, names)
-    system = _assembled(problem, inertias, given, tied, free=free)
+    try:
+        system = _assembled(problem, inertias, given, tied, free=free)
+    except Undecided as error:
+        raise _led_by_another(problem, tied.solved, error) from None
     while not (tied.implicit or tied.speeds) and (balanced := _balanced(system)):
         solved = {name: substitute(value, balanced) for name, value in tied.solved.items()} | balanced
         tied = replace(tied, solved=solved)
         system = _assembled(problem, inertias, given, tied, free=free)
     return system
+
+
+def _led_by_another(problem: Problem, solved: Mapping[str, Scalar], error: Undecided) -> RbpsymError:
+    """What to state where an angle that others lead holds a sum in its denominator: it may lead them."""
+    led = [c for c in problem.coordinates if c.start is None and c.name in solved and len(solved[c.name].den) > 1]
+    leads = [c for c in problem.coordinates if c.name not in solved and any(depends_on(solved[o.name], c.name) for o in led)]
+    if not (led and leads):
+        return error
+    first, last = led[0], leads[0].name
+    what = f"{error.what}: “{first.name}” is {to_machine(present(solved[first.name]))}"
+    instead = f"let it lead: give “{first.name}” a start, and leave that of “{last}” out."
+    return StatementError(what, instead=instead, place=first.place)
 
 
 def _assembled(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, Pose], tied: Tied, *, free: bool) -> System:

@@ -73,7 +73,7 @@ def begun_numbers(study: Study) -> dict[str, float]:
     return next(fits, None) or sample(study.problem)
 
 
-OPS = {"way": ">", "force": ">=", "grip": ">=", "size": ">=", "slip": ">", "gain": ">"}
+OPS = {"way": ">", "force": ">=", "growth": ">=", "grip": ">=", "size": ">=", "slip": ">", "gain": ">"}
 
 
 def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
@@ -83,8 +83,8 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
     yield from ((element, "way", value) for element, value in ways_taken(study))
     for element in study.problem.constraints:
         for name in pushes(element):
-            value = _at_start(reactions[name], start)
-            yield from () if value is None else [(element, "force", value)]
+            value, what = _beginning(study, reactions[name], start)
+            yield from () if value is None else [(element, what, value)]
         for left in spare(element, reactions.__getitem__):
             value = _at_start(left, start)
             yield from () if value is None else [(element, "grip", value)]
@@ -142,6 +142,16 @@ def _gained(study: Study) -> Mapping[str, Scalar]:
     return {**{name: value for name, value in gained.items() if value is not None}, **start}
 
 
+def _beginning(study: Study, value: Scalar, start: Mapping[str, Scalar]) -> tuple[Scalar | None, str]:
+    """What a force is at the start; where it vanishes, how it begins to grow: by the first of two rates that is not zero."""
+    there, what = _at_start(value, start), "force"
+    for _ in range(0 if study.at_start else 2):
+        if there is not None and is_zero(there) and not is_zero(value):
+            value = study.on_motion(time_derivative(value, study.system.scope))
+            there, what = _at_start(value, start), "growth"
+    return there, what
+
+
 def _at_start(value: Scalar, start: Mapping[str, Scalar]) -> Scalar | None:
     if len(value.num) * len(value.den) > LARGEST:
         return None
@@ -183,6 +193,10 @@ WRONG = {
         "the {kind} “{name}” would have to pull at the start: its force is {size}",
         "check the start (the sense in which things move or turn), the side, and whether it touches at all; what holds to both "
         'sides is type = "guide" for a point.',
+    ),
+    "growth": (
+        "the {kind} “{name}” would have to pull as soon as it moves: its force vanishes at the start, and falls from there",
+        "check the side; what lets go at once is left out.",
     ),
     "force.string": (
         "the string “{name}” would have to push at the start: its tension is {size}",

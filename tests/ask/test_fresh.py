@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.ask.asking import answered
+from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.numbers import read_numbers
-from rbpsym.statement.loader import load_problem
+from rbpsym.errors import StatementError
+from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.typeset.machine import to_machine
 from tests.ask.test_unseen import asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
@@ -72,6 +73,13 @@ ANSWERS = (
     ("chase", "time until y = x", "(v + sqrt(v**2+2*a*d))/a"),
     ("chase", "largest x - y", "d + v**2/(2*a)"),
     ("ball-in-track", "smallest v_0 for which theta reaches pi", "sqrt(27*g*R/7)"),
+    ("cut", "ratio of F_y right after cut to F_y at the start", "1/2"),
+    ("clutch", "time until speed of alpha = speed of beta for I_1 = I_2", "I_2*omega_0/(2*tau)"),
+    ("bead-drawn-in-groove", "kinetic energy where r = r_0/2",
+     "(omega_0*(M*R**2/2+m*r_0**2))**2/(2*(M*R**2/2+m*r_0**2/4)) + m*u**2/2"),
+    ("flywheel-with-drag", "number of turns of wheel until phi comes to rest", "I_0/(4*pi*k)*ln(1+k*omega_0**2/M_f)"),
+    ("shell-in-valley", "smallest mu for which it does not slip", "2/5*tan(theta_0)"),
+    ("rod-with-clamped-bob", "d for which the period does not depend on m", "2*L/3"),
     ("platform", "N where t = pi/(2*Omega)", "m*(g - A*Omega**2)"),
 )
 
@@ -111,3 +119,59 @@ def test_a_contact_that_the_time_may_end_is_a_condition() -> None:
 def test_a_component_of_an_impulse_may_vanish() -> None:
     found = answered(asked("struck-rod"), "impulse of F when struck begins")
     assert found.verdict.is_proved and found.text == "(J/2, 0)"
+
+
+def test_of_two_starts_each_has_its_own_value() -> None:
+    [found] = [answered(asked("shell-in-valley"), "theta_0 for which N where theta = 0 = 2*M*g")]
+    assert found.verdict.is_proved and [to_machine(node) for node in found.nodes] == ["acos(1/6)", "-acos(1/6)"]
+
+
+GROOVE = """
+coordinates.theta = { start = "0", range = ["0", "pi"] }
+parameters = { m = "mass: bead", R = "length: radius", g = "acceleration: gravity" }
+interactions.W.type = "gravity"
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["-R*cos(theta)", "-R*sin(theta)"]
+[constraints.N]
+type = "contact"
+point = "bead.center"
+circle = "O"
+radius = "R"
+"""
+PLANET = """
+coordinates = { phi = { start = "0" }, theta = {} }
+parameters = { m = "mass: planet", a = "length: sun", b = "length: planet" }
+[bodies.sun]
+shape = "disk"
+mass = "m"
+radius = "a"
+center = "O"
+angle = "phi"
+[bodies.planet]
+shape = "disk"
+mass = "m"
+radius = "b"
+center = ["(a + b)*cos(theta)", "(a + b)*sin(theta)"]
+angle = "2*theta"
+[constraints.P]
+type = "pivot"
+point = "sun.center"
+[constraints.F]
+type = "gear"
+body = "planet"
+circle = "sun.center"
+"""
+
+
+@pytest.mark.parametrize(("text", "said"), [(GROOVE, "would have to pull as soon as it moves"), (PLANET, "let it lead")])
+def test_a_statement_that_cannot_be_meant_says_what_can(text: str, said: str) -> None:
+    with pytest.raises(StatementError) as refused:
+        ask(load_text(text), "acceleration of theta at the start")
+    assert said in f"{refused.value.what} {refused.value.instead}"
+
+
+def test_what_is_driven_may_tell_a_quantity() -> None:
+    found = answered(asked("bead-drawn-in-groove"), "angular velocity of disk as a function of r")
+    assert found.verdict.is_proved and found.text == "omega_0*(M*R**2 + 2*m*r_0**2)/(M*R**2 + 2*m*r_1**2)"
