@@ -21,7 +21,19 @@ if TYPE_CHECKING:
 
 Command = TypeVar("Command", bound=Callable[..., Any] | click.Command)
 DETAILS = ("brief", "standard", "full")
-FILE, FOLDER = click.Path(dir_okay=False, path_type=Path), click.Path(file_okay=False, path_type=Path)
+
+
+class NamedPath(click.Path):
+    """A path; “-”, which elsewhere means the standard output, is none."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """As click reads it."""
+        if str(value) == "-":
+            self.fail("“-” is no name: what is written are files. One of that name is “./-”.", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+FILE, FOLDER = NamedPath(dir_okay=False, path_type=Path), NamedPath(file_okay=False, path_type=Path)
 
 
 class ShelfName(click.ParamType):  # type: ignore[type-arg]  # generic in late versions of click

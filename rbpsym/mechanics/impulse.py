@@ -83,9 +83,11 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
     solution = solve_linear(rows, unknowns)
     missing = [name for name in after.speeds if name not in solution.values]
     if missing or not all(map(is_zero, solution.left)):
+        open_ = f"do not tell how fast “{missing[0].removesuffix('_dot')}” then changes" if missing else ""
         raise StatementError(
-            "the impulses and the constraints of the next phase do not determine the speeds after them",
-            instead="check that the constraints hold where the bodies are at that moment.",
+            f"the impulses and the constraints of the next phase {open_ or 'contradict each other, or the poses of the bodies'}",
+            instead="check that the constraints hold where the bodies are at that moment, and give each body a coordinate for "
+            'every way in which it moves from then on: center = ["x", "y"] where a pose keeps it on a line.',
             place=impulses[0].place if impulses else None,
         )
     found = {n: v for n, v in solution.values.items() if n not in after.speeds}

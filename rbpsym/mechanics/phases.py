@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rbpsym.decide.rooted import neat
+from rbpsym.elements.interactions import LETTERS
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.expr.tree import Node, Sym, add
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, symbol, without_even_roots
@@ -124,10 +125,10 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     clock = None if None in (stage.clock, before.time) else stage.clock + before.time
     phase = with_senses(study, phase, before)
     problem = shifted(phase, clock)
-    placed = type(study)(_started(problem, study.style, before.places, {}))
+    firm = tuple(element for element in problem.interactions if element.kind not in LETTERS)  # the others ask how it moves
+    placed = type(study)(_started(replace(problem, interactions=firm), study.style, before.places, {}))
     _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
-    _refuse_struck_resistance(phase, placed.system, struck)
     speeds, impulses = (
         {name: neat(value, study.assumptions) for name, value in each.items()} for each in (struck.speeds, struck.impulses)
     )
@@ -143,6 +144,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     held = dict(_held(study, phase, struck, asked, lost)) if is_blow else {}
     began = HandOver(before, speeds, impulses, lost, taken, is_blow, asked, held, phase)
     later = type(study)(after)
+    _refuse_struck_resistance(phase, later.system, struck)
     return Stage(phase.name, later if later.at_start and later.ties else study_of(after), began, clock)
 
 

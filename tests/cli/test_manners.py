@@ -163,6 +163,7 @@ BAD: list[tuple[tuple[str, ...], str]] = [
     (("notes", "sliding-ladder", "--format", ""), "is not one of"),
     (("notes", "sliding-ladder", "--lang", "xx", "--no-simulation"), "xx"),
     (("notes", "sliding-ladder", "--engine", "word"), "word"),
+    (("notes", "sliding-ladder", "-o", "-"), "./-"),
     (("derive", "sliding-ladder", "--method", "kane"), "kane"),
     (("derive", "sliding-ladder", "--detail", "high"), "high"),
     (("solve",), "NAME|FILE"),
