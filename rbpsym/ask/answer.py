@@ -240,7 +240,12 @@ def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
     if moment.how == "start" and place == 0 and asked.begun and _is_long(study, named):
         return _at_moment(asked.begun, question, moment_of(asked.begun, When("start"), question))
     works = _works(world, named)
-    values = _at(world, named, works, moment, question)
+    try:
+        values = _at(world, named, works, moment, question)
+    except ZeroDivisionError:  # by what the way of solving for every place divides, too
+        if moment.how != "start" or place or not asked.begun:
+            raise StatementError(f"“{question.quantity}” has no value there: something is divided by zero") from None
+        return _at_moment(asked.begun, question, moment_of(asked.begun, When("start"), question))
     return Found(study, named, values, moment=moment, works=works, about=bound.about)
 
 
@@ -257,11 +262,8 @@ def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -
     closed = {name: done for name, (_, done) in works.items()}
     image = moment.state.image
     moved = world.study.begun if world.study.at_start else world.motion.moved
-    try:
-        found = [substitute(moved(substitute(value, closed)), image) for value in named]
-        found = [shortest(short(even(value)), world.study) for value in found]
-    except ZeroDivisionError:
-        raise StatementError(f"“{question.quantity}” has no value there: something is divided by zero") from None
+    found = [substitute(moved(substitute(value, closed)), image) for value in named]
+    found = [shortest(short(even(value)), world.study) for value in found]
     return tuple(_settled(world, value, moment, question) for value in found)
 
 

@@ -21,7 +21,7 @@ from rbpsym.expr.tree import ZERO
 from rbpsym.field import NOTHING, Scalar, is_zero, kept, names_in
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.mechanics.arrivals import mover
+from rbpsym.mechanics.arrivals import mover, with_starts
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import assuming
 from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, ArrivalState, at_start, comes_to_rest, force_taken, is_before
@@ -88,8 +88,8 @@ class Asked(Frozen):
 
     @kept
     def begun(self) -> Asked | None:
-        """The same of which only the start is told, where its conditions may be solved there."""
-        start = StartStudy(replace(self.problem, phases=()))
+        """The same of which only the start is told, where its conditions may be solved there; with the starts that they tell."""
+        start = StartStudy(with_starts(self.first) if self.first.ties else replace(self.problem, phases=()))
         return Asked(start.problem, start) if has_start(start.problem) and start.ties and not self.first.at_start else None
 
     @property

@@ -81,6 +81,9 @@ def rises(world: AskedPhase, text: str) -> Wanted | None:
     if not is_zero(seen(world, f"y component of velocity of {said[1]}.cm at the start")):
         return None
     gain = seen(world, f"y component of acceleration of {said[1]}.cm at the start")
+    if is_zero(gain):
+        raise StatementError(f"as it is stated, “{said[1]}” is held where it is",
+                             instead="ask when what holds it lets go: “P for which N vanishes”.")  # fmt: skip
     way = -1 if re.match("fall|sink|.*down", said[2]) else 1
     return Wanted((gain * way,), world.motion.assumptions, closed=False)
 

@@ -27,7 +27,7 @@ from rbpsym.field import (
 )
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
-from rbpsym.frozen import Frozen
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead
@@ -36,7 +36,8 @@ from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System, by_letters
-from rbpsym.statement.model import Phase
+from rbpsym.present.forms import present
+from rbpsym.statement.model import Phase, Problem
 from rbpsym.statement.scope import CLOCK
 
 
@@ -71,6 +72,17 @@ def at_start(study: Study, phase: Phase | None = None) -> ArrivalState:
         places[name], speeds[name] = (short(substitute(part, start)) for part in (value, rate))
         _require_start(study, name, places[name], speeds[name])
     return ArrivalState(NOTHING, places, speeds)
+
+
+def with_starts(study: Study) -> Problem:
+    """The problem of a study with all starts that its conditions tell; as it is where one of them is open."""
+    try:
+        begun = at_start(study)
+        told = {n: (present(begun.places[n]), present(begun.speeds[n])) for n in begun.places}
+    except (StatementError, ZeroDivisionError):
+        return study.problem
+    coordinates = (replace(c, start=told[c.name][0], speed=told[c.name][1]) for c in study.problem.coordinates)
+    return replace(study.problem, coordinates=tuple(coordinates))
 
 
 def of_coordinate(study: Study, name: str) -> tuple[Scalar, Scalar]:
@@ -123,6 +135,7 @@ def state_at(study: Study, name: str, place: Scalar, sense: int = 0) -> ArrivalS
     here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
     apart = [key for other in _moving(study) if other != name and not study.kept_speeds for key in (other, f"{other}_dot")]
     here |= {key: symbol(key) for key in apart}
+    here |= {other: symbol(other) for other in study.system.coordinates if study.ties and other != name}  # its tie may tell it
     for other, rate in study.kept_speeds.items():
         here[other.removesuffix("_dot")] = substitute(_followed(study, name, other), {name: place})
         here[other] = substitute(rate, {name: place, f"{name}_dot": speed})

@@ -17,6 +17,7 @@ from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.interactions import LAWS, LawSetting
 from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.placing import locator, open_names, poses, still_open
+from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import BodyState, ConstraintCondition, Force, Pose, System, at_point
 from rbpsym.mechanics.tying import Tied, tie
 from rbpsym.present.forms import present
@@ -177,8 +178,24 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
     rates = {name: dependent.get(f"{name}_dot", speed) for name, speed in speeds.items()}
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in names}
+    start |= _tied_starts(names, tied, problem, start)
     start |= {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent}
     return Meanings(rates=rates, start=start), independent
+
+
+def _tied_starts(names: tuple[str, ...], tied: Tied, problem: Problem, start: dict[str, Scalar]) -> dict[str, Scalar]:
+    """Where coordinates begin of which only their range is said, and conditions that tie them to those that are stated leave
+    one place there."""
+    found, numbers = dict[str, Scalar](), sample(problem)
+    ranges = {c.name: (c.lower, c.upper) for c in problem.coordinates if c.start is None and None not in (c.lower, c.upper)}
+    for condition in tied.implicit * len(tied.implicit):
+        value = substitute(condition.value, {**start, **found})
+        match [name for name in names if depends_on(value, name)]:
+            case [name] if name in ranges:
+                low, high = (number(scalar(end), numbers) for end in ranges[name])
+                places = [place for place in zeros(value, name) if low < number(place, numbers) < high]
+                found |= {name: places[0]} if len(places) == 1 else {}
+    return found
 
 
 def _dependent_speeds(free, tied: Tied, problem: Problem) -> dict[str, Scalar]:

@@ -80,6 +80,9 @@ ANSWERS = (
     ("flywheel-with-drag", "number of turns of wheel until phi comes to rest", "I_0/(4*pi*k)*ln(1+k*omega_0**2/M_f)"),
     ("shell-in-valley", "smallest mu for which it does not slip", "2/5*tan(theta_0)"),
     ("rod-with-clamped-bob", "d for which the period does not depend on m", "2*L/3"),
+    ("slider-crank-by-torque", "acceleration of x at the start", "3*tau/(a*(4*m+3*M))"),
+    ("slider-crank-by-torque", "N at the start", "3*tau*(m+2*M)/(2*(4*m+3*M)*sqrt(L**2-a**2))"),
+    ("motor-then-brake", "time until phi comes to rest", "t_1 + tau*t_1/M_b"),
     ("platform", "N where t = pi/(2*Omega)", "m*(g - A*Omega**2)"),
 )
 
@@ -175,3 +178,8 @@ def test_a_statement_that_cannot_be_meant_says_what_can(text: str, said: str) ->
 def test_what_is_driven_may_tell_a_quantity() -> None:
     found = answered(asked("bead-drawn-in-groove"), "angular velocity of disk as a function of r")
     assert found.verdict.is_proved and found.text == "omega_0*(M*R**2 + 2*m*r_0**2)/(M*R**2 + 2*m*r_1**2)"
+
+
+def test_a_coordinate_that_is_tied_is_not_told_where_its_tie_is_not_solved() -> None:
+    with pytest.raises(StatementError, match="no closed form"):
+        answered(asked("slider-crank-by-torque"), "phi where theta = pi/3")
