@@ -22,6 +22,7 @@ from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, s
 from rbpsym.field.exponentials import with_squares
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
+from rbpsym.mechanics.arrivals import inward
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
@@ -30,7 +31,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.step import Step
 from rbpsym.quantity.bound import Bound, parts, plane
-from rbpsym.quantity.path import even, first_push, gathered, inward, sense, work_by_energy, work_done
+from rbpsym.quantity.path import even, first_push, gathered, sense, work_by_energy, work_done
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 
@@ -260,9 +261,8 @@ LONG = 60  # terms, those above times those below
 
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
     closed = {name: done for name, (_, done) in works.items()}
-    image = moment.state.image
     moved = world.study.begun if world.study.at_start else world.motion.moved
-    found = [substitute(moved(substitute(value, closed)), image) for value in named]
+    found = [substitute(moved(substitute(value, closed)), moment.state.image) for value in named]
     found = [shortest(short(even(value)), world.study) for value in found]
     return tuple(_settled(world, value, moment, question) for value in found)
 
@@ -373,7 +373,8 @@ def _without_speeds(world: ProblemWorld, found: Found, turned: int = 1) -> Found
             way = 1 if is_zero(square) else sense(motion, name)
             if not way:
                 push = first_push(motion, name)
-                way = inward(motion, name) or sense_stated(world.study, push) or sense_at_sample(world.study, push)
+                way = inward(motion.scope.start.get(name), motion.assumptions.range_of(name))
+                way = way or sense_stated(world.study, push) or sense_at_sample(world.study, push)
                 asked.append(Demand(push * way))
             if not way:
                 return found

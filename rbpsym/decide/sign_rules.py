@@ -249,9 +249,10 @@ def _by_logarithms(study: SignStudy, poly: Poly) -> int:
     product, scale = UNITY, lcm(*(c.denominator for c in poly.terms.values()))
     for m, c in poly.terms.items():
         found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == 1 else None
-        if found is None or found.kind != "ln" or abs(c * scale) > MOST_OF_ONE:
+        times_taken = int(c * scale)
+        if found is None or found.kind != "ln" or abs(times_taken) > MOST_OF_ONE:
             return ANY
-        product = product * found.arg ** int(c * scale)
+        product = product * found.arg**times_taken
     return study.scalar(product - 1)
 
 

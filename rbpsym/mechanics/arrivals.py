@@ -190,11 +190,12 @@ def _first_met(
     square, *gaps = values
     start, is_open = study.system.scope.start[name], False
     is_pushed = is_zero(study.system.scope.start.get(f"{name}_dot", NOTHING))  # from rest it goes as the forces want
-    begun = begins(study) if is_pushed else ()
+    begun, drive = begins(study) if is_pushed else (), _drive(study, name)
+    inwards = inward(start, study.assumptions.range_of(name)) if is_zero(drive) else 0
     for numbers in _tried(study, start):
         if any(floating(demand.value, numbers) < 0 for demand in begun):
             continue
-        way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, square)
+        way = Way(name, start, inwards or (-1 if floating(drive, numbers) < 0 else 1), square)
         factors = [factor for gap in gaps for factor in factors_in(gap, name)]
         known = (place for factor in factors for place in places_ahead(factor, way, study.assumptions))
         ahead = [item for place in known if (item := (floating(way.ahead(place), numbers), place))[0] > EDGE]
@@ -260,6 +261,13 @@ def _not_before(way: Way, place: Scalar, other: Scalar, given: Assumptions, numb
     for demand in existence(other) if found != found else ():
         if demand.op == ">" and not floating(demand.value, numbers) > 0:
             yield Demand(-demand.value)
+
+
+def inward(begin: Scalar | None, ends: tuple[Scalar | None, Scalar | None]) -> int:
+    """The sense that leads into the range of a coordinate that starts at an end of it; 0 if it does not."""
+    if begin is None:
+        return 0
+    return next((s for s, end in zip((1, -1), ends, strict=True) if end is not None and is_zero(end - begin)), 0)
 
 
 def _drive(study: Study, name: str) -> Scalar:

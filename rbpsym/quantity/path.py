@@ -22,6 +22,7 @@ from rbpsym.field.calculus import depends_on, derivative, inside, names_in, root
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field
+from rbpsym.mechanics.arrivals import inward
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.numbers import number
 from rbpsym.quantity.bound import Motion
@@ -44,16 +45,7 @@ def sense(motion: Motion, name: str) -> int:
     push = first_push(motion, name)
     if found := sign(push, motion.assumptions).sense:
         return found
-    return inward(motion, name) if is_zero(push) else 0
-
-
-def inward(motion: Motion, name: str) -> int:
-    """The sense that leads into the range of a coordinate that starts at an end of it; 0 if it does not."""
-    begin = motion.scope.start.get(name)
-    lower, upper = motion.assumptions.range_of(name)
-    if begin is None:
-        return 0
-    return next((s for s, end in ((1, lower), (-1, upper)) if end is not None and is_zero(end - begin)), 0)
+    return inward(motion.scope.start.get(name), motion.assumptions.range_of(name)) if is_zero(push) else 0
 
 
 def on_path(values: tuple[Scalar, ...], motion: Motion) -> Iterator[Branch]:
@@ -112,10 +104,12 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
         return definite(known, "t", NOTHING, symbol("t"))
     names = [n for n in motion.scope.start if n in motion.scope.rates and depends_on(known, f"{n}_dot")]
     total, rest = NOTHING, known
+    steady = known - sum((derivative(known, f"{n}_dot") * symbol(f"{n}_dot") for n in names), NOTHING)
+    is_beside = not is_zero(steady) and not names_in(steady) & {*motion.scope.rates, *motion.speeds} - {"t"}
     for name in names:
         speed = f"{name}_dot"
         rest = rest - derivative(known, speed) * symbol(speed)
-        part = derivative(known, speed) if len(names) > 1 else substitute(known / symbol(speed), {})
+        part = derivative(known, speed) if len(names) > 1 or is_beside else substitute(known / symbol(speed), {})
         integrand = along_motion(part, motion.squares)
         others = {*motion.scope.rates, "t"} - {name}
         if integrand is None or any(depends_on(integrand, other) for other in others):
@@ -126,6 +120,9 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
         if done is None:
             return None
         total = total + done
+    if is_beside:
+        gone = definite(steady, "t", NOTHING, symbol("t"))
+        return None if gone is None else total + gone
     return total if len(names) == 1 or (names and is_zero(rest)) else None
 
 

@@ -83,6 +83,9 @@ ANSWERS = (
     ("slider-crank-by-torque", "acceleration of x at the start", "3*tau/(a*(4*m+3*M))"),
     ("slider-crank-by-torque", "N at the start", "3*tau*(m+2*M)/(2*(4*m+3*M)*sqrt(L**2-a**2))"),
     ("motor-then-brake", "time until phi comes to rest", "t_1 + tau*t_1/M_b"),
+    ("cube-off-its-edge", "N where theta = 0", "M*g*(11/8 - 3*sqrt(2)/4)"),
+    ("block-onto-belt", "work of f until carried", "-m*u**2/2"),
+    ("rod-in-car", "theta_0 for which acceleration of theta at the start = 0", "atan(g/a)"),
     ("platform", "N where t = pi/(2*Omega)", "m*(g - A*Omega**2)"),
 )
 

@@ -17,7 +17,7 @@ from rbpsym.decide.rooted import rooted, shorter, sign_along
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict, all_of, proved, undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, is_zero, symbol
+from rbpsym.field import NOTHING, PI, UNITY, Scalar, atoms, factors, generator, inverse, is_zero, symbol
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.field.normal import normal
 from rbpsym.field.roots import with_image, without_even_roots
@@ -90,6 +90,10 @@ def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assu
     if _degree(value, name) == len(set(places)) > 0:
         return proved("it has no more zeros than its degree")
     limits = of_symbol(name, given)
+    if len(places) == 1 and is_zero(derivative(slope, name) + value) and limits.lower is not None and limits.upper is not None:
+        whole = (sign(substitute(part, {name: NOTHING}), given.without(name)).is_nonzero for part in (value, slope))
+        if sign(PI - limits.upper + limits.lower, given).is_nonnegative and any(whole):
+            return proved("it is a wave A cos x + B sin x, which vanishes once in half a turn")
     parts = pairwise([limits.lower, *places, limits.upper])
     if places and all(_is_free(value, slope, given.with_range(name, *ends)) for ends in parts):
         return proved("between these it has one sign")
