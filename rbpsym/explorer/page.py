@@ -101,12 +101,8 @@ def model(problem: Problem, language: str) -> Model:
     }
     ends = (parts[0], *parts[1:][-1:])
     free = tuple(filter(None, (loose(part.study, names, _ground(parts)) for part in ends)))
-    alt = plain("explorer.picture", language, parts=_bodies(study, said))
+    alt = plain("explorer.picture", language, parts=list(map(said.body, problem.body_names)))
     return Model(data, phases, alt, partial, free if len(free) == len(ends) else ())
-
-
-def _bodies(study: Study, said: Words) -> list[str]:
-    return [said.body(name) for name in study.problem.body_names]
 
 
 def _require_start(study: Study, numbers: dict[str, float]) -> None:
@@ -215,14 +211,9 @@ def explorer(problems: tuple[Problem, ...], language: str = "en") -> str:
         style=Markup((data_folder("templates") / "explorer.css").read_text(encoding="utf-8")),
         colors=Markup(_colors()),
         font=Markup(font()),
-        models=[_shown(k, found) for k, found in enumerate(models)],
+        models=models,
         script=Markup(_script(models, words)),
     )
-
-
-def _shown(place: int, found: Model) -> dict[str, object]:
-    """What the shell says of a model."""
-    return {"place": place, "title": found.data["title"], "partial": found.is_first_phase_only, "alt": found.alt}
 
 
 def _colors() -> str:

@@ -45,15 +45,11 @@ class SeenStudy(Frozen):
         """x and y."""
         return [self.put(vector.x), self.put(vector.y)]
 
-    def parts(self) -> dict[str, list[Part]]:
-        """All that is drawn besides the forces, by kind."""
-        found = {name: list(of(self)) for name, of in KINDS.items()}
-        return {name: parts for name, parts in found.items() if parts}
-
 
 def scenery(study: Study, put: Callable[[Scalar], int], elsewhere: tuple[Element, ...] = ()) -> dict[str, list[Part]]:
-    """All that is drawn besides the forces."""
-    return SeenStudy(study, put, geometry_of(study.system), elsewhere).parts()
+    """All that is drawn besides the forces, by kind."""
+    seen = SeenStudy(study, put, geometry_of(study.system), elsewhere)
+    return {name: parts for name, of in KINDS.items() if (parts := list(of(seen)))}
 
 
 def bodies(seen: SeenStudy) -> Iterator[Part]:

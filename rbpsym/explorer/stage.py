@@ -8,6 +8,7 @@ kinetic friction, the friction that is left, the range of a coordinate.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import LimitError, NotApplicable, StatementError
@@ -16,6 +17,7 @@ from rbpsym.explorer.javascript import Program, function
 from rbpsym.explorer.scenery import scenery
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, symbol, time_derivative
 from rbpsym.field.evaluate import scalar
+from rbpsym.field.scalar import lift
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import newton_euler_rows
@@ -125,7 +127,7 @@ def _start(study: Study) -> Iterator[Scalar]:
     """The start state: declared, an adjustable number, or a guess where a constraint will say."""
     system, guess = study.system, sample(study.problem)
     for name in system.coordinates:
-        own = symbol(start_name(name)) if name in system.independent else _rough(guess[name])
+        own = symbol(start_name(name)) if name in system.independent else lift(Fraction(guess[name]).limit_denominator(10**6))
         yield system.scope.start.get(name, own)
     for speed in system.speeds:
         yield system.scope.start.get(speed, NOTHING)
@@ -141,14 +143,6 @@ def _nudge(study: Study) -> dict[str, Any] | None:
     upper, start = coordinates[name].upper, coordinates[name].start
     way = -1 if upper is not None and start is not None and is_zero(scalar(upper) - scalar(start)) else 1
     return {"place": system.coordinates.index(name), "name": name, "way": way}
-
-
-def _rough(value: float) -> Scalar:
-    from fractions import Fraction
-
-    from rbpsym.field.scalar import lift
-
-    return lift(Fraction(value).limit_denominator(10**6))
 
 
 def _rates(study: Study, names: tuple[str, ...], solved: bool) -> str:
@@ -184,7 +178,7 @@ def seen(
         "size": len(system.coordinates) + len(system.speeds),
         "free": len(system.coordinates),
         "coordinates": {name: put(symbol(name)) for name in shown},
-        "speeds": {name: put(_speed(study, name)) for name in shown},
+        "speeds": {name: put(system.scope.rates.get(name, symbol(f"{name}_dot"))) for name in shown},
         "accelerations": {name: put(symbol(f"{name}_ddot")) for name in shown if program.knows(f"{name}_ddot")},
         "unknowns": {name: put(symbol(name)) for name in system.unknowns},
         "couples": [name for name in system.unknowns if any(depends_on(f.couple, name) for f in system.forces)],
@@ -194,11 +188,6 @@ def seen(
         "events": [{**event, "value": put(event["value"])} for event in events(study, ending.goal)],
     }
     return {**data, **scenery(study, put, elsewhere)}
-
-
-def _speed(study: Study, name: str) -> Scalar:
-    rate = study.system.scope.rates.get(name)
-    return symbol(f"{name}_dot") if rate is None else rate
 
 
 def _force(force: Force, put: Callable[[Scalar], int]) -> dict[str, Any]:

@@ -62,7 +62,8 @@ def _read(request: str) -> dict[str, Any]:
     wrong = [key for key in (*needed, *told) if key not in told or key not in (*keys, "do")]
     wrong += [key for key, one in keys.items() if key in told and not _is(told[key], one.annotation)]
     if wrong:
-        raise ReadError(f"“{wrong[0]}” is missing, unknown or of another kind in “{told['do']}”", instead=_takes(told["do"]))
+        what = f"“{wrong[0]}” is missing, unknown or of another kind in “{told['do']}”"
+        raise ReadError(what, instead=f"it takes {inspect.signature(OPERATIONS[told['do']])}.")
     return told
 
 
@@ -70,10 +71,6 @@ def _is(value: object, kind: str) -> bool:
     """Whether a value of JSON is of a kind: “str”, “int”, or “list[str]”, a list of nothing else."""
     whole, _, of = kind.removesuffix("]").partition("[")
     return type(value).__name__ == whole and (not isinstance(value, list) or all(_is(one, of) for one in value))
-
-
-def _takes(name: str) -> str:
-    return f"it takes {inspect.signature(OPERATIONS[name])}."
 
 
 def told_error(error: RbpsymError) -> Answer:

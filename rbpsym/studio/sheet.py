@@ -91,17 +91,14 @@ class PhaseSheet(Frozen):
         problem = self.derivation.study.problem
         found = book(self.names | self._rates.keys(), problem.notation, self.language, problem.names_in(self.language))
         free = {way: name for way, name in self._ground.book.typed.items() if way not in found.names}
-        alone = {name.partition("_")[0]: name for name in self.named if self._stems.count(name.partition("_")[0]) == 1}
+        stems = [name.partition("_")[0] for name in self.named]
+        alone = {stem: name for stem, name in zip(stems, self.named, strict=True) if stems.count(stem) == 1}
         return replace(found, typed=MappingProxyType({**alone, **free, **found.typed}))
 
     @cached_property
     def named(self) -> tuple[str, ...]:
         """The energies and moments of inertia that the derivation has letters for; the stem of one alone may be typed (U)."""
         return tuple(sorted(n for n in self.own & self.context.scalars.keys() if n.partition("_")[0] in NAMED))
-
-    @property
-    def _stems(self) -> list[str]:
-        return [name.partition("_")[0] for name in self.named]
 
     @cached_property
     def _rates(self) -> dict[str, t.Deriv]:

@@ -7,7 +7,7 @@ the reason. A hint tells the next step that can be made: its sentence, then its 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from functools import cached_property
 from typing import Any
@@ -170,12 +170,8 @@ class Tutor(Frozen):
             return UNREAD, self._unread(error), ""
         if not isinstance(readings[0], (t.Chain, t.Relations)):
             return UNREAD, self._told(UNREAD, "no_equation"), ""
-        found = []
-        for read in readings:
-            found.append(self._decided(read, sheet, where, is_first=not phase))
-            if found[-1][0] in ACCEPTED:
-                return found[-1]
-        return found[0]
+        found = [self._decided(read, sheet, where, is_first=not phase) for read in readings]
+        return next((one for one in found if one[0] in ACCEPTED), found[0])
 
     def _decided(self, read: t.Node, sheet: PhaseSheet, where: str, *, is_first: bool) -> tuple[str, str, str]:
         """What a line is in one of its meanings."""
@@ -249,17 +245,14 @@ class Tutor(Frozen):
 
     def record(self, lines: Iterable[str]) -> dict[str, Any]:
         """What is handed in: the problem, each line with its verdict, how many of all steps of standard notes stand."""
-        judged = list(self._in_turn(tuple(lines)))
+        written = tuple(lines)
+        judged = [self.judge(line, written[:place]) for place, line in enumerate(written)]
         rows = [{"line": one.line, "verdict": one.verdict, "says": one.says} for one in judged]
         shown = sum(step.level <= STANDARD for step in self.steps.values())
         steps = len({one.step for one in judged} - {""})
         problem = self.derivation.study.problem
         title = problem.title.get(self.language) or problem.name
         return {"problem": problem.name, "title": title, "lines": rows, "steps": steps, "all": shown}
-
-    def _in_turn(self, lines: tuple[str, ...]) -> Iterator[Judged]:
-        for place, line in enumerate(lines):
-            yield self.judge(line, lines[:place])
 
 
 def _sentence(words: str) -> str:

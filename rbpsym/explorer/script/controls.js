@@ -191,7 +191,7 @@ function seeker(motion, place, name) {
     const moment = motion.at(state.time), value = moment.out[moment.data.coordinates[name]];
     if (document.activeElement !== input || state.playing) input.value = value;
     reading.set(value);
-    if (wraps && value !== wrapped(value)) reading.node.textContent += told("turns_more", { angle: shown(wrapped(value) / of.size), turns: Math.round(value / TURN) });
+    if (wraps && value !== wrapped(value)) reading.node.textContent += ` (${shown(wrapped(value) / of.size)}° + ${Math.round(value / TURN)} · 360°)`;
     input.setAttribute("aria-valuetext", reading.node.textContent);
   };
   input.addEventListener("input", () => { pause(); seek(momentOf(motion, values, Number(input.value))); });
