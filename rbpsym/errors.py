@@ -32,7 +32,7 @@ class RbpsymError(Exception):
         super().__init__(what)
         self.what, self.instead, self.place = what, instead, place
 
-    def at(self, place: Place) -> RbpsymError:
+    def at(self, place: Place | None) -> RbpsymError:
         """The same error, told at `place`, if it had none."""
         return self if self.place else type(self)(self.what, instead=self.instead, place=place)
 

@@ -91,7 +91,7 @@ def _moment(draft: Draft, ending: Ending, time: Scalar) -> None:
         f"phases.moment.{MOMENTS[begun(ending.phase)]}",
         premises=draft.those("slip.speed", "slip.rate"),
         letter=letter,
-        coordinate=t.Sym(ending.phase.subject or ""),
+        coordinate=t.Sym(ending.phase.subject),
         is_result=True,
         obligations=draft.asked(ending.state.valid),
         data={"ending": ending},
@@ -112,7 +112,7 @@ def _place(draft: Draft, ending: Ending) -> None:
         t.equation(letter, draft.show(value)),
         f"phases.place.{PLACES[begun(ending.phase)]}",
         letter=letter,
-        force=t.Sym(ending.phase.subject or ""),
+        force=t.Sym(ending.phase.subject),
         coordinate=t.Sym(name),
         is_result=True,
         obligations=draft.asked(ending.state.valid),
@@ -220,7 +220,7 @@ class Ending(Frozen):
 
     def element(self, draft: Draft) -> Element:
         """The constraint that it is about."""
-        return draft.study.system.element(self.phase.subject or "")
+        return draft.study.system.element(self.phase.subject)
 
 
 def place_name(draft: Draft, coordinate: str, number: int) -> str:

@@ -150,7 +150,7 @@ def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:
     if k + 1 == len(parts):
         return LAST
     ending = problem.phases[k]
-    goal, began, name = None, parts[k + 1].began, ending.subject or ""
+    goal, began, name = None, parts[k + 1].began, ending.subject
     if ending.event in ("reaches", "rests"):
         place, speed = of_coordinate(parts[k].study, name)
         goal = name, place - scalar(ending.value) if ending.event == "reaches" and ending.value is not None else speed

@@ -60,7 +60,7 @@ def event(derivation: Derivation) -> Scalar | None:
 
 def _slip(study: Study, phase: Phase) -> Scalar:
     geometry = geometry_of(study.system)
-    return slip_speed(geometry, meeting(study.system.element(phase.subject or ""), geometry))
+    return slip_speed(geometry, meeting(study.system.element(phase.subject), geometry))
 
 
 def _closing(study: Study, phase: Phase) -> Scalar:
@@ -80,9 +80,9 @@ def _tied(found: Callable[[Study, Phase], Scalar]) -> Callable[[Study, Phase], S
 GAPS: Mapping[str, Callable[[Study, Phase], Scalar]] = {
     "no slip": _tied(_slip),
     "begins": _tied(_closing),
-    "reaches": lambda study, phase: of_coordinate(study, phase.subject or "")[0] - _value(phase),
-    "rests": lambda study, phase: of_coordinate(study, phase.subject or "")[1],
+    "reaches": lambda study, phase: of_coordinate(study, phase.subject)[0] - _value(phase),
+    "rests": lambda study, phase: of_coordinate(study, phase.subject)[1],
     "time": lambda study, phase: symbol("t") - _value(phase),
-    "takes": lambda study, phase: symbol(phase.subject or "") - _value(phase),
-    "lost": lambda study, phase: symbol(phase.subject or ""),
+    "takes": lambda study, phase: symbol(phase.subject) - _value(phase),
+    "lost": lambda study, phase: symbol(phase.subject),
 }

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat, root_of, sign_along
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.errors import NotApplicable, StatementError, there
 from rbpsym.field import (
     NOTHING,
     PI,
@@ -21,6 +21,7 @@ from rbpsym.field import (
     has_roots,
     is_zero,
     names_in,
+    short,
     substitute,
     symbol,
     time_derivative,
@@ -29,7 +30,6 @@ from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead
 from rbpsym.mechanics.numbers import Numbers, floating, sample, samples
 from rbpsym.mechanics.pushing import begins
@@ -202,7 +202,7 @@ def _first_met(
         place = min(ahead, key=lambda item: item[0])[1] if ahead else None
         found = None if place is None else _conditions(study, way, place, tuple(gaps), numbers)
         asked = None if found is None else [*first, *found]
-        if asked is not None and all(one.op == "!=" or floating(one.value, numbers) >= 0 for one in asked):
+        if place is not None and asked is not None and all(one.op == "!=" or floating(one.value, numbers) >= 0 for one in asked):
             told = settle(asked, study.assumptions)
             if told is not None:
                 return neat(place, assuming(study.assumptions, told)), asked, way.sense
@@ -218,8 +218,9 @@ def _tried(study: Study, start: Scalar) -> Iterator[Numbers]:
     yield from samples(study.problem)
     numbers = sample(study.problem)
     for name in names_in(start) & set(study.problem.implicit):
-        ends = [None if end is None else floating(end, numbers) for end in study.assumptions.range_of(name)]
-        yield from ({**numbers, name: ends[0] + (ends[1] - ends[0]) * part} for part in NEAR_ENDS if None not in ends)
+        low, high = (None if end is None else floating(end, numbers) for end in study.assumptions.range_of(name))
+        if low is not None and high is not None:
+            yield from ({**numbers, name: low + (high - low) * part} for part in NEAR_ENDS)
 
 
 def _conditions(study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers) -> list[Demand] | None:
@@ -299,11 +300,11 @@ def state_reached(study: Study, name: str, value: Scalar) -> ArrivalState | None
     tie, start = tie_to_time(study.system, name), study.system.scope.start.get(name)
     if tie is None or start is None:
         return None
-    there = substitute(tie, {name: value})
+    then = substitute(tie, {name: value})
     way = sense_to(study, name, (start, value))
     if not way:
         return None
-    time = short(-(substitute(there, {CLOCK: NOTHING}) / derivative(there, CLOCK)))
+    time = short(-(substitute(then, {CLOCK: NOTHING}) / derivative(then, CLOCK)))
     return _at(study, time, {name: value, CLOCK: time}, Demand((value - start) * way))
 
 
@@ -327,7 +328,7 @@ def _at(study: Study, time: Scalar, image: Mapping[str, Scalar], ahead: Demand |
 
 def sense_to(study: Study, name: str, ends: tuple[Scalar, Scalar]) -> int:
     """1 or -1 where the time that the tie gives grows, or falls, with the coordinate all the way between two places; else 0."""
-    tie = tie_to_time(study.system, name)
+    tie = there(tie_to_time(study.system, name))
     slope = -(derivative(tie, name) / derivative(tie, CLOCK))
     signs = {sign(slope, study.assumptions.with_range(name, *pair)).sense for pair in (ends, ends[::-1])}
     return signs.pop() if len(signs) == 1 else 0

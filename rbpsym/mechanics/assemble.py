@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.errors import RbpsymError, StatementError, Undecided
+from rbpsym.errors import RbpsymError, StatementError, Undecided, there
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
@@ -22,7 +22,7 @@ from rbpsym.mechanics.system import BodyState, ConstraintCondition, Force, Pose,
 from rbpsym.mechanics.tying import Tied, tie
 from rbpsym.present.forms import present
 from rbpsym.statement.checks import unknowns_of
-from rbpsym.statement.model import Problem
+from rbpsym.statement.model import Coordinate, PointRef, Problem
 from rbpsym.typeset.machine import to_machine
 
 CLOSE = 1e-7  # at sample numbers, which are near 1
@@ -148,7 +148,7 @@ def _check_start_speeds(system: System) -> None:
 def _by_preference(problem: Problem) -> tuple[str, ...]:
     """Coordinates that are best kept come first: those with a start and a start speed, angles."""
 
-    def rank(c) -> tuple:
+    def rank(c: Coordinate) -> tuple[bool, bool, bool]:
         moves = c.speed is not None and bool(scalar(c.speed))
         return (c.start is None, not moves, c.quantity.dimension.length != 0)
 
@@ -192,13 +192,13 @@ def _tied_starts(names: tuple[str, ...], tied: Tied, problem: Problem, start: di
         value = substitute(condition.value, {**start, **found})
         match [name for name in names if depends_on(value, name)]:
             case [name] if name in ranges:
-                low, high = (number(scalar(end), numbers) for end in ranges[name])
+                low, high = (number(scalar(there(end)), numbers) for end in ranges[name])
                 places = [place for place in zeros(value, name) if low < number(place, numbers) < high]
                 found |= {name: places[0]} if len(places) == 1 else {}
     return found
 
 
-def _dependent_speeds(free, tied: Tied, problem: Problem) -> dict[str, Scalar]:
+def _dependent_speeds(free: Sequence[str], tied: Tied, problem: Problem) -> dict[str, Scalar]:
     """Speeds that the conditions fix, solved in terms of the others; last those that they do not fix at the start."""
     rows = [condition.value for condition in tied.speeds]
     for condition in tied.implicit:
@@ -224,7 +224,7 @@ def vector_rate(vector: Vector, scope: Meanings) -> Vector:
     return vector.rate(scope.rates)
 
 
-def setting_of(system: System, where) -> LawSetting:
+def setting_of(system: System, where: Callable[[PointRef], Vector]) -> LawSetting:
     """What the laws of force may look at."""
     numbers = sample(system.problem)
     numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
@@ -261,7 +261,7 @@ def _sure_sense(problem: Problem, value: Scalar) -> int:
 CLEAR, LOOKS = 1e-12, 8
 
 
-def with_forces(system: System, where) -> System:
+def with_forces(system: System, where: Callable[[PointRef], Vector]) -> System:
     """The system with all forces that its elements exert."""
     setting = setting_of(system, where)
     placed = {name: state.pose for name, state in system.bodies.items()}

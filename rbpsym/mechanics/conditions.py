@@ -11,7 +11,7 @@ from dataclasses import replace
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NoNumber, StatementError
+from rbpsym.errors import NoNumber, StatementError, there
 from rbpsym.field import (
     NOTHING,
     ONE,
@@ -29,12 +29,12 @@ from rbpsym.field import (
 )
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.integration import antiderivative
-from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.constraints import JOINTS, AngleJoin
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import ConstraintCondition, Force, Pose
-from rbpsym.statement.model import Coordinate, Element, Problem
+from rbpsym.statement.model import Coordinate, Element, PointRef, Problem
 from rbpsym.statement.premises import declared
 
 CLOCK, RATE = "t", "rate"
@@ -115,7 +115,9 @@ def _of(element: Element, problem: Problem, geometry: Geometry) -> list[Constrai
     return found + [ConstraintCondition(element.name, value, what) for value, what in joint.gaps(element, geometry)]
 
 
-def _meeting(element: Element, first, second: Vector, where: Callable, problem: Problem) -> list[ConstraintCondition]:
+def _meeting(
+    element: Element, first: PointRef | None, second: Vector, where: Callable[[PointRef], Vector], problem: Problem
+) -> list[ConstraintCondition]:
     """Two points in one place; a pivot without a place holds its point where the pose has it."""
     if first is None:
         moving = [c.name for c in problem.coordinates if second.derivative(c.name)]
@@ -133,7 +135,7 @@ def _meeting(element: Element, first, second: Vector, where: Callable, problem: 
     return [ConstraintCondition(element.name, difference.x, "x"), ConstraintCondition(element.name, difference.y, "y")]
 
 
-def _turned(join, placed: Mapping[str, Pose], problem: Problem) -> Scalar:
+def _turned(join: AngleJoin, placed: Mapping[str, Pose], problem: Problem) -> Scalar:
     turn = placed[join.second].angle - (placed[join.first].angle if join.first else NOTHING)
     if join.offset is not None:
         return turn - join.offset
@@ -194,8 +196,8 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
     if coordinate is None or len(names) < 2:
         return None
     numbers = sample(problem)
-    places = [(_place(zero, numbers), zero) for zero in zeros(value, coordinate.name)]
-    places = [item for item in places if item[0] is not None and _is_allowed(item[0], coordinate, numbers)]
+    each = ((_place(zero, numbers), zero) for zero in zeros(value, coordinate.name))
+    places = [(at, zero) for at, zero in each if at is not None and _is_allowed(at, coordinate, numbers)]
     return min(places, key=lambda item: abs(item[0]))[1] if places else None
 
 
@@ -214,7 +216,7 @@ def _driven(value: Scalar, coordinate: Coordinate, given: Assumptions) -> Scalar
 
 def _held_at_start(value: Scalar, coordinate: Coordinate) -> Scalar | None:
     """The start, if the condition holds there and nothing moves: it is held until a later phase."""
-    start = scalar(coordinate.start)
+    start = scalar(there(coordinate.start))
     moves = coordinate.speed is not None and not is_zero(scalar(coordinate.speed))
     return None if moves or not is_zero(substitute(value, {coordinate.name: start})) else start
 

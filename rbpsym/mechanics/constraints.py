@@ -33,7 +33,7 @@ class Touch(Frozen):
     side: str
 
 
-def _none(element: Element, geometry: Geometry | None = None) -> tuple:
+def _none(element: Element, geometry: Geometry | None = None) -> tuple[()]:
     return ()
 
 
@@ -56,7 +56,7 @@ class Joint(Frozen):
     taken: Callable[[Element, Geometry], tuple[Scalar, ...]] = _none
     is_one_sided: bool = False
 
-    def fixed_lines(self, element: Element) -> tuple[tuple[str, Line], ...]:
+    def fixed_lines(self, element: Element) -> tuple[tuple[str | None, Line], ...]:
         """(body, fixed line that it touches); none for other curves and other kinds."""
         if element.values.get("line") is None or element["of"] is not None:
             return ()

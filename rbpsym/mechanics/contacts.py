@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from rbpsym.errors import StatementError
+from rbpsym.errors import StatementError, there
 from rbpsym.field import (
     NOTHING,
     UNITY,
@@ -54,9 +54,8 @@ class Meeting(Frozen):
 
 def touching_point(element: Element) -> PointRef:
     """The point that touches, or the centre of the round body that does."""
-    if "body" in element.values:
-        return PointRef(f"{element['body']}.center", element["body"], "center")
-    return element["point"]
+    is_round = "body" in element.values
+    return PointRef(f"{element['body']}.center", element["body"], "center") if is_round else element["point"]
 
 
 def rim_of(element: Element) -> Scalar:
@@ -104,7 +103,7 @@ def _side_of_line(element: Element, geometry: Geometry, across: Vector) -> int:
     on, way = (toucher(element), 1) if toucher(element) else (curve_body(element), -1)
     bearer = curve_body(element)
     away = -_side(element, geometry, bearer) if bearer and way == 1 else 0
-    return way * _side(element, geometry, on) or away or way * geometry.sign(across.y) or 1
+    return way * _side(element, geometry, there(on)) or away or way * geometry.sign(across.y) or 1
 
 
 def _side(element: Element, geometry: Geometry, body: str) -> int:

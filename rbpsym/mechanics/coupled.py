@@ -6,7 +6,7 @@ has s = 0. About a place of rest the accelerations are those to first order. Gol
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from rbpsym.decide.rooted import neat, root_of
 from rbpsym.decide.signs import sign
@@ -66,18 +66,17 @@ def courses(study: Study, law: CoupledLinear | None, solved: Callable[[Given], I
     start = study.system.scope.start
     if law is None or not {*law.names} <= start.keys():
         return {}
-    roots = _roots(law, study)
-    rows = [(value, row) for value in roots or () for row in _rows(law.stiffness, value)]
+    roots = _roots(law, study) or {}
+    rows = [(value, row) for value in roots for row in _rows(law.stiffness, value)]
     if len(rows) != len(law.names):
         return {}
     begun = [[start.get(f"{name}{dot}", NOTHING) for name in law.names] for dot in ("", "_dot")]
-    modes, count = [], len([value for value, _ in rows if value])
+    modes, count = list[InTime](), len([value for value, _ in rows if value])
     for number, (value, row) in enumerate(rows, 1):
         form = driven_form(AccelerationForm(short(_sum(row, law.rest)), value))
         place, speed = (short(_sum(row, part)) for part in begun)
-        known = form and Given(form, place, speed, study, "", mark=f"_{number}" if count > 1 else "")
-        mode = known and solved(known)
-        if mode is None:
+        mark = f"_{number}" if count > 1 else ""
+        if form is None or (mode := solved(known := Given(form, place, speed, study, "", mark=mark))) is None:
             return {}
         modes.append(replace(mode, valid=()) if law.is_stable or roots[value] else mode)
     parts = solve_matrix(tuple(row for _, row in rows), [symbol(f"mode {k}") for k in range(len(rows))])
@@ -120,13 +119,13 @@ def _led(study: Study, known: Mapping[str, InTime], solved: Callable[[Given], In
 
 def _separated(study: Study, name: str) -> InTime | None:
     """From the speed as a function of the place: what dq over it adds up to is the time, which is solved for the place."""
-    given, begin = study.assumptions, study.system.scope.start.get(name)
+    given, begin = study.assumptions, study.system.scope.start.get(name, NOTHING)
     way = sign(study.system.scope.start.get(f"{name}_dot", NOTHING), given).sense
     speed = neat(root_of(study.squares[name], given), given) * way if way and name in study.squares else NOTHING
     gone = definite(UNITY / speed, name, begin, symbol(name)) if speed else None
     places = zeros(short(gone - symbol("t")), name) if gone is not None else ()
     begun = [place for place in places if is_zero(neat(substitute(place, {"t": NOTHING}), given) - begin)]
-    return InTime(begun[0], valid=existence(begun[0])) if len(begun) == 1 else None
+    return InTime(begun[0], valid=tuple(existence(begun[0]))) if len(begun) == 1 else None
 
 
 def _summed(value: Scalar, modes: list[InTime]) -> InTime:
@@ -176,5 +175,5 @@ def _rows(stiffness: Matrix, value: Scalar) -> list[tuple[Scalar, ...]]:
     return [tuple(short(substitute(part, image)) for part in whole) for image in chosen]
 
 
-def _sum(row, others) -> Scalar:
+def _sum(row: Iterable[Scalar], others: Iterable[Scalar]) -> Scalar:
     return total(a * b for a, b in zip(row, others, strict=True))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.decide.assumptions import Assumptions, behind
@@ -10,18 +10,17 @@ from rbpsym.decide.domain import IMPLIED
 from rbpsym.decide.rooted import neat, root_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError
-from rbpsym.field import ONE, ZERO, Poly, atoms, cosine, generator, names_in, sine, with_exponentials_joined
+from rbpsym.field import ONE, ZERO, Poly, atoms, cosine, generator, names_in, short, sine, with_exponentials_joined
 from rbpsym.field.normal import is_zero, normal
 from rbpsym.field.roots import without_even_roots
 from rbpsym.field.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential, open_factors
 from rbpsym.present.forms import present
 from rbpsym.typeset.machine import to_machine
 
 FAILS = {">": ("negative", "zero", "nonpositive"), ">=": ("negative",), "!=": ("zero",)}
-WAYS = {"positive": 1, "negative": -1}
+WAYS: Mapping[str | None, int] = {"positive": 1, "negative": -1}
 
 
 class Demand(Frozen):
@@ -80,8 +79,8 @@ def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...]
     firm = {one.value * way for one in demands if one.op == ">" for way in (1, -1)}
     apart = [item for k, item in enumerate(demands) if item.value in firm or Demand(-item.value, "!=") in demands[:k]]
     demands = [item for item in demands if item.op != "!=" or item not in apart]
-    apart = {item.value for item in demands if item.op == "!="}
-    demands = [Demand(item.value) if item.op == ">=" and item.value in apart else item for item in demands]
+    other_than_zero = {item.value for item in demands if item.op == "!="}
+    demands = [Demand(item.value) if item.op == ">=" and item.value in other_than_zero else item for item in demands]
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]
     for item in list(demands):
         others = [other for other in demands if other is not item]
@@ -133,19 +132,23 @@ def _turned(given: Assumptions, demand: Demand) -> Iterator[Assumptions]:
     """± sin x > 0 or cos x > 0 as a range of x, where x lies in (-π, π)."""
     value = demand.value
     [(index, exponent), *more] = next(iter(value.num.terms), ()) or ((0, 0),)
-    name = atoms.symbol_name(next(iter(atoms.atom(index).arg.atoms()), 0)) if atoms.atom(index).kind in WAVES else None
-    if value.den is ONE and len(value.num) == exponent == 1 and not more and name in given.ranges:
+    atom = atoms.atom(index)
+    name = atoms.symbol_name(next(iter(atom.arg.atoms()), 0)) if atom.kind in WAVES else None
+    if value.den is ONE and len(value.num) == exponent == 1 and not more and name and name in given.ranges:
         side = 1 if next(iter(value.num.terms.values())) > 0 else -1
-        ends = WAVES[atoms.atom(index).kind].get(side)
-        known = [None if end is None else (end / PI).number() for end in given.range_of(name)]
-        if ends and None not in known and known[0] >= -1 and known[1] <= 1 and atoms.atom(index).arg == symbol(name).num:
-            new = {side for side in (0, 1) if (ends[side], known[side])[side] > (known[side], ends[side])[side]}
+        ends = WAVES[atom.kind].get(side)
+        low, high = (None if end is None else (end / PI).number() for end in given.range_of(name))
+        if ends and low is not None and high is not None and low >= -1 and high <= 1 and atom.arg == symbol(name).num:
+            new = {side for side, is_new in enumerate((ends[0] > low, ends[1] < high)) if is_new}
             reached = (given.sides_of(name) - new) | (set() if demand.op == ">" else new)
-            yield given.with_range(name, max(ends[0], known[0]) * PI, min(ends[1], known[1]) * PI, reached)
+            yield given.with_range(name, max(ends[0], low) * PI, min(ends[1], high) * PI, reached)
 
 
 HALF = Fraction(1, 2)
-WAVES = {"sin": {1: (0, 1), -1: (-1, 0)}, "cos": {1: (-HALF, HALF)}}  # in units of π
+WAVES: Mapping[str, Mapping[int, tuple[Fraction | int, Fraction | int]]] = {  # in units of π
+    "sin": {1: (0, 1), -1: (-1, 0)},
+    "cos": {1: (-HALF, HALF)},
+}
 
 
 def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Assumptions]:
@@ -171,7 +174,7 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
         if old in (None, NOTHING) or (tighter and sign((bound - old) * way, given).is_nonnegative):
             side = 0 if way > 0 else 1
             sides = (given.sides_of(name) - {side}) | (set() if demand.op == ">" else {side})
-            yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)), sides)
+            yield given.with_range(name, bound if way > 0 else lower, upper if way > 0 else bound, sides)
 
 
 # --- where a formula has a value
@@ -190,7 +193,7 @@ def existence(value: Scalar) -> list[Demand]:
     return found
 
 
-WITHIN = {  # what is positive of an argument within the bounds of its function
+WITHIN: Mapping[str, Callable[[Scalar], Scalar]] = {  # what is positive of an argument within the bounds of its function
     **dict.fromkeys(("root", "ln"), lambda arg: arg),
     **dict.fromkeys(("asin", "acos"), lambda arg: UNITY - arg * arg),
     **dict.fromkeys(("elliptic_k", "elliptic_e"), lambda arg: UNITY - arg),

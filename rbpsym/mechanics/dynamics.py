@@ -13,12 +13,15 @@ from collections.abc import Mapping, Sequence
 from math import prod
 
 from rbpsym.errors import LimitError
-from rbpsym.field import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, substitute, total
+from rbpsym.field import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, short, substitute, total
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.elimination import CONSTANT, Matrix, Row, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
+from rbpsym.mechanics.elimination import CONSTANT, Matrix, Row, blocks, linear_row, solve_linear, solve_matrix, solve_rows
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.mechanics.unsolvable import asking, contradictory, indistinct, is_nonzero, massless, unheld
+
+Twist = tuple[Vector, Scalar]  # what a body has of its centre's motion and of its turning
+Along = Mapping[str, tuple[Twist, ...]]  # by body, for each speed
 
 LARGEST_BLOCK = 3  # coupled coordinates whose accelerations are always solved for
 LARGEST_TRIED = 6  # up to so many they are where the formulas stay short
@@ -51,7 +54,7 @@ def torque_about_center(force: Force, state: BodyState) -> Scalar:
     return turning + force.couple
 
 
-def _partials(state: BodyState, speeds: tuple[str, ...]) -> tuple[tuple[Vector, Scalar], ...]:
+def _partials(state: BodyState, speeds: tuple[str, ...]) -> tuple[Twist, ...]:
     moving: dict[str, Vector] = dict.fromkeys(speeds, Vector({}))
     for angle, length in state.velocity.parts.items():  # a direction depends on the position alone
         for speed in names_in(length) & moving.keys():
@@ -77,7 +80,7 @@ def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dic
     return mass, tuple(forcing), unknown
 
 
-def _mass(system: System, along, r: int, s: int) -> Scalar:
+def _mass(system: System, along: Along, r: int, s: int) -> Scalar:
     parts = []
     for name, state in system.bodies.items():
         (v_r, w_r), (v_s, w_s) = along[name][r], along[name][s]
@@ -88,22 +91,22 @@ def _mass(system: System, along, r: int, s: int) -> Scalar:
     return short(total(parts))
 
 
-def _force_along(force: Force, state: BodyState, along: tuple[Vector, Scalar]) -> Scalar:
+def _force_along(force: Force, state: BodyState, along: Twist) -> Scalar:
     direction, turn = along
     push = direction.dot(force.vector) if direction and force.vector else NOTHING
     return push + turn * torque_about_center(force, state) if turn else push
 
 
-def _known(system: System, along, r: int) -> Scalar:
+def _known(system: System, along: Along, r: int) -> Scalar:
     forces = (f for f in system.forces if not f.unknowns)
     return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces)
 
 
-def _power(system: System, along, r: int, name: str) -> Scalar:
+def _power(system: System, along: Along, r: int, name: str) -> Scalar:
     return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in system.named(name))
 
 
-def _inertial(system: System, along, still, r: int) -> Scalar:
+def _inertial(system: System, along: Along, still: Mapping[str, Twist], r: int) -> Scalar:
     parts = []
     for name, state in system.bodies.items():
         (direction, turn), (acceleration, alpha) = along[name][r], still[name]
@@ -134,7 +137,7 @@ def _workless(system: System, ideal: Mapping[str, bool]) -> dict[str, bool]:
     return {name: fine and is_zero(_carried_power(system, carried, name)) for name, fine in ideal.items()}
 
 
-def _carried_power(system: System, carried, name: str) -> Scalar:
+def _carried_power(system: System, carried: Mapping[str, Twist], name: str) -> Scalar:
     return sum((_force_along(f, system.bodies[f.on], carried[f.on]) for f in system.named(name)), NOTHING)
 
 

@@ -11,8 +11,8 @@ from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, StatementError
-from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
+from rbpsym.errors import NotApplicable, StatementError, there
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, short, substitute, symbol, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics import strings
@@ -29,7 +29,6 @@ from rbpsym.mechanics.arrivals import (
 )
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, possible, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.forms import gathered
 from rbpsym.mechanics.friction import geometry_of, spare
@@ -38,7 +37,7 @@ from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.roots import factor_zeros, factors_in
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import by_letters
-from rbpsym.statement.model import Element, Phase
+from rbpsym.statement.model import Coordinate, Element, Phase
 from rbpsym.statement.scope import CLOCK
 
 # --- events
@@ -71,7 +70,7 @@ def _at_rest(study: Study, phase: Phase, slip: Scalar) -> ArrivalState:
     """Where the one coordinate that moves comes to rest, and with it the slip."""
     name = mover(study)
     if name is None or not is_zero(substitute(slip, {f"{name}_dot": NOTHING})):
-        _uniform(study, phase)  # says that there is no closed form
+        raise _not_uniform(phase)
     return _met(study, phase, name, "stops slipping", study.squares[name])
 
 
@@ -83,7 +82,7 @@ def contact_lost(study: Study, phase: Phase) -> ArrivalState:
         raise _cannot_end(phase, element, f"is lost, but a {element.kind} holds to both sides", cure)
     loss = next((item for item in study.losses if item.force == phase.subject and item.at), None)
     name, along = mover(study), study.reactions_along_motion
-    if loss is not None and name in loss.at:
+    if loss is not None and name is not None and name in loss.at:
         return replace(state_at(study, name, loss.at[name]), valid=loss.valid)
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” is lost")
@@ -92,7 +91,7 @@ def contact_lost(study: Study, phase: Phase) -> ArrivalState:
 
 def value_reached(study: Study, phase: Phase) -> ArrivalState:
     """The moment or the place at which a coordinate has a value."""
-    value = scalar(phase.value)
+    value = scalar(there(phase.value))
     if found := state_reached(study, phase.subject, value):
         return found
     if _are_uniform(study):
@@ -110,7 +109,7 @@ def force_taken(study: Study, phase: Phase) -> ArrivalState:
     along, name = study.reactions_along_motion, mover(study)
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” has this value")
-    return _met(study, phase, name, "", along[phase.subject] - scalar(phase.value))
+    return _met(study, phase, name, "", along[phase.subject] - scalar(there(phase.value)))
 
 
 def grip_ends(study: Study, phase: Phase) -> ArrivalState:
@@ -157,18 +156,19 @@ def comes_to_rest(study: Study, phase: Phase) -> ArrivalState:
 
 def time_gone(study: Study, phase: Phase) -> ArrivalState:
     """The state after a stated time."""
-    return _after(study, phase, at_start(study), scalar(phase.value), [Demand(scalar(phase.value))])
+    time = scalar(there(phase.value))
+    return _after(study, phase, at_start(study), time, [Demand(time)])
 
 
 def uniform_motion(study: Study, time: Scalar) -> ArrivalState:
     """All coordinates and speeds at a time after the start. Raises NotApplicable where the accelerations are not constant."""
-    return _after(study, Phase("", "at once", None, (), study.problem), at_start(study), time, ())
+    return _after(study, Phase("", "at once", "", (), study.problem), at_start(study), time, ())
 
 
 def is_before(study: Study, first: ArrivalState, second: ArrivalState) -> bool:
     """Whether one state comes before another, or with it, at the sample numbers."""
     numbers, start = sample(study.problem), at_start(study)
-    if None not in (first.time, second.time):
+    if first.time is not None and second.time is not None:
         return floating(first.time - second.time, numbers) <= EDGE
     ways = ((abs(floating(s.places[n] - start.places[n], numbers)) for s in (first, second)) for n in start.places)
     return all(one <= other + EDGE for one, other in ways)
@@ -176,12 +176,12 @@ def is_before(study: Study, first: ArrivalState, second: ArrivalState) -> bool:
 
 def gap(element: Element, geometry: Geometry) -> Scalar:
     """What vanishes where a contact touches, or a string of given length is taut."""
-    return strings.gap(element, geometry) if "path" in element.values else meeting(element, geometry).gap
+    return there(strings.gap(element, geometry)) if "path" in element.values else meeting(element, geometry).gap
 
 
 def gap_closes(study: Study, phase: Phase) -> ArrivalState:
     """The moment or the place at which what the phase brings closes: a body lands, a string goes taut."""
-    value = short(substitute(gap(phase.gap, geometry_of(study.system)), study.system.dependent))
+    value = short(substitute(gap(there(phase.gap), geometry_of(study.system)), study.system.dependent))
     name, start, numbers = mover(study), at_start(study), sample(study.problem)
     if name is not None:
         led = {name, *(speed.removesuffix("_dot") for speed in study.kept_speeds)}
@@ -242,12 +242,10 @@ def _gains(study: Study) -> dict[str, Scalar] | None:
 
 def _uniform(study: Study, phase: Phase, *besides: str) -> Mapping[str, Scalar]:
     """The accelerations, if they are constants."""
-    if not _are_uniform(study, *besides):
-        raise NotApplicable(
-            f"no closed form was found for the end of the phase before “{phase.name}”: the accelerations are not constant",
-            instead="state this phase as a problem of its own, or follow it in the simulation.",
-        )
-    return _gains(study)
+    found = _gains(study)
+    if found is None or not _are_uniform(study, *besides):
+        raise _not_uniform(phase)
+    return found
 
 
 def _gain(study: Study, phase: Phase, name: str, *besides: str) -> Scalar:
@@ -267,7 +265,7 @@ def _after(study: Study, phase: Phase, start: ArrivalState, time: Scalar, asked:
     for name in study.system.independent:
         gone = gathered(_gain(study, phase, name, CLOCK))
         way = None if gone is None else gathered(gone)
-        if way is None:
+        if gone is None or way is None:
             raise _no_closed_form(f"the motion of “{name}” as a function of the time")
         speed = start.speeds[name]
         image |= {name: start.places[name] + speed * time + substitute(way, to), f"{name}_dot": speed + substitute(gone, to)}
@@ -306,7 +304,8 @@ UNKNOWN = "not reached at any of the numbers that were tried"
 
 
 def _never(study: Study, phase: Phase, how: str = "never reached", what: str = "does not come to its value") -> StatementError:
-    stated = (*study.problem.coordinates, *study.problem.constraints, *phase.impulses, *phase.problem.constraints)
+    elements = (*study.problem.constraints, *phase.impulses, *phase.problem.constraints)
+    stated: tuple[Coordinate | Element, ...] = (*study.problem.coordinates, *elements)
     return StatementError(
         f"the phase “{phase.name}” is {how}: “{phase.subject}” {what}",
         instead="check the start, the start speeds, the value, and the sense of a slip.",
@@ -316,6 +315,13 @@ def _never(study: Study, phase: Phase, how: str = "never reached", what: str = "
 
 def _cannot_end(phase: Phase, element: Element, what: str, instead: str) -> StatementError:
     return StatementError(f"the phase “{phase.name}” begins when “{phase.subject}” {what}", instead=instead, place=element.place)
+
+
+def _not_uniform(phase: Phase) -> NotApplicable:
+    return NotApplicable(
+        f"no closed form was found for the end of the phase before “{phase.name}”: the accelerations are not constant",
+        instead="state this phase as a problem of its own, or follow it in the simulation.",
+    )
 
 
 def _no_closed_form(what: str) -> NotApplicable:

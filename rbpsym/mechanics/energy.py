@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.errors import LimitError
-from rbpsym.field import NOTHING, Scalar, Vector, at_most, depends_on, derivative, is_zero, substitute, symbol
+from rbpsym.errors import LimitError, there
+from rbpsym.field import NOTHING, Scalar, Vector, at_most, depends_on, derivative, is_zero, short, substitute, symbol
 from rbpsym.field.evaluate import time_derivative
 from rbpsym.field.integration import antiderivative
 from rbpsym.field.roots import without_even_roots
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.interactions import LAWS, stretch
 from rbpsym.mechanics.placing import where_in
 from rbpsym.mechanics.system import BodyState, System
@@ -60,7 +59,7 @@ def potentials(system: System) -> dict[str, Scalar | None]:
 def potential_energy(system: System) -> Scalar | None:
     """The sum of the potential energies, None if an interaction has none."""
     values = list(potentials(system).values())
-    return None if any(value is None for value in values) else short(without_even_roots(sum(values, NOTHING)))
+    return None if any(value is None for value in values) else short(without_even_roots(sum(map(there, values), NOTHING)))
 
 
 def orbital_momentum(state: BodyState, origin: Vector) -> Scalar:

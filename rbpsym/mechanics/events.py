@@ -179,7 +179,7 @@ def _is_driven_from_rest(way: Way) -> bool:
 
 
 def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: Assumptions) -> Losses:
-    found, open_, reasons, given = [], [], [], assuming(given, way.asked)
+    found, open_, reasons, given = list[Loss](), list[Loss](), list[str](), assuming(given, way.asked)
     for force, value in forces.items():
         for factor in factors_in(value, way.name):
             if not factor_zeros(factor, way.name, given) and not _is_clear(factor, way, given):

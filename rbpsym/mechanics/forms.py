@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
-from rbpsym.field import NOTHING, UNITY, Scalar, atoms, is_zero, symbol
+from rbpsym.errors import there
+from rbpsym.field import NOTHING, UNITY, Scalar, atoms, is_zero, short, symbol
 from rbpsym.field.calculus import depends_on, derivative, names_in, root, substitute
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.elimination import short
 
 if TYPE_CHECKING:
     from rbpsym.mechanics.solutions import Given
@@ -87,6 +87,9 @@ def driven_form(form: AccelerationForm) -> AccelerationForm | None:
     return replace(form, constant=substitute(constant, {"t": NOTHING}), drive=drive, frequency=frequency)
 
 
+Grown = tuple[Scalar, Scalar, Scalar]
+
+
 class PowerLaw(Frozen):
     """u = |q̇| = way q̇ changes as u̇ = factor u^power, from its `begun` size."""
 
@@ -96,7 +99,7 @@ class PowerLaw(Frozen):
     begun: Scalar
     assumptions: Assumptions
 
-    def grown(self, exponent: int | Fraction, gone: Scalar, rate: Scalar | None = None) -> tuple[Scalar, ...] | None:
+    def grown(self, exponent: int | Fraction, gone: Scalar, rate: Scalar | None = None) -> Grown | None:
         """(w, w at first, scale) with u = scale w^(1/exponent), where w grows at a `rate`: of the time for exponent 1 - power, of
         the way for 2 - power; None where that takes other roots than square ones."""
         scale = UNITY if isinstance(exponent, int) and exponent > 0 else self.begun  # without roots of the speed at the start
@@ -106,7 +109,7 @@ class PowerLaw(Frozen):
     def rate(self, exponent: int | Fraction) -> Scalar:
         """At which w grows."""
         whole = isinstance(exponent, int) and exponent > 0
-        return neat(self.factor * exponent * (1 if whole else raised(self.begun, -exponent)), self.assumptions)
+        return neat(self.factor * exponent * (1 if whole else there(raised(self.begun, -exponent))), self.assumptions)
 
 
 def power_law(known: Given) -> PowerLaw | None:
@@ -121,7 +124,9 @@ def power_law(known: Given) -> PowerLaw | None:
     gained = substitute(gained, {speed: symbol(name) * way}) * way
     power = neat(symbol(name) * derivative(gained, name) / gained, given_).number()
     factor = None if power is None or (not known.speed and power > 0) else raised(symbol(name), -power)
-    return None if factor is None else PowerLaw(power, neat(gained * factor, given_), way, known.speed * way, known.assumptions)
+    if power is None or factor is None:
+        return None
+    return PowerLaw(power, neat(gained * factor, given_), way, known.speed * way, known.assumptions)
 
 
 def raised(base: Scalar, power: int | Fraction) -> Scalar | None:

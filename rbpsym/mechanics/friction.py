@@ -100,11 +100,11 @@ SIZES = {"positive": 1, "nonnegative": 1, "zero": 1, "negative": -1, "nonpositiv
 ENOUGH = {"positive": True, "nonnegative": True, "zero": True, "negative": False}
 
 
-def _need(element, reactions: Mapping[str, Scalar], assumptions: Assumptions) -> FrictionNeed:
+def _need(element: Element, reactions: Mapping[str, Scalar], assumptions: Assumptions) -> FrictionNeed:
     ratio = short(reactions[element["friction"]] / sum((reactions[name] for name in element.normals), NOTHING))
     sides = (sign(value, assumptions).kind for value in (ratio, reactions[element["friction"]]))  # where the contact pushes
     way = next((SIZES[side] for side in sides if side in SIZES), None)
     needed = None if way is None else ratio * way
     limit = None if element["limit"] is None else scalar(element["limit"])
-    holds = None if None in (needed, limit) else ENOUGH.get(sign(limit - needed, assumptions).kind)
+    holds = None if needed is None or limit is None else ENOUGH.get(sign(limit - needed, assumptions).kind or "")
     return FrictionNeed(element.name, element.normals, element["friction"], ratio, needed, limit, holds)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.errors import NoNumber, StatementError
+from rbpsym.errors import NoNumber, StatementError, there
 from rbpsym.field import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root, tidy
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.roots import side_of
@@ -16,7 +16,7 @@ from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import BodyState, Pose, at_point
-from rbpsym.statement.model import Body, Element, Line, PointRef, Problem
+from rbpsym.statement.model import Body, Element, Line, Pair, PointRef, Problem
 
 
 def local_point(body: Body, name: str, inertia: Inertia) -> tuple[Scalar, Scalar]:
@@ -27,7 +27,7 @@ def local_point(body: Body, name: str, inertia: Inertia) -> tuple[Scalar, Scalar
     return scalar(x), scalar(y)
 
 
-def pair(nodes) -> Vector:
+def pair(nodes: Pair) -> Vector:
     """A pair of trees as a vector of space."""
     return cartesian(scalar(nodes[0]), scalar(nodes[1]))
 
@@ -35,8 +35,8 @@ def pair(nodes) -> Vector:
 def position(ref: PointRef, bodies: Mapping[str, Body], inertias: Mapping[str, Inertia], poses: Mapping[str, Pose]) -> Vector:
     """Position in space of any point."""
     if ref.body is None:
-        return pair(ref.at)
-    return at_point(poses[ref.body], local_point(bodies[ref.body], ref.point, inertias[ref.body]))
+        return pair(there(ref.at))
+    return at_point(poses[ref.body], local_point(bodies[ref.body], there(ref.point), inertias[ref.body]))
 
 
 def components(line: Line) -> tuple[Scalar, Scalar, Scalar]:

@@ -107,7 +107,7 @@ def _asked(moment: BeforeAndAfter, element: Element, values: Values) -> Iterator
     if limit is not None and element["friction"] in values:
         most, grip = scalar(limit) * values[element.name], values[element["friction"]]
         yield from (Demand(most - grip * side, ">=") for side in (1, -1))
-    sense = {"forward": 1, "backward": -1}.get(element.values.get("slip"))
+    sense = {"forward": 1, "backward": -1}.get(element.values.get("slip", ""))
     if sense and element["coefficient"] is not None and not is_zero(values.get(element.name, NOTHING)):
         for system, seen in ((moment.before, moment.old), (moment.after, moment.new)):
             geometry = geometry_of(system)

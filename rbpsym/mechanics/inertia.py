@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rbpsym.errors import StatementError
+from rbpsym.errors import StatementError, there
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, cosine, sine, tidy
 from rbpsym.field.evaluate import scalar
@@ -91,7 +91,7 @@ def _has_given_part(shape: Shape) -> bool:
 def _assembled(shape: Shape, mass: Node | None) -> Inertia:
     """From given moments and parts, by the parallel-axis theorem."""
     if shape.given_moment is not None:
-        return Inertia(scalar(mass), NOTHING, NOTHING, scalar(shape.given_moment))
+        return Inertia(scalar(there(mass)), NOTHING, NOTHING, scalar(shape.given_moment))
     pieces = [_piece(part) for part in shape.parts]
     total = sum((m for m, *_ in pieces), NOTHING)
     x, y = (sum((p[0] * p[k] for p in pieces), NOTHING) for k in (1, 2))

@@ -102,7 +102,7 @@ def _check_places(system: System) -> None:
 
 
 def _speeds(
-    system: System, rows: list[ConstraintCondition], tidy
+    system: System, rows: list[ConstraintCondition], tidy: Callable[[Scalar], Scalar]
 ) -> tuple[Values, tuple[str, ...], tuple[ConstraintCondition, ...]]:
     """All speeds at the start, those that follow from the others, and the rates of the conditions in these.
 

@@ -53,7 +53,7 @@ def road(moment: BeforeAndAfter, impulses: tuple[Element, ...]) -> tuple[Jump, .
     if after.implicit or after.speed_ties:
         return ()
     rows = [parting(moment, e, name, factor) for e in impulses for name, factor in restitutions(e).items()]
-    known, chosen = solve_linear(rows, after.speeds, keep_free=True), []
+    known, chosen = solve_linear(rows, after.speeds, keep_free=True), list[Jump]()
     for jump in sorted(_jumps(moment, impulses), key=lambda jump: _price(moment, jump)):
         row = moment.new(jump.after - jump.given) - moment.old(jump.before)
         if any(depends_on(substitute(row, known.values), name) for name in known.free):
@@ -203,7 +203,7 @@ def until_no_slip(study: Study, slip: Scalar, end: ArrivalState) -> tuple[KeptMo
     """The angular momenta that, with a slip that has gone, give all speeds at the end of a phase; () if they do not."""
     wanted, start = study.system.speeds, at_start(study)
     begun = by_letters(start.speeds)
-    rows, chosen = [substitute(slip, end.places)], []
+    rows, chosen = [substitute(slip, end.places)], list[KeptMomentum]()
     known = solve_linear(rows, wanted, keep_free=True)
     for kept in angular_momenta(study):
         row = kept.value - substitute(kept.value, begun)

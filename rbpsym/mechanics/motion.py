@@ -8,7 +8,7 @@ in it. The value is the integral from the start along the motion."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from rbpsym.field import (
     NOTHING,
@@ -22,6 +22,7 @@ from rbpsym.field import (
     function,
     is_zero,
     names_in,
+    short,
     substitute,
     symbol,
 )
@@ -30,9 +31,11 @@ from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.dynamics import Dynamics, torque_about_center
-from rbpsym.mechanics.elimination import short, solve_linear
+from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.energy import is_conserved
 from rbpsym.mechanics.system import BodyState, Force, System
+
+Values = Mapping[str, Scalar]
 
 
 def speed_squared(system: System, dynamics: Dynamics, integral: Scalar | None) -> dict[str, Scalar]:
@@ -71,7 +74,7 @@ def kept_speeds(system: System, dynamics: Dynamics, integral: Scalar | None) -> 
 def _reduced(system: System, dynamics: Dynamics, integral: Scalar | None) -> dict[str, Scalar]:
     """q̇² of the one coordinate whose speed the conserved momenta leave, from the first integral."""
     kept = kept_speeds(system, dynamics, integral)
-    if not kept:
+    if not kept or integral is None:
         return {}
     [name] = [name for name in system.independent if f"{name}_dot" not in kept]
     now, speed = substitute(integral, kept), f"{name}_dot"
@@ -111,7 +114,7 @@ def _coordinates_in(value: Scalar, system: System) -> list[str]:
 
 
 def _decoupled(system: System, dynamics: Dynamics) -> dict[str, Scalar]:
-    found = {}
+    found = dict[str, Scalar]()
     for name in system.independent:
         acceleration = (dynamics.accelerations or {}).get(f"{name}_ddot")
         if acceleration is not None and name in system.scope.start:
@@ -134,16 +137,15 @@ def _square(system: System, gain: Scalar, name: str) -> Scalar | None:
     dies = None if grown is None else function("exp", short(-grown)) if bend else UNITY
     gained = None if dies is None else definite(push * dies * 2, name, begin, symbol(name))
     first = system.scope.start.get(speed, NOTHING)
-    return None if gained is None else with_exponentials_joined(short((first * first + gained) / dies))
+    return None if gained is None or dies is None else with_exponentials_joined(short((first * first + gained) / dies))
 
 
 def along_motion(value: Scalar, squares: Mapping[str, Scalar]) -> Scalar | None:
     """The value with even powers of speeds replaced; None if a speed remains."""
+    left: Scalar | None = value
     for name, square in squares.items():
-        value = _without_speed(value, f"{name}_dot", square)
-        if value is None:
-            return None
-    return None if any(name.endswith(("_dot", "_ddot")) for name in names_in(value)) else short(value)
+        left = None if left is None else _without_speed(left, f"{name}_dot", square)
+    return None if left is None or any(name.endswith(("_dot", "_ddot")) for name in names_in(left)) else short(left)
 
 
 def _without_speed(value: Scalar, speed: str, square: Scalar) -> Scalar | None:
@@ -184,7 +186,7 @@ class ForceWork(Frozen):
     rotational: Work
 
 
-def works(system: System, reactions: Mapping[str, Scalar], squares: Mapping[str, Scalar]) -> tuple[ForceWork, ...]:
+def works(system: System, reactions: Values, squares: Values) -> tuple[ForceWork, ...]:
     """The ledger of works, force by force and body by body."""
     merged: dict[tuple[str, str], list[Force]] = {}
     for force in system.forces:
@@ -192,7 +194,7 @@ def works(system: System, reactions: Mapping[str, Scalar], squares: Mapping[str,
     return tuple(_work(system, forces, reactions, squares) for forces in merged.values())
 
 
-def _work(system: System, forces: list[Force], reactions, squares) -> ForceWork:
+def _work(system: System, forces: list[Force], reactions: Values, squares: Values) -> ForceWork:
     state = system.bodies[forces[0].on]
     push = sum((force.vector for force in forces), Vector({}))
     turn = sum((torque_about_center(force, state) for force in forces), NOTHING)
@@ -217,14 +219,14 @@ def _angle_partial(state: BodyState, name: str, system: System) -> Scalar:
     return derivative(state.omega, f"{name}_dot")
 
 
-def _half(system: System, integrand, reactions: Mapping[str, Scalar], squares: Mapping[str, Scalar]) -> Work:
+def _half(system: System, integrand: Callable[[str], Scalar], reactions: Values, squares: Values) -> Work:
     names = (*system.independent, "t") if system.has_clock else system.independent
     parts = {name: short(integrand(name)) for name in names}
     parts = {name: part for name, part in parts.items() if not is_zero(part)}
     return Work(parts, _value(system, parts, reactions, squares))
 
 
-def _value(system: System, parts: Mapping[str, Scalar], reactions, squares) -> Scalar | None:
+def _value(system: System, parts: Values, reactions: Values, squares: Values) -> Scalar | None:
     if not parts:
         return NOTHING
     total = NOTHING

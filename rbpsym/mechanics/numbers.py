@@ -10,12 +10,12 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rbpsym.errors import NoNumber, RbpsymError
+from rbpsym.errors import NoNumber, RbpsymError, there
 from rbpsym.expr.tree import Node
 from rbpsym.field import ONE, Poly, Scalar, atoms
 from rbpsym.field.elliptic import FUNCTIONS
 from rbpsym.field.evaluate import scalar
-from rbpsym.quantities import ACCELERATION, NUMBER
+from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
 from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.units import unit_named
 
@@ -89,7 +89,7 @@ def samples(problem: Problem, count: int = 24) -> Iterator[dict[str, float]]:
 
 def _factor(k: int, place: int) -> float:
     """Between 1/50 and 50, scattered, the same on every machine."""
-    return 50 ** ((k * 7919 + place * 104729 + k * place * 31) % 201 / 100 - 1)
+    return math.pow(50, (k * 7919 + place * 104729 + k * place * 31) % 201 / 100 - 1)
 
 
 def _filled(problem: Problem, numbers: dict[str, float], example: Mapping[str, str] | None) -> dict[str, float]:
@@ -110,7 +110,7 @@ def _make_room(problem: Problem, numbers: dict[str, float]) -> None:
         if element.values.get("side") == "inside" and element.values.get("rim") is not None:
             radius, rim = (bound(element[key], numbers) for key in ("radius", "rim"))
             name = getattr(element["radius"], "name", None)
-            if name in numbers and None not in (radius, rim) and radius < 2 * rim:
+            if name in numbers and radius is not None and rim is not None and radius < 2 * rim:
                 numbers[name] = 2.3 * rim
 
 
@@ -124,7 +124,7 @@ def _keep_bounds(problem: Problem, numbers: dict[str, float]) -> None:
             numbers[quantity.upper.name] = high = low + abs(low)
         if (low is None or value > low) and (high is None or value < high):
             continue
-        low = high - abs(high) if low is None else low
+        low = (top := there(high)) - abs(top) if low is None else low
         high = low + (abs(low) or 1.0) if high is None else high
         numbers[quantity.name] = low + 0.6 * (high - low)
 
@@ -140,7 +140,7 @@ def _read(text: str) -> float | None:
     return None if found is None else value * found[1]
 
 
-def _parameter(place: int, quantity) -> float:
+def _parameter(place: int, quantity: Quantity) -> float:
     if quantity.dimension == ACCELERATION:
         return 9.81
     if quantity.sign == "real":
@@ -169,7 +169,7 @@ def _within(coordinate: Coordinate, numbers: Numbers, share: float) -> float:
     low, high = (bound(node, numbers) for node in (coordinate.lower, coordinate.upper))
     if low is None and high is None:
         return 0.6 * share / 0.8
-    low = high - 2.0 if low is None else low
+    low = there(high) - 2.0 if low is None else low
     high = low + 2.0 if high is None else high
     return low + share * (high - low)
 

@@ -60,8 +60,8 @@ def gain(study: Study, name: str) -> Scalar | None:
 
 def orbits(study: Study, name: str) -> list[Orbit]:
     """The steady motions about which it swings, as far as they have a closed form."""
-    found, gained, given = [], gain(study, name), study.assumptions
-    for place in zeros(gained, name) if gained is not None else ():
+    found, gained, given = list[Orbit](), gain(study, name) or NOTHING, study.assumptions
+    for place in zeros(gained, name):
         lower, upper = given.range_of(name)
         within = [Demand((place - end) * side) for end, side in ((lower, 1), (upper, -1)) if end is not None]
         if is_zero(substitute(Scalar(gained.den), {name: place})):  # it is no function there

@@ -13,7 +13,7 @@ coefficients are positive (Liénard and Chipart). Gantmacher, Theory of Matrices
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import combinations
 
 from rbpsym.decide.assumptions import Assumptions
@@ -29,7 +29,7 @@ from rbpsym.mechanics.elimination import Matrix, determinant, solve_rows
 from rbpsym.mechanics.energy import potentials
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.rest import Rest
-from rbpsym.mechanics.roots import numerator_factors
+from rbpsym.mechanics.roots import At, numerator_factors
 from rbpsym.mechanics.stability import essential, is_stable, stable_where
 from rbpsym.mechanics.system import System
 
@@ -55,7 +55,7 @@ class Linear(Frozen):
         return any(entry for row in self.damping for entry in row)
 
 
-def linearized(system: System, dynamics: Dynamics, assumptions: Assumptions, there) -> Linear:
+def linearized(system: System, dynamics: Dynamics, assumptions: Assumptions, there: Callable[[Scalar], Scalar]) -> Linear:
     """The linear equations where `there` puts the place into a value at rest."""
     rates = system.scope.rates
     ways = [{n: there(derivative(rates[n], speed)) for n in system.coordinates} for speed in system.speeds]
@@ -73,7 +73,7 @@ def linearized(system: System, dynamics: Dynamics, assumptions: Assumptions, the
     return Linear(inertia, damping, stiffness, *_factors(inertia, damping, stiffness, assumptions), tied)
 
 
-def _factors(inertia, damping, stiffness, assumptions: Assumptions) -> tuple[tuple[Powers, ...], int]:
+def _factors(inertia: Matrix, damping: Matrix, stiffness: Matrix, assumptions: Assumptions) -> tuple[tuple[Powers, ...], int]:
     """None where the determinant grows beyond the limits. Without damping a polynomial in λ² is factored."""
     letter, index, size = symbol(LAMBDA), atoms.intern("symbol", LAMBDA), range(len(inertia))
     is_damped = any(entry for row in damping for entry in row)
@@ -111,7 +111,7 @@ def _powers(factor: Poly, index: int, assumptions: Assumptions) -> Powers:
     parts = factor.by_power(index)
     found = [Scalar(parts.get(k, Poly({}))) for k in range(max(parts), -1, -1)]
     kind = sign(found[0], assumptions).kind
-    turned = {"positive": 1, "negative": -1}.get(kind, found[0])
+    turned = {"positive": 1, "negative": -1}.get(kind or "", found[0])
     return tuple(short(part * turned) for part in found)
 
 
@@ -177,8 +177,8 @@ def nature(system: System, dynamics: Dynamics, linear: Linear, held: Matrix, ass
     settles = linear.is_damped and linear.factors and linear.zeros == len(linear.inertia) - len(held) and all(left)
     if settles and not left:
         return Nature("asymptotic")
-    left = tuple(dict.fromkeys(essential(value, assumptions) for value in left)) if settles else ()
-    return Nature("minimum" if definite and gains_nothing(system, dynamics, assumptions) else "open", left)
+    open_ = tuple(dict.fromkeys(essential(value, assumptions) for value in left)) if settles else ()
+    return Nature("minimum" if definite and gains_nothing(system, dynamics, assumptions) else "open", open_)
 
 
 def is_symmetric(matrix: Matrix) -> bool:
@@ -246,7 +246,7 @@ def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions, fou
     return tuple(_describe(system, dynamics, *place, assumptions) for place in found.places)
 
 
-def _describe(system: System, dynamics: Dynamics, at, valid, assumptions: Assumptions) -> Equilibrium:
+def _describe(system: System, dynamics: Dynamics, at: At, valid: tuple[Demand, ...], assumptions: Assumptions) -> Equilibrium:
     names, assumptions = system.independent, assuming(assumptions, valid, whole=True)
     still = dict.fromkeys(system.speeds, NOTHING)
 
@@ -268,7 +268,7 @@ def _describe(system: System, dynamics: Dynamics, at, valid, assumptions: Assump
     return Equilibrium(at, _slowest_first(frequencies, system), linear, found, where, valid)
 
 
-def _held(stiffness: Matrix, names, at) -> Matrix:
+def _held(stiffness: Matrix, names: Sequence[str], at: At) -> Matrix:
     """Over the coordinates that are not arbitrary."""
     kept = [k for k, n in enumerate(names) if n in at]
     return tuple(tuple(stiffness[i][j] for j in kept) for i in kept)

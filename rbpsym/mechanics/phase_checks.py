@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.field import Scalar, substitute
+from rbpsym.mechanics.arrivals import ArrivalState
 from rbpsym.mechanics.contacts import meeting, side_taken, slip_speed
-from rbpsym.mechanics.endings import ArrivalState
 from rbpsym.mechanics.friction import geometry_of, slips
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.study import Study

@@ -18,9 +18,10 @@ from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, 
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.arrivals import ArrivalState, at_start
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, possible
-from rbpsym.mechanics.endings import ENDINGS, ArrivalState, at_start
+from rbpsym.mechanics.endings import ENDINGS
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import STRIKES, Struck, is_holding, restitutions, strike
 from rbpsym.mechanics.phase_checks import check_in_place, check_still_slipping, with_senses
@@ -122,7 +123,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
             f"no closed form was found for {lost_track[0]} at the end of the phase before “{phase.name}”",
             instead="state this phase as a problem of its own, or follow it in the simulation.",
         )
-    clock = None if None in (stage.clock, before.time) else stage.clock + before.time
+    clock = None if stage.clock is None or before.time is None else stage.clock + before.time
     phase = with_senses(study, phase, before)
     problem = shifted(phase, clock)
     firm = tuple(element for element in problem.interactions if element.kind not in LETTERS)  # the others ask how it moves

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.errors import StatementError
+from rbpsym.errors import StatementError, there
 from rbpsym.field import NOTHING, ORIGIN, Scalar, Vector, cartesian, is_zero, names_in, symbol
 from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.constraints import JOINTS
-from rbpsym.mechanics.geometry import local_point, pair
+from rbpsym.mechanics.constraints import JOINTS, AngleJoin, Touch
+from rbpsym.mechanics.geometry import local_point, pair, position
 from rbpsym.mechanics.inertia import Inertia
-from rbpsym.mechanics.system import Pose, System, at_point, rotated
+from rbpsym.mechanics.system import Pose, System, rotated
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Body, PointRef, Problem
 
 Inertias = Mapping[str, Inertia]
+Row = tuple[Scalar, Scalar, Scalar]
 
 
 def poses(problem: Problem, inertias: Inertias) -> dict[str, Pose]:
@@ -78,7 +79,7 @@ def _angles(problem: Problem) -> dict[str, Scalar]:
     return known
 
 
-def _join_angle(join, known: dict[str, Scalar]) -> bool:
+def _join_angle(join: AngleJoin, known: dict[str, Scalar]) -> bool:
     offset = join.offset if join.offset is not None else NOTHING
     if join.first is None or join.first in known:
         if join.second in known:
@@ -96,7 +97,7 @@ def _until_settled(step: Callable[[], bool]) -> None:
         pass
 
 
-def _given_origins(problem: Problem, inertias: Inertias, angles) -> dict[str, Vector]:
+def _given_origins(problem: Problem, inertias: Inertias, angles: Mapping[str, Scalar]) -> dict[str, Vector]:
     origins = {}
     for body in problem.bodies:
         if body.placed is not None:
@@ -106,25 +107,25 @@ def _given_origins(problem: Problem, inertias: Inertias, angles) -> dict[str, Ve
     return origins
 
 
-def _follow_joins(problem: Problem, inertias: Inertias, angles, origins: dict[str, Vector]) -> None:
+def _follow_joins(problem: Problem, inertias: Inertias, angles: Mapping[str, Scalar], origins: dict[str, Vector]) -> None:
     """Bodies are put where pins, pivots and welds to placed bodies say."""
-    joins = [join for e in problem.constraints for join in JOINTS[e.kind].joins(e) if None not in join]
+    joins = [(a, b) for e in problem.constraints for a, b in JOINTS[e.kind].joins(e) if a is not None]
     bodies = {body.name: body for body in problem.bodies}
 
-    def turned(ref: PointRef) -> Vector:
-        return rotated(*local_point(bodies[ref.body], ref.point, inertias[ref.body]), angles[ref.body])
+    def turned(body: str, point: str | None) -> Vector:
+        return rotated(*local_point(bodies[body], there(point), inertias[body]), angles[body])
 
     def place(a: PointRef, b: PointRef) -> bool:
         if b.body is None or b.body in origins or (a.body is not None and a.body not in origins):
             return False
-        here = pair(a.at) if a.body is None else origins[a.body] + turned(a)
-        origins[b.body] = here - turned(b)
+        here = pair(there(a.at)) if a.body is None else origins[a.body] + turned(a.body, a.point)
+        origins[b.body] = here - turned(b.body, b.point)
         return True
 
     _until_settled(lambda: any([place(a, b) or place(b, a) for a, b in joins]))
 
 
-def _follow_lines(problem: Problem, inertias: Inertias, angles, origins: dict[str, Vector]) -> None:
+def _follow_lines(problem: Problem, inertias: Inertias, angles: Mapping[str, Scalar], origins: dict[str, Vector]) -> None:
     """A body that touches two lines, not parallel, is put where both say."""
     for body in problem.bodies:
         if body.name in origins:
@@ -138,14 +139,14 @@ def _follow_lines(problem: Problem, inertias: Inertias, angles, origins: dict[st
                 break
 
 
-def _row(touch, body: Body, inertias: Inertias, angles) -> tuple[Scalar, Scalar, Scalar]:
+def _row(touch: Touch, body: Body, inertias: Inertias, angles: Mapping[str, Scalar]) -> Row:
     """a, b, c with a X + b Y = c for the origin (X, Y) of the body."""
-    turned = rotated(*local_point(body, touch.point.point, inertias[body.name]), angles[body.name])
+    turned = rotated(*local_point(body, there(touch.point.point), inertias[body.name]), angles[body.name])
     a, b, c = (scalar(n) for n in (touch.line.a, touch.line.b, touch.line.c))
     return a, b, c - a * turned.x - b * turned.y
 
 
-def _intersection(first, second) -> Vector | None:
+def _intersection(first: Row, second: Row) -> Vector | None:
     (a, b, c), (d, e, f) = first, second
     determinant = a * e - b * d
     if is_zero(determinant):
@@ -165,13 +166,7 @@ def _unplaced(body: Body) -> StatementError:
 def locator(problem: Problem, inertias: Inertias, placed: Mapping[str, Pose]) -> Callable[[PointRef], Vector]:
     """A function from point references to positions in space."""
     bodies = {body.name: body for body in problem.bodies}
-
-    def where(ref: PointRef) -> Vector:
-        if ref.body is None:
-            return pair(ref.at)
-        return at_point(placed[ref.body], local_point(bodies[ref.body], ref.point, inertias[ref.body]))
-
-    return where
+    return lambda ref: position(ref, bodies, inertias, placed)
 
 
 def where_in(system: System) -> Callable[[PointRef], Vector]:
@@ -190,7 +185,7 @@ def origins(system: System) -> dict[str, Vector]:
             if is_fixed(place, system) and not any((place - other).vanishes() for other in found.values()):
                 found[letters.free(f"P_{element.name}", taken=letters.things)] = place
     for name, ref in system.problem.origins.items():
-        place = pair(ref.at) if ref.body is None else where(ref)
+        place = where(ref)
         if is_fixed(place, system) and not any((place - other).vanishes() for other in found.values()):
             found[name] = place
     return found

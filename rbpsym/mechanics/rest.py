@@ -8,6 +8,7 @@ from contextlib import suppress
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat, rooted
 from rbpsym.decide.signs import sign
+from rbpsym.errors import there
 from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
@@ -16,11 +17,10 @@ from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import spare, stops
-from rbpsym.mechanics.roots import common_zeros
+from rbpsym.mechanics.roots import At, common_zeros
 from rbpsym.mechanics.system import System
 from rbpsym.mechanics.ways import taken
 
-At = dict[str, Scalar]
 MOST_TURNS = 8
 LONGEST = 400  # terms: signs of what is longer are not looked for
 
@@ -85,7 +85,7 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
             doubt = _doubt(system, dynamics, at, given)
         except ZeroDivisionError:
             doubt = "where the forces balance, something else has no value"
-        places += [] if doubt else [(at, valid)]
+        places += [] if doubt or valid is None else [(at, valid)]
         doubts += [doubt] if doubt else []
     open_ = tuple(f for f in found.open_ if _may_vanish(f, names, [at for at, _ in places], given))
     doubts += ["an equation was not solved in closed form"] if open_ else []
@@ -127,7 +127,7 @@ def _doubt(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> st
 
     for phase in system.problem.phases[:1]:
         reached = system.dependent.get(phase.subject, symbol(phase.subject)) if phase.event == "reaches" else None
-        if reached is not None and is_zero(here(reached - scalar(phase.value))):
+        if reached is not None and is_zero(here(reached - scalar(there(phase.value)))):
             return "where the forces balance, the first phase ends"
     if any(is_zero(here(demand.value)) for force in dynamics.forcing for demand in existence(force)):
         return "where the forces balance, they have no slope"
@@ -165,7 +165,8 @@ def turns_within(given: Assumptions, name: str, root: Scalar, period: Scalar | N
     if lower is None and upper is None:
         lower, upper, last = -half, half, ">="
     else:
-        lower, upper = (upper - half * 2 if lower is None else lower), (lower + half * 2 if upper is None else upper)
+        lower = there(upper) - half * 2 if lower is None else lower
+        upper = lower + half * 2 if upper is None else upper
         last = _last(lower, upper)
     turns = (root + period * k for k in range(-MOST_TURNS, MOST_TURNS + 1))
     return [x for x in turns if settle((Demand(x - lower), Demand(upper - x, last)), given) is not None]
@@ -259,7 +260,7 @@ def balance(system: System, dynamics: Dynamics, assumptions: Assumptions) -> AtR
         return None
     [name], [force] = system.independent, resting_forces(system, dynamics)
     slope = short(derivative(force, name))
-    stable = {"negative": True, "positive": False}.get(sign(slope, assumptions).kind)
+    stable = {"negative": True, "positive": False}.get(sign(slope, assumptions).kind or "")
     place = _free(f"{name}_e", system)
     there = {name: symbol(place)}
     mass, drag = substitute(dynamics.mass_matrix[0][0], there), _drag(system, dynamics, there)
@@ -278,7 +279,7 @@ def _drag(system: System, dynamics: Dynamics, there: dict[str, Scalar]) -> Scala
 
 
 def _free(name: str, system: System) -> str:
-    taken = {q.name for q in (*system.problem.parameters, *system.problem.coordinates)}
+    taken = {q.name for q in system.problem.parameters} | {c.name for c in system.problem.coordinates}
     return f"{name}q" if name in taken else name
 
 
@@ -287,7 +288,7 @@ def _ends(system: System, force: Scalar, name: str, assumptions: Assumptions) ->
     if None in bounds:
         return ()
     try:
-        found = tuple(short(substitute(force, {name: bound})) for bound in bounds)
+        found = tuple(short(substitute(force, {name: bound})) for bound in map(there, bounds))
     except ZeroDivisionError:
         return ()
     lower, upper = (sign(value, assumptions).kind for value in found)

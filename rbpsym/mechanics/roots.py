@@ -10,12 +10,13 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.inverses import angle_of_sine, angle_of_tangent
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.field import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, shorten, simplified_root
+from rbpsym.field import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, is_zero, short, shorten
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.field.normal import normal
+from rbpsym.field.roots import simplified_root
 from rbpsym.frozen import Frozen, field
-from rbpsym.mechanics.elimination import short
 
+At = dict[str, Scalar]  # where coordinates are
 HALF = Fraction(1, 2)
 
 
@@ -107,10 +108,10 @@ def period(factor: Scalar, name: str) -> Scalar | None:
         if rate is None or depends_on(rate, name):
             return None
         rates.append(rate)
-    ratios = [(rate / rates[0]).number() for rate in rates]
-    if not ratios or None in ratios:
+    ratios = [Fraction(ratio) for rate in rates if (ratio := (rate / rates[0]).number()) is not None]
+    if not ratios or len(ratios) < len(rates):
         return None
-    shared = Fraction(gcd(*(Fraction(r).numerator * 720 // Fraction(r).denominator for r in ratios)), 720)
+    shared = Fraction(gcd(*(ratio.numerator * 720 // ratio.denominator for ratio in ratios)), 720)
     return PI * 2 / (rates[0] * shared)
 
 
@@ -174,10 +175,10 @@ def _quadratic_parts(poly: Poly, base: int, other: int) -> tuple[Scalar, Scalar,
     powers = plain.by_power(base)
     if set(powers) - {0, 1, 2} or 2 not in powers:
         return None
-    return tuple(Scalar(powers.get(k, Poly({}))) for k in (2, 1, 0))
+    return Scalar(powers[2]), Scalar(powers.get(1, Poly({}))), Scalar(powers.get(0, Poly({})))
 
 
-def _other_forms(factor: Scalar, name: str, angles: set) -> list[Scalar]:
+def _other_forms(factor: Scalar, name: str, angles: set[Poly]) -> list[Scalar]:
     """The same in base angles, where several multiples of one angle occur."""
     if len(angles) < 2:
         return []
@@ -248,7 +249,7 @@ Spread = Callable[[str, Scalar, Scalar | None], Sequence[Scalar]]
 class Places(Frozen):
     """Assignments of names at which all values vanish; `open_` are factors that may vanish elsewhere too."""
 
-    found: list[dict[str, Scalar]] = field(default_factory=list)
+    found: list[At] = field(default_factory=list)
     open_: list[Scalar] = field(default_factory=list)
 
 
@@ -269,7 +270,9 @@ def common_zeros(
     return places
 
 
-def _search(values: list[Scalar], names: tuple[str, ...], at: dict, places: Places, most: int, spread: Spread, given) -> None:
+def _search(
+    values: list[Scalar], names: Sequence[str], at: At, places: Places, most: int, spread: Spread, given: Assumptions | None
+) -> None:
     values = [value for value in values if not is_zero(value)]
     if not values:
         if at and not any(_are_same(at, old) for old in places.found):
@@ -288,15 +291,16 @@ def _search(values: list[Scalar], names: tuple[str, ...], at: dict, places: Plac
     places.open_.append(values[0])
 
 
-def _are_same(first: dict[str, Scalar], second: dict[str, Scalar]) -> bool:
+def _are_same(first: At, second: At) -> bool:
     return first.keys() == second.keys() and all(is_zero(first[name] - second[name]) for name in first)
 
 
-def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spread, given) -> tuple[list[dict], list[Scalar]]:
+def _ways(
+    value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spread, given: Assumptions | None
+) -> tuple[list[At], list[Scalar]]:
     """How each factor can vanish, solved for one of the names that are open: r sin θ by r = 0, θ = 0 and θ = π;
     and the factors that are not solved."""
-    found: list[dict[str, Scalar]] = []
-    left: list[Scalar] = []
+    found, left = list[At](), list[Scalar]()
     for factor in factors_in(value, *open_):
         solved = ((name, [root for root in zeros(factor, name, given) if _is_plain_in(root, names)]) for name in open_)
         name, roots = next((item for item in solved if item[1]), ("", []))

@@ -40,7 +40,7 @@ def sides(system: System, known: Mapping[str, Scalar], ended: Losses, given: Ass
 def _lasting(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bool, system: System) -> Side:
     """`slips`: a force that is nowhere lost may be so because something slips before. What is asked of the parameters alone is
     asked at the start already."""
-    asked = (Demand(value, ">="),)
+    asked: tuple[Demand, ...] = (Demand(value, ">="),)
     if len(value.num) * len(value.den) <= LARGEST:
         asked = asked if (left := settle(asked, given)) is None else left
     if not asked:

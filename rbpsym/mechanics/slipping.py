@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.field import depends_on, derivative, names_in, short, substitute, without_even_roots
+from rbpsym.field import Scalar, depends_on, derivative, names_in, short, substitute, without_even_roots
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.solutions import TIME, Given, InTime
@@ -15,7 +15,7 @@ def lasting(known: Given, found: Mapping[str, InTime]) -> Iterator[Demand]:
     """What is asked of the time: that no slip has changed its sense since the start. That is said as t ≤ the first time at
     which one vanishes, if there surely is one and a formula gives it, else of the slip as far as the courses `found` tell
     it, which has to be met from the start on."""
-    study, at, letters = known.study, {}, {}
+    study, at, letters = known.study, dict[str, Scalar](), dict[str, Scalar]()
     for name, one in found.items():
         at |= {name: one.place, f"{name}_dot": derivative(one.place, "t")}
         letters |= one.letters

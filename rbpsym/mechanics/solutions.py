@@ -15,12 +15,11 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import root_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber
-from rbpsym.field import NOTHING, UNITY, Scalar, is_zero, symbol
+from rbpsym.field import NOTHING, UNITY, Scalar, is_zero, short, symbol
 from rbpsym.field.calculus import depends_on, derivative, function, names_in, root, substitute
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand, assuming
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.forms import AccelerationForm, form_of, gathered, power_law, raised
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
@@ -31,7 +30,7 @@ from rbpsym.mechanics.study import Study
 TIME = symbol("t")
 WEAK, CRITICAL, STRONG = "weak", "critical", "strong"
 CASES = (WEAK, CRITICAL, STRONG)
-SURE = {"positive": (WEAK,), "negative": (STRONG,), "zero": (CRITICAL,)}
+SURE: Mapping[str | None, tuple[str, ...]] = {"positive": (WEAK,), "negative": (STRONG,), "zero": (CRITICAL,)}
 STEADY, SMALL = "steady", "small"
 
 
@@ -311,13 +310,13 @@ def _slowed(known: Given) -> InTime | None:
         moved = grown * (1 - function("ln", grown)) - begun * (slope * known.speed + 1)
         return InTime(known.place + moved / slope / rate, letters, valid=(Demand(substitute(grown, letters)),))
     first, second = 1 - law.power, 2 - law.power
-    grown = law.grown(first, TIME, rate) if first and second else None
-    moved = [raised(one, Fraction(second) / first) for one in grown[:2]] if grown else [None]
-    if None in moved:
+    since = law.grown(first, TIME, rate) if first and second else None
+    now, then = (raised(one, Fraction(second) / first) for one in since[:2]) if since else (None, None)
+    if since is None or now is None or then is None:
         return None
-    letters, size = _named(rate, law.rate(first)), grown[2] * law.way * first / second
-    going = Demand(substitute(grown[0], letters), ">=" if 0 < law.power < 1 else ">")  # with the place at which it rests
-    return InTime(known.place + (moved[0] - moved[1]) * size / rate, letters, valid=(going,))
+    letters, size = _named(rate, law.rate(first)), since[2] * law.way * first / second
+    going = Demand(substitute(since[0], letters), ">=" if 0 < law.power < 1 else ">")  # with the place at which it rests
+    return InTime(known.place + (now - then) * size / rate, letters, valid=(going,))
 
 
 def _drawn(known: Given) -> InTime | None:

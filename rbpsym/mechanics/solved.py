@@ -7,12 +7,12 @@ from fractions import Fraction
 
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.field import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
+from rbpsym.errors import there
+from rbpsym.field import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, short, symbol, with_image
 from rbpsym.field.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
 from rbpsym.field.exponentials import with_exponentials_joined
 from rbpsym.field.integration import with_logarithm
 from rbpsym.mechanics.demands import WAYS, Demand, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.forms import power_law, raised
 from rbpsym.mechanics.friction import slips, stops
 from rbpsym.mechanics.roots import zeros
@@ -24,11 +24,11 @@ Letters = Mapping[str, Scalar]
 def speed_along(known: Given, name: str) -> Scalar | None:
     """The speed as a function of the place, where a resistance tells it, in the sense in which the motion sets out."""
     form, way = known.form, symbol(name) - known.place
-    law = None if form.drag else power_law(known)
     if not form.drag:
+        law = power_law(known)
         grown = law.grown(2 - law.power, way * law.way) if law and law.power else None
-        size = grown and raised(grown[0], 1 / Fraction(2 - law.power))
-        return size and size * grown[2] * law.way
+        size = raised(grown[0], 1 / Fraction(2 - law.power)) if law and grown else None
+        return size * grown[2] * law.way if law and grown and size is not None else None
     dies = function("exp", -form.drag * way)
     if not form.constant:
         return known.speed * dies
@@ -49,7 +49,7 @@ def by_speed(known: Given, letter: str) -> tuple[Scalar, Scalar | None, Scalar |
         since = None if whole is None else begin + whole - substitute(whole, {letter: known.speed})
         ratio = short(inner / substitute(inner, {letter: known.speed}))
         found.append(since if since is None or not factor else since + factor * function("ln", ratio))
-    return gained, *found
+    return gained, found[0], found[1]
 
 
 def sets_out(known: Given) -> tuple[Demand, ...]:
@@ -57,7 +57,7 @@ def sets_out(known: Given) -> tuple[Demand, ...]:
     for it to go on, where a root tells so."""
     law = None if known.form.drag else power_law(known)
     if law and isinstance(law.power, Fraction):
-        return (Demand(law.grown(2 - law.power, (symbol(known.name) - known.place) * law.way)[0]),)
+        return (Demand(there(law.grown(2 - law.power, (symbol(known.name) - known.place) * law.way))[0]),)
     push = known.speed or known.form.constant
     is_sure = not known.form.drag or not known.form.constant or sign(push, known.study.assumptions).kind in WAYS
     return () if is_sure else (Demand(push * known.sense(push)),)
@@ -92,8 +92,8 @@ def resonance(known: Given) -> tuple[Scalar, Scalar, Scalar]:
     across = derivative(form.drive, "t") / form.frequency
     swing = known.root(form.drive * form.drive + across * across)
     below = Scalar(form.stiffness.den) * Scalar(Poly({tuple((i, -e) for i, e in form.stiffness.num.content()[1] if e < 0): 1}))
-    parts = (swing, form.stiffness - form.frequency**2, form.damping * form.frequency)
-    return tuple(short(part * below) for part in parts)
+    gap, drag = form.stiffness - form.frequency**2, form.damping * form.frequency
+    return short(swing * below), short(gap * below), short(drag * below)
 
 
 def _amplitude(known: Given) -> Scalar | None:
@@ -151,7 +151,7 @@ def _total(known: Given) -> Scalar | None:
     law = power_law(known) if known.speed else None
     if law is None or law.power >= 2 or known.sense(law.factor) >= 0:
         return None
-    gone, first, _ = law.grown(2 - law.power, UNITY)
+    gone, first, _ = there(law.grown(2 - law.power, UNITY))
     return short(first / (first - gone) * law.way)
 
 
@@ -180,14 +180,13 @@ def feature(known: Given, key: str) -> Scalar | None:
     if settle((*known.valid, *swings(known, key)), known.study.assumptions) is None:
         return None
     value = None if key != "terminal speed" and stops(known.study.system) else FEATURES[key][1](known)
-    lasts = value is None or all(known.sense(slip, open_=1) > 0 for slip in last_slips(known, value))
-    return value if lasts else None
+    return value if all(known.sense(slip, open_=1) > 0 for slip in last_slips(known, value)) else None
 
 
-def last_slips(known: Given, value: Scalar) -> list[Scalar]:
-    """The slips at a last speed, where kinetic friction acts."""
-    at = {f"{known.name}_dot": value}
-    return [substitute(slip, at) for slip in slips(known.study.system).values()]
+def last_slips(known: Given, speed: Scalar | None) -> list[Scalar]:
+    """The slips at a last speed, if there is one, where kinetic friction acts."""
+    at = {f"{known.name}_dot": speed or NOTHING}
+    return [] if speed is None else [substitute(slip, at) for slip in slips(known.study.system).values()]
 
 
 # --- when it comes somewhere
@@ -230,7 +229,7 @@ def _by_power(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tupl
     moving = _moving(gap)
     parts = _linear(gap, moving[0]) if len(moving) == 1 else None
     kind = atoms.atom(moving[0]).kind if parts else ""
-    if kind not in ("symbol", "exp"):
+    if parts is None or kind not in ("symbol", "exp"):
         return None
     value = short(-parts[1] / parts[0])
     whole = substitute(value, letters)

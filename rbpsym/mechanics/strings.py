@@ -95,9 +95,9 @@ def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list
     try:
         return segments(run, geometry)
     except StringCrosses as fault:
-        first, second = (turn.body or turn.center.label for turn in fault.ends)
+        start, end = (turn.body or turn.center.label for turn in fault.ends)
         raise StatementError(
-            f"the string “{element.name}” would have to cross its pulley between “{first}” and “{second}” at the start",
+            f"the string “{element.name}” would have to cross its pulley between “{start}” and “{end}” at the start",
             instead=f"let it run round the other way ({_other_way(fault.ends)}), or say on which side of the pulley its ends "
             'are, also where a coordinate follows from others: start = "-h" for a weight that hangs below it, or a range.',
             place=element.place,

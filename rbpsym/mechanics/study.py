@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Self
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
-from rbpsym.errors import LimitError
+from rbpsym.errors import LimitError, there
 from rbpsym.expr.tree import Fn, Node, Sym, walk
 from rbpsym.field import NOTHING, PI, Scalar, Vector, apart, at_most, has_roots, kept, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -17,12 +17,13 @@ from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.instant import Instant, has_start
 from rbpsym.mechanics.placing import origins
+from rbpsym.mechanics.rest import AtRest
 from rbpsym.mechanics.system import ConstraintCondition, System
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.present.style import COEFFICIENT, OTHER, Style
-from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
+from rbpsym.quantities import ACCELERATION, NUMBER, Dimension, Quantity
 from rbpsym.statement.letters import Letters, letters_of
-from rbpsym.statement.model import Problem
+from rbpsym.statement.model import Coordinate, Problem
 
 MOST_PRODUCTS = 600_000  # of terms, for the equations of motion: forty times as many as the longest of the library takes
 
@@ -129,16 +130,14 @@ class Study(Frozen):
     def assumptions(self) -> Assumptions:
         """Declared signs of the parameters and ranges of the coordinates."""
         signs = {"t": "nonnegative"} | {q.name: q.sign for q in self.problem.parameters}  # counted from the start
+        stated: tuple[Quantity | Coordinate, ...] = (*self.problem.parameters, *self.problem.coordinates)
         ranges = {
-            c.name: tuple(None if bound is None else scalar(bound) for bound in (c.lower, c.upper))
-            for c in (*self.problem.parameters, *self.problem.coordinates)
+            c.name: (None if c.lower is None else scalar(c.lower), None if c.upper is None else scalar(c.upper))
+            for c in stated
             if (c.lower, c.upper) != (None, None)
         }
-        ranges |= {
-            c.start.name: ranges[c.name]
-            for c in self.problem.coordinates
-            if c.name in ranges and getattr(c.start, "name", None) in self.problem.implicit
-        }
+        starts = [(c.start, c.name) for c in self.problem.coordinates if c.name in ranges]
+        ranges |= {s.name: ranges[name] for s, name in starts if isinstance(s, Sym) and s.name in self.problem.implicit}
         return Assumptions(signs, {**self._roomy_circles, **self._slopes, **ranges})
 
     @property
@@ -222,7 +221,7 @@ class Study(Frozen):
     def kept_momenta(self) -> Mapping[str, Scalar]:
         """The momenta that give them, by coordinate."""
         names = {speed.removesuffix("_dot") for speed in self.kept_speeds}
-        momenta = motion.conserved_momenta(self.system, self.dynamics, self.first_integral) if names else {}
+        momenta = motion.conserved_momenta(self.system, self.dynamics, there(self.first_integral)) if names else {}
         return {name: momentum for name, momentum in momenta.items() if name in names}
 
     @kept
@@ -252,7 +251,7 @@ class Study(Frozen):
         return rest.rest(self.system, self.dynamics, self.assumptions)
 
     @kept
-    def open_balance(self) -> rest.AtRest | None:
+    def open_balance(self) -> AtRest | None:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
         return rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
 
@@ -296,7 +295,7 @@ class Study(Frozen):
         return self.on_motion(value)
 
 
-RANKS = (
+RANKS: tuple[tuple[Callable[[Dimension], object], int], ...] = (
     (lambda d: d.mass and not d.length and not d.time, 1),
     (lambda d: d == ACCELERATION, 3),
     (lambda d: d.mass, 2),
@@ -304,7 +303,7 @@ RANKS = (
 )
 
 
-def _single(bound: Scalar | None) -> set[str]:
+def _single(bound: Scalar | None) -> Iterable[str]:
     """The symbol that a bound is, if it is one."""
-    names = set() if bound is None else names_in(bound)
-    return names if len(names) == 1 and bound == symbol(*names) else set()
+    names = () if bound is None else names_in(bound)
+    return names if len(names) == 1 and bound == symbol(*names) else ()

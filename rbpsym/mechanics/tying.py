@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rbpsym.errors import StatementError
 from rbpsym.field import Meanings, Scalar, depends_on, is_zero, substitute, time_derivative
@@ -11,12 +11,13 @@ from rbpsym.frozen import Frozen
 from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, integrated, rate_conditions, solve_explicitly
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
-from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.placing import Inertias, locator
 from rbpsym.mechanics.system import BodyState, ConstraintCondition, Pose, at_point
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
 from rbpsym.typeset.machine import to_machine
 
+Ties = tuple[ConstraintCondition, ...]
 Rates = dict[int, ConstraintCondition]  # conditions on the speeds by their place among all of them
 
 
@@ -25,12 +26,12 @@ class Tied(Frozen):
     `speeds`: conditions on the speeds that are no rates; `conditions`: all on the position."""
 
     solved: Mapping[str, Scalar]
-    implicit: tuple[ConstraintCondition, ...]
-    speeds: tuple[ConstraintCondition, ...]
-    conditions: tuple[ConstraintCondition, ...]
+    implicit: Ties
+    speeds: Ties
+    conditions: Ties
 
 
-def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, Pose], names: tuple[str, ...]) -> Tied:
+def tie(problem: Problem, inertias: Inertias, given: Mapping[str, Pose], names: tuple[str, ...]) -> Tied:
     """Conditions on the position first; then those on the speeds, integrated one after the other."""
     conditions = all_conditions(problem, _geometry(problem, inertias, given))
     solved, implicit = solve_explicitly(conditions, names, problem)
@@ -50,7 +51,7 @@ def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, P
 
 
 def _check_kept(
-    found: ConstraintCondition, again: ConstraintCondition | None, solved: Mapping[str, Scalar], implicit, problem
+    found: ConstraintCondition, again: ConstraintCondition | None, solved: Mapping[str, Scalar], implicit: Ties, problem: Problem
 ) -> None:
     """A condition that was solved holds from then on, unless its solution turned the geometry over (a string that
     would run upwards instead of downwards, since nothing says where its end is)."""
@@ -80,11 +81,13 @@ def _begins_nowhere(found: ConstraintCondition, solved: Mapping[str, Scalar], pr
     return None
 
 
-def _geometry(problem: Problem, inertias: Mapping[str, Inertia], placed: Mapping[str, Pose]) -> Geometry:
+def _geometry(problem: Problem, inertias: Inertias, placed: Mapping[str, Pose]) -> Geometry:
     return Geometry(locator(problem, inertias, placed), placed, start_numbers(problem), unsaid=unsaid(problem))
 
 
-def _rates(problem: Problem, inertias, given, solved: Mapping[str, Scalar], names: tuple[str, ...]) -> Rates:
+def _rates(
+    problem: Problem, inertias: Inertias, given: Mapping[str, Pose], solved: Mapping[str, Scalar], names: Sequence[str]
+) -> Rates:
     """The conditions on the speeds that do not hold identically, in the names that are left."""
     placed = {n: Pose(p.origin.substitute(solved), substitute(p.angle, solved)) for n, p in given.items()}
     scope = Meanings(rates=full_rates([name for name in names if name not in solved]))

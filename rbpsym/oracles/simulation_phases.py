@@ -158,18 +158,18 @@ def _seen(bench: Bench, start: Start, watch: Callable[[float, np.ndarray, np.nda
 
 
 def _watch_slip(bench: Bench, phase: Phase, start: Start) -> Watch:
-    element = _element(bench, there(phase.subject))
+    element = _element(bench, phase.subject)
     row = slipping(element, bench.placement.mechanism, start.where.tolist())
     return lambda where, speed: dotted(row.at(where.tolist(), speed.tolist()).entries, speed.tolist())
 
 
 def _watch_push(bench: Bench, phase: Phase, start: Start) -> Watch:
-    subject = there(phase.subject)
+    subject = phase.subject
     return lambda where, speed: bench.multipliers(where, speed)[subject]
 
 
 def _watch_grip(bench: Bench, phase: Phase, start: Start) -> Watch:
-    element = _element(bench, there(phase.subject))
+    element = _element(bench, phase.subject)
     limit = bench.placement.mechanism.number(element["limit"])
 
     def left(where: np.ndarray, speed: np.ndarray) -> float:
@@ -181,7 +181,7 @@ def _watch_grip(bench: Bench, phase: Phase, start: Start) -> Watch:
 
 def _watch_value(bench: Bench, phase: Phase, start: Start) -> Watch:
     target = bench.placement.mechanism.number(there(phase.value))
-    place, near = bench.placement.names.index(there(phase.subject)), [start.q]
+    place, near = bench.placement.names.index(phase.subject), [start.q]
 
     def ahead(where: np.ndarray, speed: np.ndarray) -> float:
         near[0] = bench.placement.coordinates(where.tolist(), near[0])
@@ -191,7 +191,7 @@ def _watch_value(bench: Bench, phase: Phase, start: Start) -> Watch:
 
 
 def _watch_speed(bench: Bench, phase: Phase, start: Start) -> Watch:
-    place, near = bench.placement.names.index(there(phase.subject)), [start.q]
+    place, near = bench.placement.names.index(phase.subject), [start.q]
 
     def left(where: np.ndarray, speed: np.ndarray) -> float:
         near[0] = bench.placement.coordinates(where.tolist(), near[0])

@@ -204,13 +204,13 @@ class Phase(Frozen):
     """A part of the motion after the first: what begins it, what strikes then, the problem that then holds.
 
     `event` is a key of `phases.EVENTS`, `subject` the constraint or impulse that it is about, or the coordinate
-    that reaches `value`; `impulses` are elements of the kinds of `phases.IMPULSES`. The starts in
+    that reaches `value` ("" of what asks for none); `impulses` are elements of the kinds of `phases.IMPULSES`. The starts in
     `problem` are those of the first phase.
     """
 
     name: str
     event: str
-    subject: str | None
+    subject: str
     impulses: tuple[Element, ...]
     problem: Problem
     value: Node | None = None

@@ -76,7 +76,7 @@ def read_phases(table: SourceTable, problem: Problem, around: Surroundings) -> t
     return tuple(found)
 
 
-def _event(row: SourceTable, name: str, current: Mapping[str, object], around: Surroundings) -> tuple[str, str | None]:
+def _event(row: SourceTable, name: str, current: Mapping[str, object], around: Surroundings) -> tuple[str, str]:
     event = row.string("event", "at once")
     if event not in EVENTS:
         raise row.value_error(
@@ -84,10 +84,10 @@ def _event(row: SourceTable, name: str, current: Mapping[str, object], around: S
         )
     if event == "at once":
         _needless(row, name, event, ("of", "at"))
-        return event, None
+        return event, ""
     if event == "time":
         _needless(row, name, event, ("of",))
-        return event, None
+        return event, ""
     row.require("of", f"the phase “{name}”", f'add of = "N": {EVENTS[event]}.')
     subject = row.string("of")
     known, what = (around.scope.coordinates, "coordinate") if event in ("reaches", "rests") else (current, "constraint")
@@ -102,7 +102,7 @@ def _event(row: SourceTable, name: str, current: Mapping[str, object], around: S
     return event, subject
 
 
-def _value(row: SourceTable, name: str, event: str, subject: str | None, around: Surroundings) -> Node | None:
+def _value(row: SourceTable, name: str, event: str, subject: str, around: Surroundings) -> Node | None:
     """The value that a coordinate reaches, or the time that goes."""
     if event == "time":
         row.require("at", f"the phase “{name}”", 'add at = "t_1": the time that goes.')
@@ -111,9 +111,9 @@ def _value(row: SourceTable, name: str, event: str, subject: str | None, around:
         _needless(row, name, event, ("at",))
         return None
     row.require("at", f"the phase “{name}”", f'add at = "0": the value that {subject} reaches.')
-    dimension, given = around.scope.coordinates[subject or ""], around.scope.given
+    dimension, given = around.scope.coordinates[subject], around.scope.given
     value = read_expression(row.item("at"), around.scope, f"“at” of the phase “{name}”", dimension)
-    lower, upper = given.bounds.get(subject or "", (None, None))
+    lower, upper = given.bounds.get(subject, (None, None))
     if surely_above(lower, value, given) or surely_above(value, upper, given):
         raise row.value_error("at", f"the phase “{name}”: “{subject}” can't reach this value: it is outside its range")
     return value
