@@ -11,11 +11,11 @@ from rbpsym.decide.domain import divisors
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.expr.tree import Node, relations
-from rbpsym.field import NOTHING, Scalar, has_roots, short, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, depends_on, has_roots, short, substitute, symbol
 from rbpsym.field.sympy_bridge import plain_names
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
-from rbpsym.mechanics.demands import Demand, existence
+from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.events import Loss, Losses
 from rbpsym.mechanics.friction import FrictionNeed
@@ -168,7 +168,9 @@ def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
 
 def _course(one: InTime, study: Study) -> dict[str, Any]:
     exists = (item for item in existence(one.whole) if not sign(item.value, study.assumptions).is_nonnegative)
-    valid = (*one.valid, *lasting(study.sides, study.friction_needs, study.assumptions), *exists)
+    asked = (*one.valid, *lasting(study.sides, study.friction_needs, study.assumptions), *exists)
+    left = settle((demand for demand in asked if not depends_on(demand.value, "t")), study.assumptions)  # times stay
+    valid = asked if left is None else (*left, *(demand for demand in asked if depends_on(demand.value, "t")))
     told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
     return {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(valid, study)}
 

@@ -22,6 +22,7 @@ from rbpsym.field import NOTHING, Scalar, Space, atoms, bases_of, depends_on, de
 from rbpsym.field.normal import normal
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import replace
+from rbpsym.proof.checks.places import is_kept
 from rbpsym.quantity.path import is_along_one_path, look_different, on_path, path_of
 
 MOST_RATES = 2
@@ -119,7 +120,7 @@ def up_to_constant(value: Scalar, other: Scalar, question: EqualityQuestion) -> 
 def ordered(a: Scalar, b: Scalar, op: str, question: EqualityQuestion) -> Verdict:
     """Whether a < b (<=, >, >=) in every state."""
     low, high = (a, b) if op in ("<", "<=") else (b, a)
-    strict = op in ("<", ">")
+    op, strict = op.replace("<", ">"), op in ("<", ">")
     for depth in question.depths:
         pair = tuple(question.seen(v, depth) for v in (low, high))
         found = _below(pair, question, strict=strict)
@@ -130,6 +131,10 @@ def ordered(a: Scalar, b: Scalar, op: str, question: EqualityQuestion) -> Verdic
             return found
     if "start" in question.depths and _by_growth(high - low, question, strict=strict):
         return proved(HOW["growth"])
+    with suppress(Undecided, ZeroDivisionError):
+        gap, given = question.seen(high - low, "start"), question.motion.assumptions
+        if "start" in question.depths and any(is_kept(gap, square, given, op) for square in question.motion.squares.values()):
+            return proved(HOW["sense"])
     return disorder(low, high, question, strict=strict)
 
 
@@ -145,7 +150,8 @@ def _by_growth(gap: Scalar, question: EqualityQuestion, *, strict: bool) -> bool
             if not compare(NOTHING, question.begin(gap), given, strict=strict and not order and not later).is_proved:
                 return False
             gap = question.rate(gap)
-            if compare(NOTHING, question.seen(gap, "start"), given, strict=later).is_proved:
+            ways = (way for [way], _ in on_path((question.seen(gap, "start"),), question.motion))
+            if all(compare(NOTHING, way, given, strict=later).is_proved for way in ways):
                 return True
     return False
 

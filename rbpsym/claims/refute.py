@@ -22,7 +22,7 @@ from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, atoms, depends_on, names_in, show, substitute, symbol
 from rbpsym.quantity.bound import Motion
-from rbpsym.quantity.path import Path, on_path, path_of, reachable, with_energy, work_done
+from rbpsym.quantity.path import Path, on_path, path_of, reachable, sense, with_energy, work_done
 
 ORDERS = ("at the start", "rates of change at the start", "second rates at the start", "third rates at the start")
 PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))
@@ -210,10 +210,21 @@ def disorder(low: Scalar, high: Scalar, question: EqualityQuestion, *, strict: b
         domain = [*(reachable(motion) if path.names else motion.kept), *when]
         found = witness_of(pair[0], pair[1], motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs, path)
         if not found.is_refuted:
-            found = _inside_ranges(pair, motion.assumptions, domain, signs, path)
+            found = _inside_ranges(pair, _up_to_rest(path), domain, signs, path)
         if found.is_refuted:
             return found
     return found
+
+
+def _up_to_rest(path: Path) -> Assumptions:
+    """With the range from the start to where the square of a speed vanishes, of a coordinate in which that is linear."""
+    given = path.motion.assumptions
+    for name in path.names:
+        parts = path.motion.squares[name].num.by_power(atoms.intern("symbol", name))
+        if set(parts) == {0, 1}:
+            ends = (path.motion.scope.start[name], -(Scalar(parts[0]) / Scalar(parts[1])))
+            given = given.with_range(name, *(ends if sense(path.motion, name) >= 0 else ends[::-1]))
+    return given
 
 
 def _inside_ranges(

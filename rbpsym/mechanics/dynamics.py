@@ -9,7 +9,7 @@ Kleppner & Kolenkow, ch. 7; Goldstein, 1.4; the projection is Jourdain's (Kane's
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import prod
 
 from rbpsym.errors import LimitError
@@ -213,13 +213,16 @@ def reactions_by_acceleration(system: System) -> dict[str, Scalar]:
 def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> dict[str, Scalar]:
     """Solved with the accelerations as symbols, which are put in at the end."""
     unknowns = system.unknowns
-    rows = [value for _, _, value in newton_euler_rows(system)]
-    solution = solve_linear([*rows, *_along_forces(system)], unknowns)
+    rows = newton_euler_rows(system)
+    solution = solve_linear([*(value for *_, value in rows), *_along_forces(system)], unknowns)
     if solution.free:
         raise indistinct(system, solution.free)
     images = accelerations or {}
     if accelerations is not None and any(is_nonzero(system, value, images) for value in solution.left):
-        raise contradictory(system) if any(asking(system)) else unheld(system, _known_rows(system), images)
+        if not asking(system):
+            raise unheld(system, _known_rows(system), images)
+        equations = [(body, way, linear_row(value, unknowns)) for body, way, value in rows]
+        raise contradictory(system, _in_the_way(equations, unknowns, lambda value: not is_nonzero(system, value, images)))
     return {name: _on_motion(solution.values[name], images) for name in unknowns}
 
 
@@ -242,11 +245,13 @@ def _products(value: Scalar, accelerations: Mapping[str, Scalar]) -> int:
     return common * (found + len(row[CONSTANT].num))
 
 
-def _in_the_way(equations: Sequence[tuple[str, str, Row]], unknowns: tuple[str, ...]) -> list[str]:
+def _in_the_way(
+    equations: Sequence[tuple[str, str, Row]], unknowns: tuple[str, ...], holds: Callable[[Scalar], bool] = is_zero
+) -> list[str]:
     """The bodies without whose equations the others have a solution: one of them lacks what holds it."""
     bodies = dict.fromkeys(body for body, _, _ in equations)
     rests = {name: solve_rows([row for body, _, row in equations if body != name], unknowns) for name in bodies}
-    return [name for name, rest in rests.items() if all(map(is_zero, rest.left))]
+    return [name for name, rest in rests.items() if all(map(holds, rest.left))]
 
 
 def _solve_together(system: System, mass: Matrix, ideal: Mapping[str, bool]) -> Dynamics:

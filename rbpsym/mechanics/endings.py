@@ -132,6 +132,7 @@ def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar, gives_
     factors = [factor for gap in gaps for factor in factors_in(gap, name)]
     if found is None and all(factor_zeros(factor, name, study.assumptions) for factor in factors) and what:
         raise NotApplicable(f"at none of the numbers that were tried the motion holds until “{phase.subject}” {what}")
+    what = what or ("comes back to where it is first" if any(is_zero(short(substitute(gap, start))) for gap in gaps) else "")
     if found is None:
         raise _no_closed_form(f"the place where “{phase.subject}” {what}") if what else _never(study, phase, UNKNOWN)
     place, asked, sense = found

@@ -47,8 +47,10 @@ def merged(relations: Iterable[Any]) -> tuple[t.Node, ...]:
 
 
 def _is_said(one: Condition, firm: list[Scalar]) -> bool:
-    """Whether what is positive says it already: ≥ 0 of the very value, ≠ 0 of each factor."""
-    return one.value in firm if one.op == ">=" else one.op == "!=" and _is_in(one.value, firm)
+    """Whether what is positive says it already: ≥ 0 of the very value, ≠ 0 of each factor, or of its root."""
+    if one.op == ">=":
+        return one.value in firm
+    return one.op == "!=" and bool(firm) and any(_is_in(value, firm) for value in (one.value, one.value**2))
 
 
 def _is_in(value: Scalar, others: list[Scalar]) -> bool:

@@ -53,3 +53,28 @@ def test_the_time_has_a_meaning_without_a_clock(tmp_path):
     path.write_text("title = 'Times'\nproblem = 'sliding-ladder'\n" + "".join(rows), encoding="utf-8")
     found = check_claims(load_claims(path), Certificates(None))
     assert {one.latex: str(one.outcome) for one in found} == TIMED
+
+
+def test_a_start_of_another_motion_is_no_witness(tmp_path):
+    """r = 2 of a motion from r_0 = 1 was said to refute this; a state that the start leaves open refutes as before."""
+    rows = "[[claim]]\nid = '1'\nlatex = 'r^2 \\le r_0^2'\n[[claim]]\nid = '2'\nlatex = 'r = r_0'\n"
+    path = tmp_path / "other.toml"
+    path.write_text("title = 'Other starts'\nproblem = 'elastic-pendulum'\n" + rows, encoding="utf-8")
+    found = check_claims(load_claims(path), Certificates(None))
+    assert [one.outcome for one in found] == [Outcome.UNDECIDED, Outcome.REFUTED]
+
+
+ON_ITS_WAY = {  # of a block that friction stops: what its speed and the square of it say
+    r"s \ge 0": "PROVED",
+    r"s \le \frac{v_0^2}{2g(\sin\beta + \mu\cos\beta)}": "PROVED",
+    r"s < \frac{v_0^2}{2g(\sin\beta + \mu\cos\beta)}": "UNDECIDED",
+    r"s \le \frac{v_0^2}{3g(\sin\beta + \mu\cos\beta)}": "REFUTED",
+}
+
+
+def test_where_a_motion_goes_follows_from_its_speed(tmp_path):
+    rows = [f"[[claim]]\nid = '{k}'\nlatex = '{latex}'\n" for k, latex in enumerate(ON_ITS_WAY)]
+    path = tmp_path / "way.toml"
+    path.write_text("title = 'Ways'\nproblem = 'block-up-and-down-incline'\n" + "".join(rows), encoding="utf-8")
+    found = check_claims(load_claims(path), Certificates(None))
+    assert {one.latex: str(one.outcome) for one in found} == ON_ITS_WAY

@@ -105,7 +105,7 @@ ROWS = [
     (r"\omega=-\sqrt{\frac{3g}{2\ell}(\sin\theta_0-\sin\theta)}", PROVED),
     (r"\omega=\sqrt{\frac{3g}{2\ell}(\sin\theta_0-\sin\theta)}", REFUTED),
     (r"|\omega|=\sqrt{\frac{3g}{2\ell}(\sin\theta_0-\sin\theta)}", PROVED),
-    (r"Mg\ell(\sin\theta_0-\sin\theta)\ge0", UNDECIDED),
+    (r"Mg\ell(\sin\theta_0-\sin\theta)\ge0", PROVED),
     (r"\sin\theta_0-\sin\theta\ge\frac12", REFUTED),
     (r"\sin\theta>\frac12", REFUTED),
     (r"I>0", PROVED),

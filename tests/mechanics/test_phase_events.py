@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.ask.asking import ask
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import NotApplicable, RbpsymError
 from rbpsym.mechanics.phases import stages
 from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import Problem
@@ -13,8 +13,12 @@ from rbpsym.statement.model import Problem
 
 def thrown(phase: str, gravity: str = "-1") -> Problem:
     """A ball thrown up, or down."""
-    return load_text(
-        f"""
+    return load_text(thrown_text(phase, gravity))
+
+
+def thrown_text(phase: str, gravity: str) -> str:
+    """The file of it."""
+    return f"""
 [parameters]
 m = "mass: m"
 g = "acceleration: g"
@@ -38,9 +42,7 @@ line = "x = 0"
 [[phases]]
 name = "next"
 {phase}
-""",
-        name="thrown",
-    )
+"""
 
 
 ASKED = [
@@ -83,3 +85,13 @@ def test_wrong_events_get_a_sentence(phase: str, told: str) -> None:
 def test_what_never_rests_is_said() -> None:
     with pytest.raises(RbpsymError, match="never reached"):
         stages(thrown("event = 'rests'\nof = 'y'", gravity="1"))
+
+
+def test_where_a_phase_has_begun_it_may_come_back_to() -> None:
+    """A spring brings the ball back to where it has met it: that was said never to happen."""
+    spring = 'k = "stiffness: k"\nL = "length: L"\n[coordinates.y]'
+    met = 'event = "reaches"\nof = "y"\nat = "L"\n'
+    cord = '[phases.interactions.S]\ntype = "spring"\nbetween = ["O", "ball.center"]\nstiffness = "k"\nnatural_length = "L"\n'
+    text = thrown_text(met + cord + '[[phases]]\nname = "slack"\n' + met + 'without = ["S"]', "1")
+    with pytest.raises(NotApplicable, match="comes back to where it is first"):
+        stages(load_text(text.replace("[coordinates.y]", spring)))

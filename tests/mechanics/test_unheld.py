@@ -4,6 +4,7 @@ import pytest
 
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.study import Study
+from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_text
 
 TRUCK = """
@@ -46,3 +47,10 @@ def test_a_body_that_nothing_holds_is_named() -> None:
 def test_held_by_a_slider_it_moves() -> None:
     held = TRUCK + 'H = { type = "slider", point = "truck.center", line = "y = -d/2" }\n'
     assert Study(load_text(held)).dynamics.accelerations.keys() == {"s_ddot"}
+
+
+def test_beside_a_string_the_body_is_named() -> None:
+    """A weight that hangs aside of its pulley, on a slanting rope: it is the weight that nothing keeps there, not the rope."""
+    aside = problem_files()["movable-pulley"].read_text().replace('center = ["R", "z"]', 'center = ["R/3", "z"]')
+    with pytest.raises(StatementError, match="the pose of the body “weight” says more than its constraints hold"):
+        assert Study(load_text(aside)).dynamics

@@ -21,7 +21,7 @@ from rbpsym.languages import languages, phrases
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
 from rbpsym.studio.sheet import PhaseSheet
-from rbpsym.studio.tutor import ACCEPTED, NARRATES, TELLS, TRUE, UNDECIDED, UNJUSTIFIED, WRONG, Tutor
+from rbpsym.studio.tutor import ACCEPTED, NARRATES, TELLS, TRUE, UNDECIDED, UNJUSTIFIED, UNUSED, WRONG, Tutor
 from rbpsym.typeset.latex import to_latex
 from tests.library.derived import NAMES, derived
 
@@ -233,6 +233,13 @@ def test_hints_lead_to_the_end() -> None:
         lines.append(to_latex(step.statement, own.notation))
         assert len(lines) <= len(own.steps)
     assert own.record(lines)["steps"] == len(lines)
+
+
+@pytest.mark.parametrize("form", ["2 {0} = 2 {1}", r"\frac{{{0}}}{{3}} = \frac{{{1}}}{{3}}", "-{0} = -{1}", "{0} - {1} = 0"])
+def test_a_multiple_of_a_work_is_that_of_its_integral(form: str) -> None:
+    """Twice a work was not zero at the start, and a true line was called wrong."""
+    work, integral = r"\mathcal{W}_{\theta,S}", r"\int\tau_{\mathrm{cm},S} \, d\varphi_{\mathrm{disk}}"
+    assert tutor("torsion-pendulum").judge(form.format(work, integral)).verdict == UNUSED
 
 
 def test_in_the_terminal(tmp_path: Path) -> None:

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from math import prod
 from typing import Any
 
 from rbpsym.decide.equal import compare, scalars_equal
 from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol, total
+from rbpsym.field import NOTHING, UNITY, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol, total
 from rbpsym.field.division import divide, vanishes_on
 from rbpsym.field.normal import normal
 from rbpsym.proof.context import Context
@@ -199,8 +200,12 @@ def begin(context: Context, node: t.Node) -> Scalar:
             return -begin(context, inner)
         case t.Sym(name=name) if name in context.works:
             return NOTHING
-        case t.Mul(factors=factors) if any(isinstance(factor, (t.Integral, t.PathIntegral)) for factor in factors):
-            return NOTHING
+        case t.Mul(factors=factors) if grown := [factor for factor in factors if context.grows(factor)]:
+            others = (factor for factor in factors if factor not in grown)
+            begun = prod((begin(context, factor) for factor in grown), start=UNITY)
+            return prod((context.start(context.value(one)) for one in others), start=begun) if begun else NOTHING
+        case t.Div(num=above, den=below) if context.grows(above):
+            return begin(context, above) / begin(context, below)
     return context.start(context.value(node))
 
 

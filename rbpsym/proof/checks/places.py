@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import chain, product
 
@@ -10,7 +10,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import IMPLIED, Condition, conditions
 from rbpsym.decide.equal import compare, refuted_only_where
 from rbpsym.decide.rooted import neat, over_growth, sign_along
-from rbpsym.decide.signs import SignResult, sign
+from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, PI, ZERO, Scalar, cosine, depends_on, is_zero, quotient, sine, substitute, symbol
@@ -46,7 +46,7 @@ def stays(context: Context, step: Step) -> Verdict:
     [(left, op, _)] = t.relations(step.statement)
     value = context.along(context.value(left))
     bounds = [context.along(symbol(until))] if until else list(context.study.squares.values())
-    if any(_is_kept(value, bound, context.assumptions, IMPLIED[op]) for bound in bounds):
+    if any(is_kept(value, bound, context.assumptions, op) for bound in bounds):
         return proved("it is more than a multiple of what is not negative")
     begins = sign(context.start(value), context.assumptions).kind == "positive"
     if begins and any(_is_not_met(value, bound, context.assumptions) for bound in bounds):
@@ -56,14 +56,15 @@ def stays(context: Context, step: Step) -> Verdict:
     return found
 
 
-def _is_kept(value: Scalar, bound: Scalar, given: Assumptions, suits: Callable[[SignResult], bool]) -> bool:
+def is_kept(value: Scalar, bound: Scalar, given: Assumptions, op: str) -> bool:
+    """Whether the value is more (by what is op 0) than a multiple, not negative, of what is bound not to be negative."""
     for index in bound.num.atoms():
         parts = bound.num.by_power(index)
         if set(parts) in ({1}, {0, 1}):
             edge = -(Scalar(parts.get(0, ZERO)) / Scalar(parts[1]))
             rest = with_image(value.num, index, edge) / with_image(value.den, index, edge)
             more = (value - rest) / bound
-            if suits(sign(rest, given)) and sign(more, given).is_nonnegative:
+            if IMPLIED[op](sign(rest, given)) and sign(more, given).is_nonnegative:
                 return True
     return False
 
