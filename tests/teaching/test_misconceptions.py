@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from functools import cache
 
 import pytest
@@ -196,20 +195,6 @@ def test_first_wrong_steps_are_those_that_a_teacher_would_mark() -> None:
         assert step in {slip.first_wrong for slip in slips}, (name, slips)
         shown = next(slip.shown for slip in slips if slip.first_wrong == step)
         assert shown == here.derivation.step(step).statement
-
-
-def shared(table: Mapping[str, str]) -> dict[str, str]:
-    """The phrases without those that translate what the readers say in English."""
-    return {key: text for key, text in table.items() if not key.startswith("sentence.")}
-
-
-def test_languages_have_the_same_keys_and_places() -> None:
-    tables = [shared(phrases(language, "worksheets")) for language in languages()]
-    assert len(tables) >= 2
-    for table in tables[1:]:
-        assert table.keys() == tables[0].keys()
-        for key, text in table.items():
-            assert set(re.findall(r"{(\w+)}", text)) == set(re.findall(r"{(\w+)}", tables[0][key])), key
 
 
 def test_sites_follow_from_the_structure_not_from_names() -> None:
