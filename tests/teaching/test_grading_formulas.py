@@ -225,3 +225,11 @@ def test_names_of_the_only_body_and_units_behind_a_formula() -> None:
     for text in ("-M g l cosθ/(I + M l^2)", "-M g l cosθ/(I_cm + M l^2)", "ω̇ = -3g cosθ/(4l)", "-3g cosθ/(4l) [rad/s²]",
                  "-(3/4)*(g/l)*cos(theta) rad/s^2", "α=-3g/4l · cosθ ≈ -0.75 g/l cosθ"):  # fmt: skip
         assert grade_answer(text, LADDER_KEY, ground, target="theta_ddot").status is Status.RIGHT, text
+
+
+@pytest.mark.parametrize("text", ["I*omega^2/2", "I_O*omega^2/2", "(I_cm + M (l/2)^2)*omega^2/2", "M l^2 omega^2/6"])
+def test_a_bare_moment_of_inertia_is_about_the_centre_of_mass_or_a_fixed_point(text: str) -> None:
+    """Who says what turns about a hinge has energy Iω²/2 is right; no other factor makes it so."""
+    ground = ground_of(Study(load_problem(find_problem("rod-pendulum"))))
+    assert grade_answer(text, "M*ell**2*omega**2/6", ground).status is Status.RIGHT
+    assert grade_answer(f"2*({text})", "M*ell**2*omega**2/6", ground).status is Status.WRONG

@@ -54,12 +54,22 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
         return j.EMPTY
     text, number = without_number(text, sought.ground.book)
     try:
-        found = judge_tree(read_formula(text, sought.ground.book), sought)
+        found = _in_all_meanings(read_formula(text, sought.ground.book), sought)
     except RbpsymError as error:
         found = j.invalid(error)
     found = found if found.status in EARNING else _in_all_ways(text, sought, found)
     agreed = number is None or found.status is not Status.RIGHT or agrees(number, sought.value, sought.ground)
     return found if agreed else found.with_remark("number beside")
+
+
+def _in_all_meanings(read: t.Node, sought: Sought) -> Judgement:
+    """The judgement on an answer in which I, which nobody has told, is that about the centre of mass or about a fixed point."""
+    found = judge_tree(read, sought)
+    if found.status in EARNING or "I" not in t.names(read) - sought.allowed:
+        return found
+    moments = (t.Sym(name) for name in sought.ground.scope.scalars if name.startswith("I_"))
+    others = (judge_tree(t.renamed(read, {"I": moment}), sought) for moment in moments)
+    return next((other for other in others if other.status in EARNING), found)
 
 
 def _in_all_ways(text: str, sought: Sought, usual: Judgement) -> Judgement:

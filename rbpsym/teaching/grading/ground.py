@@ -10,7 +10,7 @@ from rbpsym.decide.assumptions import NONE, Assumptions
 from rbpsym.expr.glyphs import Notation, glyph, renamed
 from rbpsym.expr.letters import without_accents
 from rbpsym.expr.symbol_table import SymbolTable, drawn_glyph, symbol_table
-from rbpsym.field import BARE, Meanings, Scalar
+from rbpsym.field import BARE, Meanings, Scalar, names_in
 from rbpsym.field.exponentials import with_squares
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study
@@ -164,7 +164,8 @@ _NAMED = {"I": MASS * LENGTH**2, "omega": TIME**-1, "alpha": TIME**-2}
 
 
 def named_quantities(study: Study) -> dict[str, Scalar]:
-    """Quantities that a student may name without being told: I of each body, ω and α of the only turning one."""
+    """Quantities that a student may name without being told: I of each body, of the only one also about the fixed points
+    from which it keeps its distance; ω and α of the only turning one."""
     bodies = study.system.bodies
     taken = {q.name for q in study.problem.parameters} | set(study.problem.notation.values())
     found = {f"I_{name}": state.moment for name, state in bodies.items()}
@@ -172,7 +173,11 @@ def named_quantities(study: Study) -> dict[str, Scalar]:
     found |= {f"alpha_{name}": state.alpha for name, state in bodies.items() if state.alpha}
     turning = {state.omega for state in bodies.values() if state.omega}
     if len(bodies) == 1:
-        found |= dict.fromkeys(("I", "I_cm"), next(iter(bodies.values())).moment)
+        [state] = bodies.values()
+        found |= dict.fromkeys(("I", "I_cm"), state.moment)
+        squares = {name: (away := state.center - place).dot(away) for name, place in study.origins.items()}
+        kept = {name: square for name, square in squares.items() if not names_in(square) & {*study.system.coordinates}}
+        found |= {f"I_{name}": state.moment + state.mass * square for name, square in kept.items()}
     if len(turning) == 1:
         state = next(state for state in bodies.values() if state.omega)
         found |= {"omega": state.omega, "alpha": state.alpha}
