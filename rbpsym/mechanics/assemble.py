@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.errors import RbpsymError, StatementError, Undecided, there
+from rbpsym.decide.signs import sign
+from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
-from rbpsym.mechanics.conditions import CLOCK, contradiction
+from rbpsym.mechanics.conditions import CLOCK, contradiction, declared
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
@@ -185,16 +186,18 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
 
 def _tied_starts(names: tuple[str, ...], tied: Tied, problem: Problem, start: dict[str, Scalar]) -> dict[str, Scalar]:
     """Where coordinates begin of which only their range is said, and conditions that tie them to those that are stated leave
-    one place there."""
-    found, numbers = dict[str, Scalar](), sample(problem)
-    ranges = {c.name: (c.lower, c.upper) for c in problem.coordinates if c.start is None and None not in (c.lower, c.upper)}
+    one place there, whatever the parameters are."""
+    found, given = dict[str, Scalar](), declared(problem.parameters).assumptions
+    ranges = {c.name: (scalar(c.lower), scalar(c.upper)) for c in problem.coordinates if c.start is None and c.lower and c.upper}
     for condition in tied.implicit * len(tied.implicit):
         value = substitute(condition.value, {**start, **found})
         match [name for name in names if depends_on(value, name)]:
             case [name] if name in ranges:
-                low, high = (number(scalar(there(end)), numbers) for end in ranges[name])
-                places = [place for place in zeros(value, name) if low < number(place, numbers) < high]
-                found |= {name: places[0]} if len(places) == 1 else {}
+                places, (low, high) = zeros(value, name), ranges[name]
+                beyond = [any(sign(gap, given).is_nonnegative for gap in (low - place, place - high)) for place in places]
+                left = [place for place, is_beyond in zip(places, beyond, strict=True) if not is_beyond]
+                if len(left) == 1 and all(sign(gap, given).is_nonnegative for gap in (left[0] - low, high - left[0])):
+                    found |= {name: left[0]}
     return found
 
 
