@@ -81,8 +81,8 @@ ROWS = [
         {"bob": rb.particle(mass="M", center=("R*cos(x/R)", "R*sin(x/R)"))},
     ),
     row(
-        "the constraints contradict the motion of the bodies: their equations have no solution with “N”",
-        "agrees with the poses",
+        "the pose of the body “bob” says more than its constraints hold",
+        "the constraint that does it",
         rb.prescribed("bob.center", "g*t**2"),
         {"bob": rb.particle(mass="M", center=("R*cos(x/R)", "R*sin(x/R)"))},
     ),
