@@ -10,7 +10,7 @@ from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
-from rbpsym.mechanics.conditions import CLOCK, contradiction, declared
+from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
@@ -24,6 +24,7 @@ from rbpsym.mechanics.tying import Tied, tie
 from rbpsym.present.forms import present
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Coordinate, PointRef, Problem
+from rbpsym.statement.premises import declared
 from rbpsym.typeset.machine import to_machine
 
 CLOSE = 1e-7  # at sample numbers, which are near 1
