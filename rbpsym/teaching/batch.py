@@ -79,8 +79,13 @@ def papers(
         found = run(send_papers, jobs, who, journal, told, PART, lambda text: _taken(text, order.folder))
     else:
         found = run(write_papers, jobs, who, journal, told, PART)
+    made: list[list[str]] = [json.loads(text) for text in found]
+    names = {Path(name) for those in made for name in those}
+    for rest in (rest for folder in {name.parent for name in names} for rest in folder.glob(".*.????????")):
+        if rest.with_name(rest.name[1:-9]) in names:  # what a run that was killed was about to rename
+            rest.unlink(missing_ok=True)
     journal.remove()
-    return [json.loads(text) for text in found]
+    return made
 
 
 def findable(source: str) -> str:

@@ -64,6 +64,7 @@ def test_a_stopped_run_goes_on(how: signal.Signals, whole: dict[str, str], tmp_p
     kept = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.tex")}
     noted = [line for line in journal.read_text().splitlines()[1:] if line.endswith("]")]
     assert noted and len(kept) < 2 * COUNT
+    (tmp_path / f".{NAME}-001.tex.a1b2c3d4").write_text("half", encoding="utf-8")  # as a kill may leave it
     done(command(tmp_path, "--jobs", "2"))
     assert digests(tmp_path) == whole
     again = {str(path) for path, when in kept.items() if path.stat().st_mtime_ns != when}
