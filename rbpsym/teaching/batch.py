@@ -81,7 +81,7 @@ def papers(
         found = run(write_papers, jobs, who, journal, told, PART)
     made: list[list[str]] = [json.loads(text) for text in found]
     names = {Path(name) for those in made for name in those}
-    for rest in (rest for folder in {name.parent for name in names} for rest in folder.glob(".*.????????")):
+    for rest in (rest for folder in {name.parent for name in names} for rest in folder.glob(".?*.????????")):
         if rest.with_name(rest.name[1:-9]) in names:  # what a run that was killed was about to rename
             rest.unlink(missing_ok=True)
     journal.remove()
