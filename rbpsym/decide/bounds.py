@@ -103,7 +103,8 @@ def of_cosine(angle: Bounds, is_nonnegative: IsNonnegative) -> Bounds:
 
 def of_wave(kind: str, angle: Poly, assumptions: Assumptions, is_nonnegative: IsNonnegative) -> Bounds:
     """Bounds of a sine or cosine; sin A = cos(A - π/2), and cos A ≥ cos E from -E to E."""
-    own = _range_of(next(iter(angle.terms)), assumptions) if kind == "cos" and set(angle.terms.values()) == {1} else NO_BOUNDS
+    [(term, factor), *others] = angle.terms.items()
+    own = _range_of(term, assumptions) if (kind, factor, others) == ("cos", 1, []) else NO_BOUNDS
     if own.lower is not None and own.upper == -own.lower and depends_on_names(own.upper) and is_nonnegative(PI - own.upper):
         return Bounds(cosine(own.upper), UNITY, own.upper_in, True)
     found = of_angle(angle, assumptions)

@@ -5,10 +5,11 @@ from fractions import Fraction
 
 import pytest
 
-from rbpsym.decide.bounds import FULL_WAVE, Bounds, of_cosine, of_inverse
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.bounds import FULL_WAVE, Bounds, of_cosine, of_inverse, of_wave
 from rbpsym.decide.factoring import MINUS, PLUS, split
 from rbpsym.field.poly import generator
-from rbpsym.field.scalar import PI, lift
+from rbpsym.field.scalar import NOTHING, PI, lift, symbol
 from rbpsym.field.trig import cosine
 from rbpsym.mechanics.numbers import number
 
@@ -83,3 +84,12 @@ def test_factors_multiply_to_the_polynomial_and_lead_with_plus(whole, count, dee
         assert factor.terms[min(factor.terms)] > 0
     assert product == whole
     assert sum(k for _, k in parts) == (count if deep else 1)
+
+
+def test_a_range_narrows_the_cosine_of_its_own_angle_alone():
+    """cos θ ≥ cos E from -E to E; of a sum with θ in it that says nothing."""
+    top, theta = symbol("E"), symbol("theta")
+    given = Assumptions({"E": "positive"}, {"E": (NOTHING, PI), "theta": (-top, top)})
+    assert of_wave("cos", theta.num, given, lambda value: True).lower == cosine(top)
+    for angle in (theta + symbol("phi"), symbol("phi") + theta, theta * 2, theta + 1):
+        assert of_wave("cos", angle.num, given, lambda value: False) == FULL_WAVE

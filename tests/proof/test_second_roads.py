@@ -7,9 +7,9 @@ import pytest
 from rbpsym.ask.finding import ground
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.field.calculus import root
-from rbpsym.field.scalar import UNITY, lift, symbol
+from rbpsym.field.scalar import NOTHING, PI, UNITY, lift, symbol
 from rbpsym.field.trig import cosine, sine
-from rbpsym.proof.checks.parameters import _goes_to, slope_said, vanishes_there
+from rbpsym.proof.checks.parameters import _goes_to, nowhere_else, slope_said, vanishes_there
 from rbpsym.proof.rules import RULES
 
 x, a, small = symbol("x"), symbol("a"), symbol("epsilon")
@@ -70,3 +70,11 @@ def test_a_rule_of_answers_passes_what_is_so_and_nothing_else(rule):
     always = {"name": "x", "names": ("x",), "given": GIVEN, "value": None, "along": "x", "parts": ((x + a, None, a),)}
     for data, is_so in zip(SAID[rule], (True, False), strict=True):
         assert RULES[rule][0](None, ground((rule, {**always, **data}))).is_proved == is_so
+
+
+def test_an_end_that_may_be_reached_is_a_place_too():
+    """sin x vanishes at both ends of half a turn."""
+    ends = {"x": (NOTHING, PI)}
+    assert nowhere_else(sine(x), "x", [NOTHING], Assumptions({}, ends)).is_proved
+    assert not nowhere_else(sine(x), "x", [NOTHING], Assumptions({}, ends, frozenset({("x", 0), ("x", 1)}))).is_proved
+    assert nowhere_else(sine(x) - cosine(x), "x", [PI / 4], Assumptions({}, ends, frozenset({("x", 0), ("x", 1)}))).is_proved

@@ -90,6 +90,10 @@ def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assu
     if _degree(value, name) == len(set(places)) > 0:
         return proved("it has no more zeros than its degree")
     limits = of_symbol(name, given)
+    ends = ((limits.lower, limits.lower_in), (limits.upper, limits.upper_in))
+    reached = (end for end, is_in in ends if is_in and end is not None and end not in places)
+    if any(not sign(substitute(value, {name: end}), given).is_nonzero for end in reached):
+        return OTHERS  # at an end that may be reached it may vanish too
     if len(places) == 1 and is_zero(derivative(slope, name) + value) and limits.lower is not None and limits.upper is not None:
         whole = (sign(substitute(part, {name: NOTHING}), given.without(name)).is_nonzero for part in (value, slope))
         if sign(PI - limits.upper + limits.lower, given).is_nonnegative and any(whole):
