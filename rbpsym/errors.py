@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TypeVar
 
 from rbpsym.frozen import Frozen
@@ -93,3 +94,13 @@ def there(value: T | None) -> T:
     if value is None:
         raise ValueError("what has to be there is missing")
     return value
+
+
+def all_there(values: Iterable[T | None]) -> list[T] | None:
+    """All values; None where one of them is missing."""
+    found: list[T] = []
+    for value in values:
+        if value is None:
+            return None
+        found.append(value)
+    return found

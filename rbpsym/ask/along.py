@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING
 from rbpsym.ask.question import Question
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.field import Scalar, depends_on, names_in, substitute, symbol
+from rbpsym.field import Scalar, depends_on, names_in, short, substitute, symbol
 from rbpsym.mechanics.arrivals import followed, of_coordinate
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import given
 from rbpsym.mechanics.solved import speed_along
@@ -47,8 +46,8 @@ def of_one(world: ProblemWorld, found: Found, question: Question) -> Found:
     moving = moving_in(world, found.values)
     if name in world.dependent and moving:
         found, moving = _inverted(world, found, name, moving), {name}
-    places = {other: followed(world.study, name, other) for other in moving - {name} if other in world.study.system.independent}
-    places = {other: place for other, place in places.items() if place is not None} if name in rates else {}
+    others = moving & {*world.study.system.independent} - {name} if name in rates else ()
+    places = {other: place for other in others if (place := followed(world.study, name, other)) is not None}
     if places:
         values = tuple(short(substitute(value, places)) for value in found.values)
         found, moving = replace(found, values=values, places=places, of="position"), moving_in(world, values)
@@ -83,9 +82,11 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     letter for what it is a function of, the question when, or where, that has this value, and what the letter is; None for
     another question."""
     said = CONVERSE.fullmatch(text)
-    world = asked.world(asked.lasting) if said else None
-    moves = names_in(world.dependent.get(said[3], symbol(said[3]))) & {*world.motion.scope.rates} if said else set()
-    if said is None or moves not in ({said[3]}, {"t"}):
+    if said is None:
+        return None
+    world = asked.world(asked.lasting)
+    moves = names_in(world.dependent.get(said[3], symbol(said[3]))) & {*world.motion.scope.rates}
+    if {*moves} not in ({said[3]}, {"t"}):
         return None
     if said[1] not in ("t", "time") and not (said[2] and said[1] in world.coordinates) and not last:
         return None
@@ -93,10 +94,11 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     begun, first = (substitute(one, world.motion.scope.start) for one in of_coordinate(world.study, name))
     way = sign(first or first_push(world.motion, name), world.motion.assumptions).sense
     letter = world.study.letters.free("v" if speed else f"{name}_1")
-    ends = {"lower" if way > 0 else "upper": present(begun)} if way and not speed and names_in(begun) <= known else {}
+    end = present(begun) if not speed and names_in(begun) <= known else None
     is_positive = (speed and way) or (way > 0 and sign(begun, world.motion.assumptions).is_nonnegative)
     dimension = asked.problem.dimensions[name] / TIME**int(speed)
-    added = Quantity(letter, dimension, said[0], "positive" if is_positive else "real", **ends)
+    kind, lower, upper = "positive" if is_positive else "real", end if way > 0 else None, end if way < 0 else None
+    added = Quantity(letter, dimension, said[0], kind, lower=lower, upper=upper)
     problem = replace(asked.problem, parameters=(*asked.problem.parameters, added))
     phases = (replace(one, problem=replace(one.problem, parameters=problem.parameters)) for one in problem.phases)
     what = f"speed of {name}" if speed else name

@@ -15,17 +15,16 @@ from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.ask.undetermined import left_open
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.verdict import Verdict
-from rbpsym.errors import NotApplicable, RbpsymError, ReadError, StatementError, Undecided
+from rbpsym.errors import NotApplicable, RbpsymError, ReadError, StatementError, Undecided, there
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol, time_derivative
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, short, substitute, symbol, time_derivative
 from rbpsym.field.exponentials import with_squares
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.arrivals import inward
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.solutions import SMALL
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
@@ -59,6 +58,11 @@ class Found(Frozen):
     constant: bool = False
     since: tuple[Found, ...] = ()
     about: tuple[str, str | None] | None = None
+
+    @property
+    def then(self) -> Moment:
+        """The moment at which it is taken. Raises ValueError for what is told along the motion."""
+        return there(self.moment)
 
 
 class Answer(Frozen):
@@ -127,7 +131,7 @@ def found_of(asked: Asked, question: Question) -> Found:
     if question.quantity in ("time", "the time"):
         ends = (question.when, question.since) if question.since else (question.when,)
         return _since(*(_time(asked, replace(question, when=end)) for end in ends))
-    found = _along(asked, question) if question.when is None else _then(asked, question)
+    found = _along(asked, question) if question.when is None else _then(asked, question, question.when)
     if any(names_in(value) & left_open(found.study) for value in found.values):
         study_of(asked.problem).dynamics  # noqa: B018  (which says what is not told apart)
     return found
@@ -143,7 +147,7 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
         place = asked.named(question.phase)
     if place is not None:
         return place, _meant(asked.world(place), question)
-    refused = {}
+    refused = dict[int, RbpsymError]()
     for each in (*range(asked.lasting, len(asked.names)), *range(asked.lasting)):
         try:
             world = asked.world(each)
@@ -164,7 +168,10 @@ def _meant(world: ProblemWorld, question: Question) -> Bound:
     return plane(world.vector(question.quantity)) if question.is_direction and len(parts(found)) == 1 else found
 
 
-def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[Scalar, Scalar]]:
+Works = Mapping[str, tuple[Scalar, Scalar]]
+
+
+def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> Works:
     """(rate, value) of each work in the values. Raises StatementError for a work that has no closed form."""
     found = {}
     for name, power in world.motion.ledger.items():
@@ -177,7 +184,7 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[S
     return found
 
 
-def _then(asked: Asked, question: Question) -> Found:
+def _then(asked: Asked, question: Question, when: When) -> Found:
     """The value at a moment; what is counted since another moment, from there."""
     if question.of:
         raise StatementError("what is asked at one moment is no function", instead="leave out “as a function of …”.")
@@ -187,48 +194,48 @@ def _then(asked: Asked, question: Question) -> Found:
         what = "" if said[1] == "ratio" else "magnitude of "
         question = replace(question, quantity=f"{what}{need.friction}/({' + '.join(need.normals)})")
     if not re.search(r"\b(?:work|time integral|displacement|number)\b", question.quantity):
-        ends = [moment_of(asked, when, question) for when in (question.when, question.since) if when]
+        ends = [moment_of(asked, end, question) for end in (when, question.since) if end]
         return _since(*(_at_moment(asked, question, end) for end in ends))
-    return _work(asked, question)
+    return _work(asked, question, when)
 
 
 FRICTION = re.compile(r"friction (ratio|coefficient needed) at (\w+)")
 
 
-def _work(asked: Asked, question: Question) -> Found:
+def _work(asked: Asked, question: Question, when: When) -> Found:
     """A work or a way until a moment, from the very start, that of the phase that is named, or another moment: phase by phase."""
-    when, since, before = question.when, question.since, None
+    since, before = question.since, list[Found]()
     found = _at_moment(asked, question, moment_of(asked, replace(when, kind=DONE_BEFORE.get(when.kind, when.kind)), question))
-    first = asked.named(question.phase) if question.phase else found.moment.place if when.kind == "over" else 0
+    first = asked.named(question.phase) if question.phase else found.then.place if when.kind == "over" else 0
     if since is not None:
         since = replace(since, kind="begins") if since.kind == "until" else since
-        before = _at_moment(asked, question, moment_of(asked, since, question))
-        first, before = before.moment.place, None if before.moment.how == "start" else before
-    if first > found.moment.place:
+        begun = _at_moment(asked, question, moment_of(asked, since, question))
+        first, before = begun.then.place, [] if begun.then.how == "start" else [begun]
+    if first > found.then.place:
         raise StatementError(BACKWARDS, instead="ask the other way round.")
-    between = asked.names[first : found.moment.place]
+    between = asked.names[first : found.then.place]
     if between and question.quantity.startswith("number"):
         raise StatementError("turns are counted in one phase", instead="name it: “… in phase PHASE”.")
     ends = [moment_of(asked, When("end", (name,)), question) for name in between]
-    words, blows = set(re.findall(r"\w+", question.quantity)), [asked.stage(end.place + 1).began for end in ends]
+    words, blows = set(re.findall(r"\w+", question.quantity)), [asked.began(end.place + 1) for end in ends]
     struck = {name for blow in blows if blow.is_blow for name, size in blow.impulses.items() if not is_zero(size)}
     is_struck = any(name == word or name.startswith(f"{word}_") for name in struck for word in words)
     if is_struck or (re.search(r"\b(net|external) work", question.quantity) and any(blow.is_blow for blow in blows)):
         raise StatementError("a blow between does work too", instead="ask phase by phase: “… from PHASE to PHASE”.")
-    acting = [{force.name for force in asked.study(place).system.forces} for place in range(found.moment.place + 1)]
+    acting = [{force.name for force in asked.study(place).system.forces} for place in range(found.then.place + 1)]
     named = words & acting[-1]  # what does not act yet in a phase does no work in it
-    return _since(found, before, [_at_moment(asked, question, end) for end in ends if named <= acting[end.place]])
+    return _since(found, *before, done=[_at_moment(asked, question, end) for end in ends if named <= acting[end.place]])
 
 
 DONE_BEFORE = {"begins": "until"}  # what is done when a phase begins was done before
 BACKWARDS = "the first of both moments comes after the second"
 
 
-def _since(found: Found, before: Found | None = None, done: Sequence[Found] = ()) -> Found:
-    """What is counted from the moment `before` (None: the start), with the works `done` in the phases between."""
-    if before is not None and before.moment.place > found.moment.place:
+def _since(found: Found, *before: Found, done: Sequence[Found] = ()) -> Found:
+    """What is counted from the moment `before` (none: the start), with the works `done` in the phases between."""
+    if any(one.then.place > found.then.place for one in before):
         raise StatementError(BACKWARDS, instead="ask the other way round.")
-    for part, way in (*((part, 1) for part in done), *([(before, -1)] if before else ())):
+    for part, way in (*((part, 1) for part in done), *((part, -1) for part in before)):
         pairs = list(zip(found.named, found.values, part.values, strict=True))
         named, values = (tuple(counted[k] + counted[2] * way for counted in pairs) for k in (0, 1))
         found = replace(found, named=named, values=tuple(map(short, values)), since=(*found.since, part))
@@ -259,7 +266,7 @@ def _is_long(study: Study, named: Sequence[Scalar]) -> bool:
 LONG = 60  # terms, those above times those below
 
 
-def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
+def _at(world: ProblemWorld, named: Sequence[Scalar], works: Works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
     closed = {name: done for name, (_, done) in works.items()}
     moved = world.study.begun if world.study.at_start else world.motion.moved
     found = [substitute(moved(substitute(value, closed)), moment.state.image) for value in named]
@@ -294,15 +301,15 @@ def _time(asked: Asked, question: Question) -> Found:
     swung = time_of_swing(asked, moment)
     if swung is not None:
         return Found(asked.first, (swung[0],), (swung[0],), told=swung[1])
-    if moment.state.time is None:
+    time = moment.state.time
+    if time is None:
         what = f"no closed form was found for the time {question.when.text}"
         raise NoClosedForm(what, instead=BY_NUMBERS)
     moment = replace(moment, how="time") if moment.how == "start" else moment
     if clock is None:  # each phase by its own motion
         begun = _time(asked, replace(question, when=When("until", (name := asked.names[moment.place],), f"until {name}")))
-        return _since(Found(asked.study(moment.place), (symbol("t"),), (moment.state.time,), moment=moment), done=[begun])
-    value = short(clock + moment.state.time)
-    return Found(asked.study(moment.place), (symbol("t") + clock,), (value,), moment=moment, works={})
+        return _since(Found(asked.study(moment.place), (symbol("t"),), (time,), moment=moment), done=[begun])
+    return Found(asked.study(moment.place), (symbol("t") + clock,), (short(clock + time),), moment=moment)
 
 
 # --- as a function

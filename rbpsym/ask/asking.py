@@ -170,8 +170,8 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
             if inverse := converse(asked, plain, last=True):
                 return _by_letter(inverse, plain, letter)
         with suppress(RbpsymError):
-            if found := _by_quantity(asked, plain, letter):
-                return found
+            if other := _by_quantity(asked, plain, letter):
+                return other
         raise
     return whichever(asked, found, lambda other: _answered(other, plain, letter))
 
@@ -209,10 +209,10 @@ def _answered(asked: Asked, plain: str, letter: str) -> Answer:
             raise Undecided(f"what was found for “{plain}” is refuted by its own check, and is not told")
         found = made or answer(asked, read_question(plain), letter)
         return (said and not found.verdict.is_proved and _with_these(asked, said, letter)) or found
-    except (StatementError, ReadError, Undecided) as refused:
-        if found := (said and _with_these(asked, said, letter)) or resorted(asked, plain, letter):
-            return found
-        raise refused
+    except (StatementError, ReadError, Undecided):
+        if other := (said and _with_these(asked, said, letter)) or resorted(asked, plain, letter):
+            return other
+        raise
 
 
 def _with_these(asked: Asked, said: re.Match[str], letter: str) -> Answer | None:

@@ -30,8 +30,8 @@ def bracket(equation: Scalar, name: str, given: Assumptions, numbers: Mapping[st
         first = -size if low is None and high is None else high - size if low is None else low
         last = (first + 2 * size if low is None else low + size) if high is None else high
         step = (last - first) / 2**40
-        signs = sign(first + step), sign(last - step)
-        if None not in signs and signs[0] == -signs[1]:
+        below, above = sign(first + step), sign(last - step)
+        if below is not None and above is not None and below == -above:
             break
     else:
         return None
@@ -41,7 +41,7 @@ def bracket(equation: Scalar, name: str, given: Assumptions, numbers: Mapping[st
         found = sign(middle)
         if found is None:
             break
-        low, high = (middle, high) if found in (signs[0], 0) else (low, middle)
+        low, high = (middle, high) if found in (below, 0) else (low, middle)
     return low, high
 
 

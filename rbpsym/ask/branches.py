@@ -32,14 +32,17 @@ def beyond(world: AskedPhase, name: str) -> tuple[Asked, int] | None:
     slips = [value for element, what, value in starts if what == "slip" and element.values.get("slip") == "auto"]
     ways = of_sense(world.asked, world.senses)
     moments = [demand.value for demand in (*world.demands, *ways) if demand.op == ">"]
-    for value in (*slips, *moments) if quantity is not None else ():
+    if quantity is None:
+        return None
+    for value in (*slips, *moments):
         ends = [end for end in zeros(value, name) if sign(end, given).kind == "positive"] if depends_on(value, name) else []
         top = given.range_of(name)[1]
         ends = [end for end in ends if top is None or settle([Demand(top - end)], given) is not None]
-        side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(value, name), given).kind)
+        side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(value, name), given).kind or "")
         if len(ends) == 1 and side and sign(value, given).kind is None and getattr(quantity, side) is None:
-            other = replace(quantity, **{side: present(ends[0])})
-            return Asked(narrowed(problem, other)), 1 if side == "lower" else -1
+            end, is_below = present(ends[0]), side == "lower"
+            other = replace(quantity, lower=end) if is_below else replace(quantity, upper=end)
+            return Asked(narrowed(problem, other)), 1 if is_below else -1
     return None
 
 

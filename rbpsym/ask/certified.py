@@ -18,7 +18,7 @@ from rbpsym.chapters.impulses import hand_over
 from rbpsym.decide.rooted import neat, rationalised
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import all_of, undecided
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.errors import RbpsymError, StatementError, there
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.field import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, substitute, symbol
@@ -69,7 +69,7 @@ def certified(
         earlier += tuple(replace(step, id=f"since.{k}.{step.id}") for step in parts if step not in earlier)
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     if found.about is not None:
-        _spread(draft, found)
+        _spread(draft, found, *found.about)
     draft.chapter = "ask"
     _grounds(draft, found)
     if found.moment is not None and found.moment.phase is not None and found.moment.phase.event != "at once":
@@ -88,7 +88,7 @@ def certified(
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
     comes += map(undecided, open_)
     verdict = all_of([*comes, *(step.certificate.verdict for step in (*earlier, *steps))])
-    nodes = tuple(row.items[-1] for row in _rows(last.statement))
+    nodes = _last_sides(last.statement)
     valid = _valid(draft, found, lasts, earlier, steps)
     is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))
     says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
@@ -145,9 +145,9 @@ def _grounds(draft: Draft, found: Found) -> None:
                   premises=draft.those(*(step.id for step in draft.steps)))  # fmt: skip
 
 
-def _spread(draft: Draft, found: Found) -> None:
+def _spread(draft: Draft, found: Found, name: str, about: str | None) -> None:
     """How the mass of the bodies that are named is spread: about the point, or each about its centre of mass."""
-    world, (name, about) = ProblemWorld(found.study), found.about
+    world = ProblemWorld(found.study)
     names = tuple(state.name for state in world.bodies(name))
     if about is not None:
         moments.about(draft, names, about, world.place(about, name))
@@ -178,30 +178,31 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apar
     own = _own_letter(found)
     letters = [own if own and own not in apart else name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
     letters = [draft.free(letter) for letter in letters]
-    pairs = zip(letters, found.values, strict=True)
-    rows = [t.equation(t.Sym(letter), draft.show(value, factor=True, met=met)) for letter, value in pairs]
+    shown = [draft.show(value, factor=True, met=met) for value in found.values]
     of = dict(zip(letters, found.named, strict=True))
     rule = "value_told" if found.told else "value_along" if found.moment is None else "value_then"
     speeds = (name.removesuffix("_dot") for name in (*found.speeds, *found.kept))
     data = {"of": of, "works": {n: f"done.{n}" for n in found.works}}
     data |= {"moment": found.moment, "ways": found.ways, "speeds": tuple(speeds), "places": tuple(found.places)}
-    data |= {"constant": found.constant}
-    data |= _said(draft, found)
+    said = _said(draft, found)
+    data |= {"constant": found.constant, **said}
     for letter, value in of.items():
         draft.define(letter, value)
+    lefts: list[t.Node] = [t.Sym(letter) for letter in letters]
     if found.study.at_start:
-        rule, pairs = "solution", zip(found.named, rows, strict=True)
-        rows = [t.equation(instant.at_start(draft.show(value)), row.items[-1]) for value, row in pairs]
-    if data.get("turned") == ("itself",) and data["told"][0]:
-        said = [row[-1] for row in t.relations(draft.context.steps[data["told"][0]].statement)]
-        told = next((node for node in said if _is_same(draft, draft.context.value(node), found.values[0])), None)
-        rows = rows if told is None or _letters(told, found.values[0]) else [t.equation(t.Sym(letters[0]), told)]
-    statement = rows[0] if len(rows) == 1 else t.Relations(tuple(rows))
-    told = [step.id for step in draft.steps if step.rule in TOLD]
+        rule, lefts = "solution", [instant.at_start(draft.show(value)) for value in found.named]
+    if said.get("turned") == ("itself",) and said["told"][0]:
+        sides = [row[-1] for row in t.relations(draft.context.steps[said["told"][0]].statement)]
+        told = next((node for node in sides if _is_same(draft, draft.context.value(node), found.values[0])), None)
+        if told is not None and not _letters(told, found.values[0]):
+            lefts, shown = [t.Sym(letters[0])], [told]
+    rows = tuple(map(t.equation, lefts, shown))
+    statement = rows[0] if len(rows) == 1 else t.Relations(rows)
+    ids = [step.id for step in draft.steps if step.rule in TOLD]
     if found.study.at_start:
         held = {name for value in found.named for name in names_in(value)}
-        told = [id for id in told if draft.context.steps[id].slots["quantity"].name in held]
-    named = draft.those(*(filter(None, data["told"]) if found.told else told), "law.motion")
+        ids = [id for id in ids if draft.context.steps[id].slots["quantity"].name in held]
+    named = draft.those(*(filter(None, said["told"]) if found.told else ids), "law.motion")
     phrase = "ask.there" if found.study.at_start else "ask.answer"
     return draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
@@ -236,10 +237,10 @@ def _direction(draft: Draft, question: Question, found: Found) -> tuple[Step, tu
         side = sign(y, draft.study.assumptions).kind
         if side not in ("positive", "negative"):
             raise StatementError(f"which way “{question.quantity}” points is not decided", instead="ask for it itself.")
-        angle, asked = PI / 2 * (1 if side == "positive" else -1), ()
+        angle, asked = PI / 2 * (1 if side == "positive" else -1), list[Demand]()
     else:
-        way = {"positive": 1, "negative": -1}.get(kind) or (1 if number(x, sample(draft.study.problem)) > 0 else -1)
-        angle, asked = function("atan", y / x) + (NOTHING if way > 0 else PI), (Demand(x * way),)
+        way = {"positive": 1, "negative": -1}.get(kind or "") or (1 if number(x, sample(draft.study.problem)) > 0 else -1)
+        angle, asked = function("atan", y / x) + (NOTHING if way > 0 else PI), [Demand(x * way)]
     letter = draft.define(draft.free("varphi"), angle)
     step = draft.add("direction", "direction", t.equation(letter, draft.show(angle)), "ask.there", premises=["answer"],
                      is_result=True, data={"of": "answer"}, obligations=draft.asked(asked))  # fmt: skip
@@ -265,8 +266,9 @@ def _told_by(asked: Asked, found: Found) -> Draft:
         law = oscillations.laws(draft)[name] if small else ""
         draft.chapter = kind
         known = solutions.given(found.study, name, small=small)
-        still = solutions.Given(solutions.form_along(found.study, name), NOTHING, NOTHING, found.study, name)
-        course.feature(draft, known or still, name, key, law)
+        if known is None:
+            known = solutions.Given(there(solutions.form_along(found.study, name)), NOTHING, NOTHING, found.study, name)
+        course.feature(draft, known, name, key, law)
     else:
         CHAPTERS[kind](draft)
     return draft
@@ -310,8 +312,9 @@ def _letters(node: t.Node, value: Scalar) -> set[str]:
     return {part.name for part in t.walk(node) if isinstance(part, t.Sym)} - names_in(value)
 
 
-def _rows(statement: t.Node) -> tuple[t.Chain, ...]:
-    return statement.rows if isinstance(statement, t.Relations) else (statement,)
+def _last_sides(statement: t.Node) -> tuple[t.Node, ...]:
+    rows = statement.rows if isinstance(statement, t.Relations) else (statement,)
+    return tuple(row.items[-1] for row in rows if isinstance(row, t.Chain))
 
 
 def _valid(
@@ -328,8 +331,8 @@ def _valid(
             asked = [_there(found.study, one, moment) for one in asked] if moment.how != "event" else asked
     asked = [*asked, *solved]
     if found.told == "oscillations" or (moment is not None and moment.is_small):  # only close to the place of rest
-        there = next((step.data["at"] for step in reversed(steps) if "at" in step.data), {})
-        image = dict.fromkeys(found.study.system.speeds, NOTHING) | there
+        rest: dict[str, Scalar] = next((step.data["at"] for step in reversed(steps) if "at" in step.data), {})
+        image = dict.fromkeys(found.study.system.speeds, NOTHING) | rest
         asked = [Demand(substitute(one.value, image), one.op) for one in asked]
     asked = [*first, *asked]
     if moment is not None and moment.state.time is not None and (moment.watched or (moment.courses and moment.how == "time")):
@@ -342,18 +345,19 @@ def _valid(
         what = to_machine(present(never.value))
         raise StatementError(f"this motion never comes about: it needs {what} {never.op} 0", instead="change the statement.")
     left = settle(wanted, found.study.assumptions) if len(asked) == len(duties) else None
-    left = left if left is None else _told_by_forces(left, found.study)
-    return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(stated))))
+    if left is None:
+        return tuple(dict.fromkeys((*duties, *draft.asked(stated))))
+    return draft.asked(_told_by_forces(left, found.study))
 
 
 def _there(study: Study, demand: Demand, moment: Moment) -> Demand:
     """A demand at that moment. What the way of solving divides by may vanish there alone: the value is that of its
     neighbours, to which it is bound where the mass matrix is regular."""
-    there = Demand(value_in(study, demand.value, moment.state), demand.op)
-    if demand.op != "!=" or study.at_start or not is_zero(there.value):
-        return there
-    inertia = [[value_in(study, entry, moment.state) for entry in row] for row in study.dynamics.mass_matrix]
-    return there if is_zero(determinant(inertia)) else Demand(UNITY)
+    then = Demand(value_in(study, demand.value, moment.state), demand.op)
+    if demand.op != "!=" or study.at_start or not is_zero(then.value):
+        return then
+    inertia = tuple(tuple(value_in(study, entry, moment.state) for entry in row) for row in study.dynamics.mass_matrix)
+    return then if is_zero(determinant(inertia)) else Demand(UNITY)
 
 
 def _told_by_forces(demands: tuple[Demand, ...], study: Study) -> list[Demand]:
@@ -377,6 +381,7 @@ def _asked(draft: Draft, duties: Sequence[t.Node]) -> list[Demand]:
 def _valued(draft: Draft, node: t.Node) -> Scalar | None:
     """The value of one side of a condition; None where a letter of another phase stands in it."""
     try:
-        return draft.context.value(node)
+        found: Scalar = draft.context.value(node)
+        return found
     except RbpsymError:
         return None

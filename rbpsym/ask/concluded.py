@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER, certified
@@ -14,6 +15,7 @@ from rbpsym.ask.special import left_open
 from rbpsym.ask.words import doubts
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.verdict import Verdict, all_of, undecided
+from rbpsym.errors import there
 from rbpsym.expr import tree as t
 from rbpsym.field import depends_on
 from rbpsym.mechanics.demands import possible, settle
@@ -82,9 +84,9 @@ def _not_contradicted(found: Finding, given: Assumptions) -> Finding:
     if len(kept) in (0, len(left)):
         return found
     grounds = tuple(found.grounds[k] for k in kept) if found.parted else found.grounds
-    values, asked = (tuple(part[k] for k in kept) for part in (found.values, found.asked))
+    values, asked = tuple(found.values[k] for k in kept), tuple(found.asked[k] for k in kept)
     found = replace(found, values=values, asked=asked, grounds=grounds)
-    return replace(found, valid=left[kept[0]], asked=()) if len(kept) == 1 else found
+    return replace(found, valid=there(left[kept[0]]), asked=()) if len(kept) == 1 else found
 
 
 def _steps(quantities: list[Answer]) -> tuple[list[Step], list[str]]:
@@ -110,7 +112,8 @@ def _value(step: Step) -> t.Node:
 
 def _as_letter(draft: Draft, told: Answer) -> t.Node:
     """The letter of a quantity, with the value that its step states; that itself where it has no letter."""
-    letter, *_, value = told.steps[-1].statement.items
+    rows = [*t.relations(told.steps[-1].statement)]
+    letter, value = rows[0][0], rows[-1][-1]
     return draft.define(letter.name, draft.context.value(value)) if isinstance(letter, t.Sym) else value
 
 
@@ -138,5 +141,5 @@ def _verdicts(context: Context, found: Finding, rows: Sequence[t.Chain]) -> Iter
     seen_by = [(one,) for one in found.grounds] if found.parted else [seeing] * len(rows)
     for row, grounds in zip(rows, seen_by, strict=True) if found.grounds else ():
         checks = ((RULES[one[0]][0], ground(one, row)) for one in grounds)
-        said = [guarded(lambda check=check, step=step: check(context, step)) for check, step in checks]
+        said = [guarded(partial(check, context, step)) for check, step in checks]
         yield next((verdict for verdict in said if verdict.is_proved), said[0])

@@ -31,7 +31,7 @@ from rbpsym.ask.zeros import where_met
 from rbpsym.chapters import oscillations
 from rbpsym.decide.rooted import rooted
 from rbpsym.decide.signs import sign
-from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
+from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError, there
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, derivative, is_zero, lift, substitute, symbol
@@ -66,11 +66,11 @@ def _reaches(world: AskedPhase, name: str, text: str) -> Wanted:
 
 def _check_phase(world: AskedPhase, way: Way, end: Scalar) -> None:
     """Raise StatementError where it is not sure that the phase still goes on there, and none is named."""
-    if world.is_named or world.place + 1 == len(world.asked.names):
+    if world.is_named or world.number + 1 == len(world.asked.names):
         return
-    after = world.asked.names[world.place + 1]
+    after = world.asked.names[world.number + 1]
     with suppress(NotApplicable):
-        last = world.asked.stage(world.place + 1).began.before.places[way.name]
+        last = world.asked.began(world.number + 1).before.places[way.name]
         if settle([Demand((end - last) * way.sense)], world.motion.assumptions) is None:
             return
     raise StatementError(
@@ -98,10 +98,10 @@ def _keeps(world: AskedPhase, phrase: str, until: str | None, text: str | None) 
 COEFFICIENT = "mu"  # may be asked for where the problem declares none
 
 
-def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | None, name: str = "", there: str = "") -> Wanted:
-    """Static friction stays below its limit, at one contact or at all (“it”), on the way or at one moment (`there`)."""
+def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | None, name: str = "", then: str = "") -> Wanted:
+    """Static friction stays below its limit, at one contact or at all (“it”), on the way or at one moment (`then`)."""
     needs = {need.constraint: need for need in world.study.friction_needs}
-    found = None if there else _held_then(world, contact, None, name)
+    found = None if then else _held_then(world, contact, None, name)
     if found and contact not in needs and (contact != "it" or not needs):
         return found
     if not needs:
@@ -120,14 +120,14 @@ def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | 
             f"the contact “{without}” has no coefficient of static friction",
             instead=f'ask for “{COEFFICIENT} for which …”, or write limit = "mu" in [constraints.{without}].',
         )
-    if left_open(world.study) and not there:
+    if left_open(world.study) and not then:
         values, given, asked = bearable(world.study, held, given, name)
         return Wanted(values, given, asked=asked)
 
     def here(force: str) -> Scalar:
-        return seen(world, force + there)
+        return seen(world, force + then)
 
-    forces = [(sum(map(here, need.normals), NOTHING) * need.limit, here(need.friction)) for need in held]
+    forces = [(sum(map(here, need.normals), NOTHING) * there(need.limit), here(need.friction)) for need in held]
     values = tuple(most + friction * side for most, friction in forces for side in (-1, 1))
     found = on_way(world, values, "the friction that is needed", until, text, given)
     normal = {need.constraint for need in held if len(need.normals) == 1}
@@ -142,9 +142,9 @@ def _holds_there(world: AskedPhase, contact: str, there: str, name: str = "") ->
 
 def _held_then(world: AskedPhase, contact: str, phase: str | None, name: str = "") -> Wanted | None:
     """The impulse of friction stays below its limit in a blow (when a phase begins); None where friction holds in none."""
-    given, values = world.motion.assumptions, []
+    given, values = world.motion.assumptions, list[Scalar]()
     for number in range(1, len(world.asked.names)):
-        began = world.asked.stage(number).began
+        began = world.asked.began(number)
         for element in (*began.phase.impulses, *began.phase.problem.constraints):
             limit = element.values.get("coefficient" if is_holding(element) else "limit")
             is_meant = contact in ("it", "nothing", element.name) and phase in (None, began.phase.name)
@@ -266,9 +266,9 @@ def _vanishes(world: AskedPhase, phrase: str, place: str | None) -> Wanted:
 
 
 def _equal(world: AskedPhase, left: str, right: str) -> Wanted:
-    sides = [value_of(world, side, of_vectors=True) for side in (left, right)]
-    require_same(world, *sides, (left, right))
-    return Wanted((sides[0] - sides[1],), world.motion.assumptions, equal=True)
+    first, second = (value_of(world, side, of_vectors=True) for side in (left, right))
+    require_same(world, first, second, (left, right))
+    return Wanted((first - second,), world.motion.assumptions, equal=True)
 
 
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}

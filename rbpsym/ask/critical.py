@@ -18,7 +18,7 @@ from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat, rooted
 from rbpsym.decide.verdict import undecided
-from rbpsym.errors import StatementError
+from rbpsym.errors import StatementError, all_there, there
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.mechanics.demands import Demand, assuming, possible, settle
 from rbpsym.mechanics.stability import essential
@@ -57,7 +57,7 @@ def which(world: AskedPhase, superlative: str | None, name: str, text: str, oppo
     stated = premises(world, condition)
     own = (demand.value for demand in stated if depends_on(demand.value, name) and demand.op != "!=")
     condition = replace(condition, beside=(*condition.beside, *own))
-    found = region_of(world, name, condition, text, SUPERLATIVES.get(superlative, 0), opposite)
+    found = region_of(world, name, condition, text, SUPERLATIVES.get(superlative or "", 0), opposite)
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
     whole = () if found.values else [d for d in case_of(world) if not (found.is_none and depends_on(d.value, name))]
@@ -82,7 +82,7 @@ def _opposite(world: AskedPhase, superlative: str | None, name: str, text: str, 
 
 def equal_for(world: AskedPhase, superlative: str | None, name: str, condition: Wanted, text: str) -> Finding:
     """SYMBOL for which a value vanishes."""
-    [value], given, asked = condition.values, condition.given, ()
+    [value], given, asked = condition.values, condition.given, tuple[Demand, ...]()
     if name in world.coordinates:
         way, given = way_to(world, name, None, given)
         asked = possible(way.asked, world.motion.assumptions, never_told(text))
@@ -106,11 +106,11 @@ def equal_for(world: AskedPhase, superlative: str | None, name: str, condition: 
         return _crossing(name, table.zeros.crossings, given, is_only=not zeros)
     every = [zero.place for zero in table.zeros.found if not zero.is_pole]
     if not zeros:
-        found = Finding(**checked("vanishes_for", value=value, name=name, places=tuple(every), given=given))
+        nowhere = Finding(**checked("vanishes_for", value=value, name=name, places=tuple(every), given=given))
         away = [[one.value for one in _there((*world.demands, *world.standing), name, place)] for place in every]
         others = (Finding(**kept_said(one, None, (), given, holds=False)) for one in away)  # there it is another motion
         says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
-        return Finding(symbol=name, says=says, valid=(*asked, *case_of(world)), **together(found, *others))
+        return Finding(symbol=name, says=says, valid=(*asked, *case_of(world)), **together(nowhere, *others))
     if superlative is not None and len(zeros) > 1:
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
     places = tuple(neat(zero.place, given) for zero in zeros)
@@ -118,8 +118,8 @@ def equal_for(world: AskedPhase, superlative: str | None, name: str, condition: 
     under = where_met(given, [*table.zeros.asked, *(d for zero in zeros for d in zero.asked)])
     own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
     found = checked("vanishes_for", value=value, name=name, places=every, given=under)
-    firm = [d for d in world.demands if d.op == ">" and not depends_on(d.value, name)]
-    firm = possible(firm, world.motion.assumptions, never_told(text))
+    strict = [d for d in world.demands if d.op == ">" and not depends_on(d.value, name)]
+    firm = possible(strict, world.motion.assumptions, never_told(text))
     return Finding(symbol=name, values=places, valid=tuple(dict.fromkeys((*shared, *asked, *firm))), asked=own, met=True, **found)
 
 
@@ -135,7 +135,8 @@ def _crossing(name: str, crossings: Sequence[Crossing], given: Assumptions, *, i
 def _met(world: AskedPhase, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:
     """What a zero asks for, so that the moments come about at which the quantities are taken; None if they never do."""
     limits = (replace(demand, op=">=") for demand in world.standing if demand.op == ">")  # where it just begins no more
-    wanted, lasts = (*world.demands, *(demand for demand in world.standing if demand.op != ">"), *limits), ()
+    wanted = [*world.demands, *(demand for demand in world.standing if demand.op != ">"), *limits]
+    lasts: tuple[Demand, ...] = ()
     if name in world.coordinates:
         wanted = [demand for demand in wanted if not depends_on(demand.value, name)]
         try:
@@ -182,10 +183,10 @@ def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense:
         return _for_all(world, name, condition, values, given, text)
     under = (*(given for _ in own), *(premise for _ in condition.values))
     regions = [region_on_way(value, name, along or "", each) for value, each in zip(values, under, strict=True)]
-    pairs = [(value, region_on_way(value, name, along or "", premise)) for value in condition.beside]
-    if any(one is None for _, one in pairs):
+    every = [(value, region_on_way(value, name, along or "", premise)) for value in condition.beside]
+    pairs = [(value, one) for value, one in every if one is not None]
+    if len(pairs) < len(every):
         world.doubts.append("whether the contacts and the friction last so far is not decided")
-    pairs = [pair for pair in pairs if pair[1] is not None]
     beside = [one for _, one in pairs]
     found = _first(regions, beside, given, sense)
     if found is None:
@@ -213,8 +214,7 @@ def _never(
     name: str, condition: Wanted, regions: Sequence[Region | None], found: Region, given: Assumptions, text: str
 ) -> Finding:
     """That there is no value for which the contrary of what is wanted holds: the motion ceases to be the stated one before."""
-    ends = zip(given.range_of(name), (found.lower, found.upper), strict=True)
-    given = where_met(given.with_range(name, *(end if bound is None else bound for end, bound in ends)), found.asked)
+    given = where_met(found.within(name, given), found.asked)
     parts = zip(condition.values, regions, strict=True)
     said = [kept_said([value], condition.along, one.worst if one else (), given, holds=True) for value, one in parts]
     says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
@@ -253,8 +253,8 @@ def _otherwise(
     """With what holds where the conditions of a bound are not met, as far as it is proved."""
     if told_.relation == "between" and not told_.says and found.asked:
         ends = (("<", found.upper, 1), (">", found.lower, -1))
-        bare = next(((op, end) for op, end, way in ends if not alone(found, parts[1], way)), None)
-        told_ = _else(told_, name, found, parts, given, along, (text, *bare)) if bare else told_
+        bare = next(((text, op, end) for op, end, way in ends if end is not None and not alone(found, parts[1], way)), None)
+        told_ = _else(told_, name, found, parts, given, along, bare) if bare else told_
     if found.otherwise and told_.says:
         turned = Demand(-found.asked[0].value, ">=" if found.asked[0].op == ">" else ">")
         else_ = kept_said(parts[0], along, found.worst, where_met(given, [turned]), holds=found.otherwise > 0)
@@ -273,25 +273,28 @@ def _stopped(
     """With what is said where the motion ceases to be the stated one at a bound that is none of the condition itself."""
     for value, one in pairs:
         for bound in (bound for bound in told_.values if bound in (one.lower, one.upper) and bound not in ends):
-            places = [place for place in one.worst[:1] if place is not None]
-            there = substitute(value, {name: bound, **dict(zip((condition.along,), places, strict=False))})
-            vanishes = checked("no_change", value=there, names=(), best=NOTHING, given=given)
+            at = {name: bound}
+            if condition.along and one.worst and one.worst[0] is not None:
+                at[condition.along] = one.worst[0]
+            vanishes = checked("no_change", value=substitute(value, at), names=(), best=NOTHING, given=given)
             return replace(told_, says=condition.there, **together(told_, Finding(**vanishes)))
     return told_
 
 
-def _else(told_: Finding, name: str, found: Region, parts: Parts, given: Assumptions, along: str | None, bare) -> Finding:
+def _else(
+    told_: Finding, name: str, found: Region, parts: Parts, given: Assumptions, along: str | None, bare: tuple[str, str, Scalar]
+) -> Finding:
     """With what holds where a condition is not met, if that is proved: the bound that is left alone then."""
     text, op, end = bare
     turned = (Demand(-demand.value, ">=" if demand.op == ">" else ">") for demand in found.asked)
-    ends = {"lower": None, "upper": None, "lower" if op == ">" else "upper": end}
-    said = [Finding(**_said(parts, name, replace(found, asked=(one,), **ends), given, along)) for one in turned]
-    if not all(one.verdict.is_proved for one in said):
+    half = replace(found, lower=end if op == ">" else None, upper=None if op == ">" else end)
+    said = [Finding(**_said(parts, name, replace(half, asked=(one,)), given, along)) for one in turned]
+    if not all(there(one.verdict).is_proved for one in said):
         return told_
     return replace(told_, says=f"else “{text}” holds for {name} {op} {told(end)}", **together(told_, *said))
 
 
-def _first(regions: list[Region | None], beside: list[Region | None], given: Assumptions, sense: int) -> Region | None:
+def _first(regions: list[Region | None], beside: list[Region], given: Assumptions, sense: int) -> Region | None:
     """Where all hold; in cases by the regions' own bounds where their order is open, or others would come first."""
     found = common([*regions, *beside], given)
     ends = {way: [getattr(one, side) for one in regions if one and getattr(one, side) is not None] for way, side in SIDES.items()}
@@ -329,9 +332,9 @@ def _said(parts: Parts, name: str, found: Region, given: Assumptions, along: str
 
 def _in_cases(name: str, found: Region, parts: Parts, given: Assumptions, along: str | None, sense: int) -> Finding:
     """The bounds, each under its condition."""
-    bounds = [case.lower if case.upper is None else case.upper for case in found.cases]
+    bounds = all_there(case.lower if case.upper is None else case.upper for case in found.cases)
     lower = [case.upper is None for case in found.cases]
-    if None in bounds or len(set(lower)) > 1 or (sense and lower[0] != (sense < 0)):
+    if bounds is None or len(set(lower)) > 1 or (sense and lower[0] != (sense < 0)):
         return Finding(undecided("the bounds depend on the parameters in more than one way"), name)
     said = together(*(Finding(**_said(parts, name, case, given, along)) for case in found.cases))
     relation = "=" if sense else ">=" if lower[0] else "<="
@@ -357,7 +360,7 @@ def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, sa
         relation = ">" if found.crossing.sense > 0 else "<"
         return Finding(symbol=name, **said, relation=relation, equation=found.crossing.equation)
     ends = (found.lower, found.upper)
-    bound = ends[0] if ends[1] is None or (sense < 0 and ends[0] is not None) else ends[1]
+    bound = there(ends[0] if ends[1] is None or (sense < 0 and ends[0] is not None) else ends[1])
     closed, says, why = _closed(condition, found, name, bound)
     said = together(Finding(**said), why) if says and (sense or None in ends) else said
     says = says if says and (sense or None in ends) else OTHERWISE[found.otherwise].format(text=text, name=name)
@@ -367,8 +370,8 @@ def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, sa
             says = f"every {word} {name} does: it holds for {name} {op} {told(bound)}"
             return Finding(symbol=name, **said, values=(bound,), relation=op, valid=found.asked, says=says)
         return Finding(symbol=name, **said, values=(bound,), valid=found.asked, says=says)
-    if None not in ends:
-        return Finding(symbol=name, **said, values=ends, relation="between", valid=found.asked, says=says)
+    if (both := all_there(ends)) is not None:
+        return Finding(symbol=name, **said, values=tuple(both), relation="between", valid=found.asked, says=says)
     relation = (">" if found.upper is None else "<") + ("=" if closed else "")
     return Finding(symbol=name, **said, values=(bound,), relation=relation, valid=found.asked, says=says)
 
@@ -379,9 +382,9 @@ def _closed(condition: Wanted, found: Region, name: str, bound: Scalar) -> tuple
     edge = [one.value for one in condition.asked if one.op == ">"]
     ends = [rooted(substitute(value, {name: bound}), given) for value in edge]
     if not condition.closed or any(map(is_zero, ends)):
-        there = (substitute(value, {name: bound} | ({along: place} if along and place is not None else {}))
-                 for value in condition.values for place in places)  # fmt: skip
-        ends = [*ends, *(() if condition.closed else (rooted(value, given) for value in there))]
+        at = [{name: bound} | ({along: place} if along and place is not None else {}) for place in places]
+        open_ = () if condition.closed else condition.values
+        ends += [rooted(substitute(value, one), given) for value in open_ for one in at]
         zero = next(filter(is_zero, ends), None)
         why = Finding(**checked("no_change", value=zero or NOTHING, names=(), best=NOTHING, given=given))
         return False, "" if zero is None else f"at this {name} itself it does not hold", why

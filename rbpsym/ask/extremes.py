@@ -11,6 +11,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.rooted import neat, over_growth
 from rbpsym.decide.signs import sign
+from rbpsym.errors import all_there
 from rbpsym.field import Scalar, depends_on, derivative, is_zero, names_in, short, substitute
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand
@@ -48,15 +49,16 @@ def extreme(value: Scalar, name: str, given: Assumptions, sense: int, way: Way |
     given = where_met(given, found[0].asked) if found else given
     without = next((item for item in found if item.value is None), None)
     best = [item for item in found if all(_is_beyond(item, other, given, sense) for other in found)]
-    ahead = [item for item in best if way and item.place is not None and settled_sign(way.ahead(item.place), given) in (0, 1)]
-    first = (one for one in ahead if all(settled_sign((o.place - one.place) * way.sense, given) in (0, 1) for o in ahead))
+    far = [(way.ahead(item.place), item) for item in best if way and item.place is not None]
+    ahead = [(distance, item) for distance, item in far if settled_sign(distance, given) in (0, 1)]
+    first = (item for distance, item in ahead if all(settled_sign(other - distance, given) in (0, 1) for other, _ in ahead))
     return without or next(first, best[0] if best else None)
 
 
 def _is_beyond(item: Extreme, other: Extreme, given: Assumptions, sense: int) -> bool:
-    if item is other:
-        return True
-    return None not in (item.value, other.value) and settled_sign((item.value - other.value) * sense, given) in (0, 1)
+    if item is other or item.value is None or other.value is None:
+        return item is other
+    return settled_sign((item.value - other.value) * sense, given) in (0, 1)
 
 
 def extremes(value: Scalar, name: str, given: Assumptions, sense: int) -> list[Extreme] | None:
@@ -81,7 +83,7 @@ def extremes(value: Scalar, name: str, given: Assumptions, sense: int) -> list[E
     ):
         if is_open:
             found.append(_near(value, name, (end, side if end is not None else -side), where, given, table))
-    return None if None in found else found
+    return all_there(found)
 
 
 def least(value: Scalar, along: str, given: Assumptions, fits: Callable[[Extreme], bool]) -> list[Extreme] | None:

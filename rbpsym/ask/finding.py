@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from rbpsym.decide.verdict import Verdict, all_of
+from rbpsym.errors import there
 from rbpsym.expr.tree import ZERO, Node
 from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen
@@ -15,6 +17,7 @@ from rbpsym.proof.checks.of_steps import guarded, weakest
 from rbpsym.proof.context import Context
 from rbpsym.proof.rules import RULES
 from rbpsym.proof.step import Step
+from rbpsym.statement.model import Problem
 
 
 class Finding(Frozen):
@@ -58,10 +61,13 @@ class Finding(Frozen):
 NO_SUCH, FOR_NONE, FOR_EVERY = "there is no such", "holds for no values", "holds for all values"
 
 
-def checked(rule: str, study: Study | None = None, **data: Any) -> dict[str, Any]:
+NOWHERE = Study(Problem("", {}, (), (), ()))  # for checks that look at their data alone
+
+
+def checked(rule: str, study: Study = NOWHERE, /, **data: Any) -> dict[str, Any]:
     """The verdict of the checks of a rule, with the rule and its data, as parts of a finding."""
-    context = None if study is None else Context(study)
-    verdict = weakest(guarded(lambda check=check: check(context, ground((rule, data)))) for check in RULES[rule])
+    context = Context(study)
+    verdict = weakest(guarded(partial(check, context, ground((rule, data)))) for check in RULES[rule])
     return {"verdict": verdict, "grounds": ((rule, data),)}
 
 
@@ -73,4 +79,4 @@ def ground(of: tuple[str, Mapping[str, Any]], statement: Node = ZERO) -> Step:
 
 def together(*parts: Finding) -> dict[str, Any]:
     """What checked several findings, as parts of one."""
-    return {"verdict": all_of(one.verdict for one in parts), "grounds": tuple(g for one in parts for g in one.grounds)}
+    return {"verdict": all_of(there(one.verdict) for one in parts), "grounds": tuple(g for one in parts for g in one.grounds)}

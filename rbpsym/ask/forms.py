@@ -7,9 +7,8 @@ import math
 from rbpsym.decide.rooted import neat, rationalised
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber
-from rbpsym.field import Scalar, has_roots, is_rooted, root, with_exponentials_joined
+from rbpsym.field import Scalar, has_roots, is_rooted, root, short, with_exponentials_joined
 from rbpsym.field.normal import in_one_angle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.mechanics.study import Study

@@ -12,16 +12,15 @@ from rbpsym.ask.question import When
 from rbpsym.chapters import course, oscillations
 from rbpsym.decide.dimensions import require_dimension
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.errors import NotApplicable, StatementError, all_there
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, Scalar, derivative, is_zero, names_in, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import solutions, solved
-from rbpsym.mechanics.arrivals import of_coordinate
+from rbpsym.mechanics.arrivals import ArrivalState, of_coordinate
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
-from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import ArrivalState, uniform_motion
+from rbpsym.mechanics.endings import uniform_motion
 from rbpsym.mechanics.forms import AccelerationForm
 from rbpsym.mechanics.orbit import quarters_to, swing_of
 from rbpsym.mechanics.solutions import InTime
@@ -108,14 +107,15 @@ def _by_speed(study: Study, place: int, name: str, value: Scalar) -> Moment | No
     it is none. Raises StatementError where the speed is never come to."""
     known, letter = solutions.given(study, name), study.letters.free("u")
     found = solved.by_speed(known, letter) if known and study.system.independent == (name,) else None
-    if known is None or found is None or found[2] is None or is_zero(value):
+    every = None if found is None else all_there(found)
+    if known is None or every is None or is_zero(value):
         return None
-    gained, time, there = (one if one is None else short(substitute(one, {letter: value})) for one in found)
-    begun = substitute(Scalar(found[0].num), {letter: known.speed})
+    gained, time, place_ = (short(substitute(one, {letter: value})) for one in every)
+    begun = substitute(Scalar(every[0].num), {letter: known.speed})
     asked_for = Demand(short((value - known.speed) * gained)), Demand(short(begun / gained)), Demand(value * known.speed, ">=")
     never = StatementError(f"“{name}_dot” does not come to this value in this motion")
     valid = possible(asked_for, study.assumptions, never)
-    state = ArrivalState(time, {name: there}, {name: value}, valid)
+    state = ArrivalState(time, {name: place_}, {name: value}, valid)
     return Moment(place, state, "time", watched=(f"{name}_dot", value, time))
 
 

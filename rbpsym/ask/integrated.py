@@ -5,7 +5,7 @@ Nothing is proved by it, and that is said: the verdict on the form is UNDECIDED.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rbpsym.ask.moments import Asked
@@ -19,7 +19,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.compiled import compiled_rates, compiled_values
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import slips
-from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.numbers import Numbers, number
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.quantity.bound import parts
@@ -32,22 +32,24 @@ MOST_STEPS, LAST, LOOKS, NEAR = 20_000, 1e6, 200, 1e-7
 HOW = "no closed form was found; the value is that of the motion, integrated from the start"
 
 
-def integrated(asked: Asked, question: Question, numbers: Mapping[str, float]) -> tuple[tuple[float, ...], t.Node]:
+def integrated(asked: Asked, question: Question, numbers: Numbers) -> tuple[tuple[float, ...], t.Node]:
     """The value of a quantity at a moment, and the formula that tells its dimension. Raises StatementError where the motion
     does not come there, or a contact is lost before."""
     if question.when is None or question.of or question.since:
         what = "without a closed form, a value is found at one moment only"
         raise StatementError(what, instead="say when: “… where theta = 0”.")
-    refused = None
+    refused = list[StatementError]()
     for place in [asked.named(question.phase)] if question.phase else range(asked.lasting, len(asked.names)):
         try:
-            return _in_phase(asked, question, numbers, place)
+            return _in_phase(asked, question, question.when, numbers, place)
         except StatementError as error:
-            refused = refused or error
-    raise refused
+            refused.append(error)
+    raise refused[0]
 
 
-def _in_phase(asked: Asked, question: Question, numbers: Mapping[str, float], place: int):
+def _in_phase(
+    asked: Asked, question: Question, when: When, numbers: Numbers, place: int
+) -> tuple[tuple[float, ...], t.Node]:
     """The same in one phase. Raises StatementError, where it ends before too."""
     world, study = asked.world(place), asked.study(place)
     is_time = question.quantity == "time"
@@ -55,21 +57,22 @@ def _in_phase(asked: Asked, question: Question, numbers: Mapping[str, float], pl
     ledger = world.motion.ledger
     if place > asked.lasting and not question.phase and any(depends_on(value, work) for value in named for work in ledger):
         raise StatementError("without a closed form, a work is counted in one phase", instead="name it: “… in phase PHASE”.")
-    values = [*named, _watched(world, question.when), *ledger.values(), *_lasting(study)]
+    values = [*named, _watched(world, when), *ledger.values(), *_lasting(study)]
     values = [_on_motion(study, value) for value in values]
-    begin = {name: study.system.scope.start.get(name) for name in (*study.system.coordinates, *study.system.speeds)}
-    missing = next((name for name, value in begin.items() if value is None), None)
-    if missing is not None:
-        raise StatementError(f"it is not said where “{missing}” starts", instead='give its coordinate a start = "...".')
+    moving, known = (*study.system.coordinates, *study.system.speeds), study.system.scope.start
+    if missing := [name for name in moving if known.get(name) is None]:
+        raise StatementError(f"it is not said where “{missing[0]}” starts", instead='give its coordinate a start = "...".')
+    begin = {name: known[name] for name in moving}
     require_numbers(study, [*values, *begin.values()], {*numbers, *begin, *ledger, "t"})
     evaluate = _evaluated(study, values, numbers, tuple(ledger))
     start = [*(number(value, numbers) for value in begin.values()), *(0.0 for _ in ledger)]
-    time, state = _followed(study, evaluate, start, numbers, len(named), len(ledger), question)
-    after = place + 1 < len(asked.names) and asked.stage(place + 1).began.before.time
-    if after is None:
-        raise StatementError("when this phase ends is not known in closed form", instead="state it as a problem of its own.")
-    if after is not False and number(after, numbers) < time:
-        raise StatementError(f"with these numbers the phase ends before {question.when.text}", instead="name another phase.")
+    time, state = _followed(study, evaluate, start, numbers, len(named), len(ledger), when)
+    if place + 1 < len(asked.names):
+        after = asked.began(place + 1).before.time
+        if after is None:
+            raise StatementError("when this phase ends is not known in closed form", instead="state it as a problem of its own.")
+        if number(after, numbers) < time:
+            raise StatementError(f"with these numbers the phase ends before {when.text}", instead="name another phase.")
     clock = asked.stage(place).clock if is_time and place else NOTHING
     if clock is None:
         what = "no closed form was found for the time until the phase begins"
@@ -112,14 +115,16 @@ def _on_motion(study: Study, value: Scalar) -> Scalar:
 Evaluate = Callable[[float, "np.ndarray"], "np.ndarray"]
 
 
-def _evaluated(study: Study, values: list[Scalar], numbers: Mapping[str, float], works: tuple[str, ...]) -> Evaluate:
+def _evaluated(study: Study, values: list[Scalar], numbers: Numbers, works: tuple[str, ...]) -> Evaluate:
     """The values in a state (places, speeds, works)."""
     size = len(study.system.coordinates) + len(study.system.speeds)
     evaluate = compiled_values(study, values, numbers, works)
     return lambda time, state: evaluate(time, state[:size], *state[size:])
 
 
-def _followed(study: Study, evaluate: Evaluate, start: list[float], numbers, first: int, works: int, question: Question):
+def _followed(
+    study: Study, evaluate: Evaluate, start: list[float], numbers: Numbers, first: int, works: int, when: When
+) -> tuple[float, np.ndarray]:
     """(time, state) at the moment, contacts watched on the way."""
     import numpy as np
 
@@ -136,7 +141,7 @@ def _followed(study: Study, evaluate: Evaluate, start: list[float], numbers, fir
     event = Event(lambda time, state: float(evaluate(time, state)[first]))
     path = followed(rate, start, LAST, events=[event], most=MOST_STEPS)
     if not path.seen[0]:
-        raise StatementError(f"with these numbers the motion does not come {question.when.text}", instead="change a number.")
+        raise StatementError(f"with these numbers the motion does not come {when.text}", instead="change a number.")
     time = path.seen[0][0]
     looks = np.array([evaluate(at, path.at(at))[first + 1 + works :] for at in np.linspace(0, time, LOOKS)[:-1]])
     if looks.size and (looks < -NEAR * np.abs(looks).max(axis=0)).any():

@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
-from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
-from rbpsym.mechanics.arrivals import mover, sense_to, state_at, tie_to_time, value_in
+from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided, there
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, short, substitute, symbol
+from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, sense_to, state_at, tie_to_time, value_in
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
-from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import ArrivalState, at_start, uniform_motion, value_reached
+from rbpsym.mechanics.endings import uniform_motion, value_reached
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import floating
@@ -42,11 +41,11 @@ def contacts_last(study: Study, places: Mapping[str, Scalar]) -> Iterator[tuple[
     motion = ProblemWorld(study).motion
     for loss in study.losses:
         if loss.valid or not loss.at:
-            yield loss.force, Demand(short(substitute(study.reactions_along_motion[loss.force], places)), ">=")
+            yield loss.force, Demand(short(substitute(there(study.reactions_along_motion)[loss.force], places)), ">=")
         elif loss.coordinate in places:
-            name, there = loss.coordinate, loss.at[loss.coordinate]
-            way = sense(motion, name) or there - study.system.scope.start[name]
-            yield loss.force, Demand((there - places[name]) * way, ">=")
+            name, end = loss.coordinate, loss.at[loss.coordinate]
+            way = sense(motion, name) or end - study.system.scope.start[name]
+            yield loss.force, Demand((end - places[name]) * way, ">=")
 
 
 def clear(study: Study, state: ArrivalState) -> ArrivalState:
@@ -66,14 +65,14 @@ def _ends_before(force: str) -> StatementError:
 def coming(study: Study, name: str, place: Scalar) -> tuple[ArrivalState, bool]:
     """A place to which the motion may come, with what its speed asks for where that is least on the way, and whether that is
     known; else with what it asks for there alone."""
-    from rbpsym.ask.seen import AskedPhase, way_to
+    from rbpsym.ask.seen import way_to
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
     state, square, lows = state_at(study, name, place), study.squares[name], None
     with suppress(Undecided, StatementError):
-        way, within = way_to(AskedPhase(study), name, place, study.assumptions)
-        lows = [*way.asked, *least_values(AskedPhase(study), Wanted((square,), within, name, end=place, asked=way.asked))]
+        way, within = way_to(ProblemWorld(study), name, place, study.assumptions)
+        lows = [*way.asked, *least_values(Wanted((square,), within, name, end=place, asked=way.asked))]
     never = StatementError(f"“{name}” does not come to this value in this motion: its speed vanishes before")
     asked = [Demand(substitute(square, {name: place}), ">=")] if lows is None else lows
     state = replace(state, valid=possible(asked, study.assumptions, never))
@@ -87,7 +86,7 @@ def in_phase(asked: Asked, moment: Moment) -> Moment:
     if moment.how not in ("time", "event") or not state.time or begins == len(asked.names):
         return moment
     with suppress(NotApplicable):
-        end = asked.stage(begins).began.before.time
+        end = asked.began(begins).before.time
         never = StatementError(f"before that the phase “{asked.names[begins]}” begins")
         given = asked.study(moment.place).assumptions
         left = () if end is None else possible([Demand(end - state.time, ">=")], given, never)
@@ -126,9 +125,9 @@ def regime(study: Study) -> list[Demand]:
 def slipping(study: Study, state: ArrivalState) -> Iterator[Demand]:
     """What slips has not changed its sense up to a state."""
     for slip in slips(study.system).values():
-        there = neat(short(substitute(slip, state.image)), study.assumptions)
-        if there and not names_in(there) & study.system.scope.rates.keys():
-            yield Demand(there, ">=")
+        left = neat(short(substitute(slip, state.image)), study.assumptions)
+        if left and not names_in(left) & study.system.scope.rates.keys():
+            yield Demand(left, ">=")
 
 
 def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
@@ -136,7 +135,7 @@ def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...
     the motion as it is stated; what of that is not decided. Raises StatementError where that surely does not last so far."""
     study, (kind, _, place) = found.study, found.told.partition(" ")
     if kind == "phase":
-        return asked.stage(int(place)).began.before.valid, ()
+        return asked.began(int(place)).before.valid, ()
     if kind in ("course", "swing"):
         return _decided(lambda: (*begins(study), *_on_way(study, None)))
     if kind == "oscillations":
@@ -155,10 +154,10 @@ def _sides(study: Study) -> Iterator[Demand]:
     """That the motion begins on the side of springs, strings and surfaces on which a place of rest is told, where that lies
     there under a condition: on the other side there may be another one."""
     for _, value in taken(study.system):
-        there = [neat(substitute(value, item.at), study.assumptions) for item in study.equilibria]
+        rests = [neat(substitute(value, item.at), study.assumptions) for item in study.equilibria]
         begun = substitute(value, study.system.scope.start)
         if not names_in(begun) & study.system.scope.rates.keys():
-            yield from [Demand(begun)] if any(sign(one, study.assumptions).kind != "positive" for one in there) else []
+            yield from [Demand(begun)] if any(sign(one, study.assumptions).kind != "positive" for one in rests) else []
 
 
 def is_constant(found: Found) -> bool:
@@ -214,7 +213,7 @@ def _pushing(study: Study, places: Mapping[str, Scalar] | None) -> Iterator[Dema
     """The forces that vanish under conditions only: that they push at a place does not say that they did on the way to it."""
     for loss in study.losses:
         if places and loss.coordinate in places and (loss.valid or not loss.at):
-            yield Demand(study.reactions_along_motion[loss.force], ">=")
+            yield Demand(there(study.reactions_along_motion)[loss.force], ">=")
 
 
 def _goes_on(study: Study, name: str, value: Scalar) -> bool:
@@ -240,14 +239,14 @@ def never_lost(study: Study, state: ArrivalState, courses: Mapping[str, InTime])
         elif name not in courses:
             yield here
         elif loss.valid or not loss.at:
-            force = study.reactions_along_motion[loss.force]
+            force = there(study.reactions_along_motion)[loss.force]
             yield from _least_until(study, Demand(force, ">="), state.time, courses)
         else:
             try:
                 time, _ = first_time(study, name, loss.at[name], courses)
             except NotApplicable as error:
                 raise Undecided(error.what) from None
-            left = Demand(substitute(time, courses[name].letters) - state.time, ">=")
+            left = Demand(substitute(time, courses[name].letters) - there(state.time), ">=")
             possible([left], study.assumptions, _ends_before(loss.force))
             yield left
 
@@ -293,7 +292,7 @@ def _on_way(
 
 def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime]) -> list[Demand]:
     """What is asked for a value not to become negative up to a time (None: ever), as the courses tell it. Raises Undecided."""
-    from rbpsym.ask.seen import AskedPhase, one_period
+    from rbpsym.ask.seen import one_period
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
@@ -308,7 +307,7 @@ def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Map
         return [Demand(told, demand.op)]
     given = one_period(told, given) if time is None else given.with_range("t", NOTHING, time)
     try:
-        return [] if sign(told, given).is_nonnegative else [*least_values(AskedPhase(study), Wanted((told,), given, "t"))]
+        return [] if sign(told, given).is_nonnegative else [*least_values(Wanted((told,), given, "t"))]
     except RbpsymError as error:
         raise Undecided(error.what) from None
 
@@ -336,17 +335,17 @@ def _driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tup
 
 
 def _least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
-    from rbpsym.ask.seen import AskedPhase, to_and_fro, way_to
+    from rbpsym.ask.seen import to_and_fro, way_to
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
-    world, given = AskedPhase(study), study.assumptions
+    world, given = ProblemWorld(study), study.assumptions
     try:
         driven = None if name in study.squares else _driven(study, name, places)
-        ways = [driven or way_to(world, name, places[name], given)] if driven or places else to_and_fro(world, name, given)
+        ways = [driven or way_to(world, name, places[name], given)] if places else to_and_fro(world, name, given)
         found = [Demand(way.ahead(places[name])) for way, _ in ways if places]
         for way, within in ways:
-            found += least_values(world, Wanted((demand.value,), within, name, asked=way.asked))
+            found += least_values(Wanted((demand.value,), within, name, asked=way.asked))
     except RbpsymError as error:
         raise Undecided(error.what) from None
     return found

@@ -9,12 +9,14 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.rooted import root_of
 from rbpsym.decide.signs import sign
-from rbpsym.errors import LimitError, Undecided
+from rbpsym.errors import LimitError, Undecided, all_there
 from rbpsym.field import (
     NOTHING,
     ONE,
     PI,
     UNITY,
+    Coefficient,
+    Monomial,
     Poly,
     Scalar,
     apart,
@@ -24,12 +26,12 @@ from rbpsym.field import (
     generator,
     is_zero,
     names_in,
+    short,
     symbol,
 )  # fmt: skip
 from rbpsym.field.calculus import atom_depends, derivative, split_factor, substitute
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.elimination import short
 
 SMALL = "epsilon_"  # what goes to zero from above
 LENGTH = 5  # terms of a series
@@ -70,7 +72,7 @@ def leading(value: Scalar, name: str, to: Scalar | None, given: Assumptions, sid
     except (LimitError, Undecided, ZeroDivisionError):
         return None
     first = None if found is None else next((k for k, term in enumerate(found.terms) if not is_zero(term)), None)
-    if first is None:
+    if found is None or first is None:
         return None
     return Leading(short(found.terms[first]), Fraction(found.start + first, power), image, there, power)
 
@@ -85,7 +87,7 @@ def squeezed(value: Scalar, name: str, to: Scalar | None, given: Assumptions, si
         return name
     for other in sorted(names_in(value) - {name}):
         limits = of_symbol(other, given)
-        width = NOTHING if None in (limits.lower, limits.upper) else limits.upper - limits.lower
+        width = NOTHING if limits.lower is None or limits.upper is None else limits.upper - limits.lower
         if depends_on(width, name) and ((found := leading(width, name, to, given, side)) is None or found.order > 0):
             return other
     return None
@@ -115,8 +117,8 @@ def _convolved(a: Sequence[Scalar], b: Sequence[Scalar]) -> tuple[Scalar, ...]:
     return tuple(short(sum((a[i] * b[k - i] for i in range(k + 1)), NOTHING)) for k in range(min(len(a), len(b))))
 
 
-def _inverse(found: Series) -> Series | None:
-    found = found.from_first()
+def _inverse(series: Series) -> Series | None:
+    found = series.from_first()
     if found is None:
         return None
     terms = [1 / found.terms[0]]
@@ -139,14 +141,16 @@ def _constant(value: Scalar) -> Series:
 
 
 def _of_poly(poly: Poly, given: Assumptions) -> Series | None:
-    known = {index: _of_atom(index, given) for index in poly.atoms() if atom_depends(index, SMALL)}
-    if None in known.values():
+    moving = [index for index in poly.atoms() if atom_depends(index, SMALL)]
+    found = all_there(_of_atom(index, given) for index in moving)
+    if found is None:
         return None
-    groups: dict[tuple, dict] = {}
+    known = dict(zip(moving, found, strict=True))
+    groups: dict[Monomial, dict[Monomial, Coefficient]] = {}
     for m, c in poly.terms.items():
         free, bound = split_factor(m, SMALL)
         groups.setdefault(bound, {})[free] = c
-    total = None
+    total: Series | None = None
     for bound, rest in groups.items():
         product: Series | None = _constant(Scalar(Poly(rest)))
         for index, exponent in bound:
@@ -187,7 +191,7 @@ POWERS = {
 
 def _composed(powers: Sequence[Fraction], inner: Series | None) -> Series | None:
     """(π/2) Σ c_k mᵏ of what goes to zero."""
-    total = _constant(NOTHING)
+    total: Series | None = _constant(NOTHING)
     for power in reversed(powers):
         total = None if inner is None or total is None else total * inner + _constant(PI / 2 * power)
     return total

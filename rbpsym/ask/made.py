@@ -12,10 +12,9 @@ from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import Meanings, Scalar
+from rbpsym.field import Meanings, Scalar, short
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.demands import existence, possible
-from rbpsym.mechanics.elimination import short
 
 WHEN = re.compile(r" (?:where|when|at|until|up to|during|(?:just|right) (?:after|before|when|where)|from|begins)\b")
 
@@ -82,17 +81,17 @@ def _may_cut(first: str, second: str, sign_: str) -> bool:
 def form_of(world: AskedPhase, text: str, *, of_vectors: bool = False) -> t.Node:
     """How a quantity is made of others, each of which stands in it under the text of its question; one alone as itself, or
     as its magnitude where it is that `of_vectors`. Raises StatementError or ReadError for what means nothing."""
-    used, refused = len(world.used), None
+    used, refused = len(world.used), list[RbpsymError]()
     phrases = (text, f"magnitude of {text}")[: 1 + of_vectors]
     for phrase in phrases:
         try:
             return _leaf(world, phrase)
         except RbpsymError as error:
-            refused = refused or error
-    ways = ((make, re.fullmatch(pattern, phrase)) for phrase in phrases for pattern, make in MADE)
-    found = next((way for way in ways if way[1]), None)
-    if found is not None:
-        return found[0](world, *found[1].groups())
+            refused.append(error)
+    for phrase in phrases:
+        for pattern, make in MADE:
+            if said := re.fullmatch(pattern, phrase):
+                return make(world, *said.groups())
     for signs in SIGNS:
         for cut in sorted((k for sign_, _ in signs for k in range(1, len(text)) if text[k] == sign_), reverse=True):
             del world.used[used:]
@@ -100,8 +99,9 @@ def form_of(world: AskedPhase, text: str, *, of_vectors: bool = False) -> t.Node
                 continue
             with suppress(RbpsymError):
                 first, second = (form_of(world, part.strip()) for part in (text[:cut], text[cut + 1 :]))
-                return dict(signs)[text[cut]](first, second)
-    raise refused
+                made: t.Node = dict(signs)[text[cut]](first, second)
+                return made
+    raise refused[0]
 
 
 def _leaf(world: AskedPhase, phrase: str) -> t.Sym:

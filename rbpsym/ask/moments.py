@@ -15,20 +15,20 @@ from rbpsym.ask.question import Question, When
 from rbpsym.ask.undetermined import opened
 from rbpsym.decide.dimensions import require_dimension
 from rbpsym.decide.rooted import neat
-from rbpsym.errors import Indistinct, LimitError, NotApplicable, RbpsymError, StatementError
+from rbpsym.errors import Indistinct, LimitError, NotApplicable, RbpsymError, StatementError, there
 from rbpsym.expr.infix import read_infix
-from rbpsym.expr.tree import ZERO
+from rbpsym.expr.tree import ZERO, Node
 from rbpsym.field import NOTHING, Scalar, is_zero, kept, names_in
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.mechanics.arrivals import mover, with_starts
+from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, with_starts
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import assuming
-from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, ArrivalState, at_start, comes_to_rest, force_taken, is_before
+from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.instant import has_start
 from rbpsym.mechanics.orbit import orbits
-from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.phases import HandOver, Stage, known_stages
 from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.study import Study
@@ -104,13 +104,17 @@ class Asked(Frozen):
             return self.first
         stages, reason = self._known
         if place >= len(stages):
-            raise reason
+            raise there(reason)
         return stages[place].study
 
     def stage(self, place: int) -> Stage:
         """A phase with how it began. Raises NotApplicable."""
         self.study(place)
         return self._known[0][place]
+
+    def began(self, place: int) -> HandOver:
+        """How a later phase begins. Raises NotApplicable."""
+        return there(self.stage(place).began)
 
     @property
     def held(self) -> list[str]:
@@ -184,7 +188,7 @@ def moment_of(asked: Asked, when: When, question: Question) -> Moment:
         places = [place] if place is not None else [found.place] if found else ahead
         found = next((moment for each in places if (moment := in_time.by_time(asked, when, each))), found)
     if found is None:
-        raise refused
+        raise there(refused)
     return in_phase(asked, found)
 
 
@@ -217,11 +221,11 @@ def _before(asked: Asked, place: int) -> Moment:
         known = ", ".join(asked.names[1:])
         told = f"after it a phase must begin; those that begin are: {known}." if known else "the problem has no [[phases]]."
         raise StatementError("nothing ends this phase", instead=told)
-    phase, before = asked.problem.phases[place - 1], asked.stage(place).began.before
+    phase, before = asked.problem.phases[place - 1], asked.began(place).before
     return Moment(place - 1, before) if phase.event == "at once" else Moment(place - 1, before, "event", phase)
 
 
-def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None) -> Moment:
+def _ahead(asked: Asked, event: str, subject: str, place: int | None, value: Node | None = None) -> Moment:
     """The first phase in which the motion comes to an event before that phase ends."""
     refused: RbpsymError | None = None
     for number in [place] if place is not None else range(asked.lasting, len(asked.names)):
@@ -232,7 +236,7 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
         except (NotApplicable, StatementError) as error:
             refused = refused or error
             if isinstance(error, NotApplicable) and event == "reaches" and subject == mover(study):
-                state, is_sure = coming(study, subject, scalar(value))
+                state, is_sure = coming(study, subject, scalar(there(value)))
                 return Moment(number, state, "event", phase if is_sure else None, is_open=not is_sure)
             continue
         except ZeroDivisionError:
@@ -248,7 +252,7 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
         return Moment(number, state, "event", phase)
     study = asked.study(asked.meant(place))
     is_sure = not isinstance(refused, NotApplicable) or mover(study) == subject  # else it may come there again
-    if event == "reaches" and is_sure and is_zero(at_start(study).places[subject] - scalar(value)):
+    if event == "reaches" and is_sure and is_zero(at_start(study).places[subject] - scalar(there(value))):
         return Moment(asked.meant(place), at_start(study))
     raise _told(refused, event, subject)
 
@@ -256,7 +260,7 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
 def _comes_before(asked: Asked, number: int, state: ArrivalState) -> bool:
     """Whether a state comes before the end of its phase, at the sample numbers."""
     try:
-        return is_before(asked.study(number), state, asked.stage(number + 1).began.before)
+        return is_before(asked.study(number), state, asked.began(number + 1).before)
     except NotApplicable:
         return True
 

@@ -7,11 +7,10 @@ import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from rbpsym.decide.dimensions import a, dimension_of
-from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError
+from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError, there
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, names_in
-from rbpsym.field import value as value_of
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import number
@@ -62,7 +61,7 @@ def read_numbers(text: str, problem: Problem) -> GivenNumbers:
     found, digits, own = {}, [], set[str]()
     for part in filter(None, (part.strip() for part in re.split(r"[,;](?!\d)", text))):
         if part == "example":
-            rows = problem.example.items()
+            rows = [*problem.example.items()]
         else:
             name, is_given, value = (word.strip() for word in part.partition("="))
             if not is_given:
@@ -94,10 +93,10 @@ def _values(name: str, text: str, dimension: Dimension) -> tuple[float, ...]:
     ends = _RANGE.fullmatch(text)
     if ends is None:
         return (_single(name, text, dimension),)
-    unit = _ONE.fullmatch(ends[2])[2]
-    low, high, step = (None if end is None else end if _ONE.fullmatch(end)[2] else f"{end} {unit}" for end in ends.groups())
-    first, last = (_single(name, end, dimension) for end in (low, high))
-    size = abs(_single(name, step, dimension)) if step else abs(last - first) / STEPS
+    unit = there(_ONE.fullmatch(ends[2]))[2]
+    texts = [end if there(_ONE.fullmatch(end))[2] else f"{end} {unit}" for end in ends.groups() if end is not None]
+    first, last, *steps = (_single(name, text, dimension) for text in texts)
+    size = abs(steps[0]) if steps else abs(last - first) / STEPS
     count = round(abs(last - first) / size) if size else 0
     if not 0 < count <= MOST or abs(count * size - abs(last - first)) > 1e-6 * abs(last - first):
         what = f"the range of “{name}” has no whole number of steps up to {MOST}"
@@ -111,7 +110,7 @@ def _exact(text: str) -> tuple[float, str] | None:
     if not found or re.fullmatch(_NUMBER, found[1].strip()) or _RANGE.fullmatch(text):
         return None
     try:
-        return number(value_of(read_infix(found[1].replace("^", "**"), ())), {}), found[2] or ""
+        return number(scalar(read_infix(found[1].replace("^", "**"), ())), {}), found[2] or ""
     except (ZeroDivisionError, NoNumber):
         return None
 
@@ -137,7 +136,7 @@ def _check_declared(problem: Problem, numbers: Mapping[str, float]) -> None:
                 f"{quantity.name} = {numbers[quantity.name]:.4g} contradicts the statement: it is declared to be {quantity.sign}",
                 instead="change the number, or its declaration.",
             )
-    bounds = [(q.name, q.lower, q.upper) for q in (*problem.parameters, *problem.coordinates)]
+    bounds = [(q.name, q.lower, q.upper) for q in problem.parameters] + [(c.name, c.lower, c.upper) for c in problem.coordinates]
     bounds += [(c.start.name, c.lower, c.upper) for c in problem.coordinates if isinstance(c.start, t.Sym)]
     for name, *ends in bounds:
         for end, side in zip(ends, (1, -1), strict=True):
@@ -177,7 +176,7 @@ def unmet(study: Study, valid: Iterable[t.Node], numbers: Mapping[str, float], *
     """The first of some conditions that is not met at numbers; `wholly`: raises StatementError where a letter has none."""
     for node in valid:
         for left, op, right in t.relations(node):
-            gap = value_of(t.add(left, t.neg(right)), study.system.scope)
+            gap = scalar(t.add(left, t.neg(right)), study.system.scope)
             if wholly:
                 require_numbers(study, (gap,), numbers)
             if names_in(gap) <= {*numbers, "pi"} and not _holds(gap, op, numbers):

@@ -34,7 +34,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import undecided
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.errors import RbpsymError, StatementError, all_there, there
 from rbpsym.field import Scalar, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.mechanics.demands import Demand, possible, settle
 from rbpsym.mechanics.events import Way
@@ -78,15 +78,14 @@ def extremum(
     if any(len(one.values) != 1 for one in found) and len(found) > 1:
         return Finding(undecided("it depends on the sense in which the motion sets out"))
     if any(not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
-        values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, *_ in ways)
-        return replace(found[0], **together(*found), values=values, asked=asked, place=None)
-    common = [demand for demand in ways[0][0] if all(demand in asked for asked, *_ in ways)]
+        values, each = tuple(one.values[0] for one in found), tuple(demands for demands, *_ in ways)
+        return replace(found[0], **together(*found), values=values, asked=each, place=None)
+    common = [demand for demand in ways[0][0] if all(demand in demands for demands, *_ in ways)]
     asked = (*common, *inner.valid)
     valid = possible((*found[0].valid, *asked), world.motion.assumptions, never_told(phrase)) if asked else found[0].valid
     if phrase.endswith(f" as a function of {name}") and not fits(world, valid):
         return Finding(undecided("where it lies depends on the parameters: it is known for others than those of the example"))
-    parts = (*found, inner) if inner.grounds else found
-    return replace(found[0], **together(*parts), valid=valid)
+    return replace(found[0], **together(*found, *([inner] if inner.grounds else [])), valid=valid)
 
 
 def _subject(
@@ -99,12 +98,12 @@ def _subject(
     phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
     phrase, value = (phrase, _only(inner, phrase)) if nested else sized(world, phrase)
     free = moving(world, (value,))
-    is_nested = over not in (None, "t", *world.coordinates) and depends_on(value, over)
+    is_nested = over is not None and over not in ("t", *world.coordinates) and depends_on(value, over)
     if is_nested and free and is_whole and not by_place:
         inner = extremum(world, superlative, phrase, None, None, None)
         return phrase, _only(inner, phrase), inner
     is_open = over == "t" or len(free) > 1 or {*free} - {*world.motion.squares, "t"}
-    last = world.place + 1 == len(world.asked.names)
+    last = world.number + 1 == len(world.asked.names)
     for other in (*(world.motion.squares if over is None else ()), *(("t",) if last else ())):  # by what else it can be told
         if over in (None, "t") and is_whole and is_open and other not in free:
             with suppress(RbpsymError):
@@ -143,8 +142,7 @@ def _ranges(world: AskedPhase, name: str, value: Scalar) -> Assumptions:
     for demand in (*world.demands, *world.standing):
         where = region(demand.value, name, given) if depends_on(demand.value, name) else None
         if where and not (where.asked or where.crossing or where.is_empty):
-            ends = zip((where.lower, where.upper), given.range_of(name), strict=True)
-            given = given.with_range(name, *(old if end is None else end for end, old in ends))
+            given = where.within(name, given)
     return given
 
 
@@ -160,7 +158,7 @@ def _ways(
 ) -> Ways | None:
     """The ranges in which it is looked for, each with what it asks for and the way through it; None where that is not decided."""
     low, high = between
-    if low is not None:
+    if low is not None and high is not None:
         ends = place_in(world, name, low), place_in(world, name, high)
         if not precedes(*ends, given):
             raise StatementError(f"“{low}” is not surely less than “{high}”", instead="write the lower end first.")
@@ -170,18 +168,18 @@ def _ways(
         return [(way.asked, one_period(value, range_, name, way.start, way.sense), way) for way, range_ in whole]
     if name == "t":
         within = one_period(value, given)
-        asked = _all_along(world, within) if _turns(name, value) else ()
-        return None if None in asked else [(asked, within, None)]
+        asked = _all_along(world, within) if _turns(name, value) else []
+        return None if asked is None else [(tuple(asked), within, None)]
     if not is_over and name in world.coordinates:
         what = f"how far {name} goes in this motion is not known as a function of the position"
         raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
     return [((), given, None)]
 
 
-def _all_along(world: AskedPhase, given: Assumptions) -> tuple[Demand | None, ...]:
-    """What is asked of the whole time, where it is least; None for what is not known to have a least value."""
+def _all_along(world: AskedPhase, given: Assumptions) -> list[Demand] | None:
+    """What is asked of the whole time, where it is least; None where something is not known to have a least value."""
     lows = ((d, extreme(d.value, "t", given, -1)) for d in (*world.demands, *world.standing) if depends_on(d.value, "t"))
-    return tuple(None if low is None or low.value is None else Demand(low.value, d.op) for d, low in lows)
+    return all_there(None if low is None or low.value is None else Demand(low.value, d.op) for d, low in lows)
 
 
 def _on_way_back(world: AskedPhase, name: str, value: Scalar, given: Assumptions) -> tuple[Scalar, ...]:
@@ -231,8 +229,8 @@ def _lasting(world: AskedPhase, name: str, found: Finding) -> Finding:
         return found
     if name not in world.coordinates:
         at = {name: found.place[1]}
-        there = (Demand(neat(substitute(d.value, at), world.motion.assumptions), d.op) for d in (*world.demands, *world.standing))
-        left = settle((*found.valid, *there), world.motion.assumptions)
+        met = (Demand(neat(substitute(d.value, at), world.motion.assumptions), d.op) for d in (*world.demands, *world.standing))
+        left = settle((*found.valid, *met), world.motion.assumptions)
         return Finding(undecided(BEYOND), found.symbol) if left is None else replace(found, valid=left, met=True)
     lasts, doubts = lasts_to_place(world.study, name, found.place[1])
     never = StatementError(f"the motion that is stated ends before it comes to where this is, {name} = {told(found.place[1])}")
@@ -253,14 +251,14 @@ def of_extreme(
         return Finding(undecided("the signs of the slope on the range are not decided"), name if by_place else "")
     if found.where == "everywhere":
         said = checked("no_change", value=value, names=(name,), best=found.value, given=given)
-        return Finding(**said, values=(found.value,), says=f"“{phrase}” is the same for every {name}")
+        return Finding(**said, values=(there(found.value),), says=f"“{phrase}” is the same for every {name}")
     if found.crossing is not None:
         said = checked("one_zero", equation=found.crossing.equation, name=name, given=given, value=value)
         return Finding(**said, symbol=name, equation=found.crossing.equation, place=(name, None))
     if found.value is None:
         says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found)}"
         side = 1 if found.where == ENDS[0] else -1
-        near = leading(value, name, found.place, given, side if found.place is not None else -side)
+        near = there(leading(value, name, found.place, given, side if found.place is not None else -side))
         return Finding(**limit_said(near, name, given), symbol=name if by_place else "", says=says)
     under = where_met(given, found.asked)
     data = {"value": value, "name": name, "place": found.place, "best": found.value, "sense": sense}
@@ -272,7 +270,7 @@ def of_extreme(
         return Finding(symbol=symbol_, **said, values=values, relation="approaches", valid=found.asked, says=says)
     place = (name, found.place)
     if by_place:
-        return Finding(symbol=name, **said, values=(found.place,), valid=found.asked, place=place)
+        return Finding(symbol=name, **said, values=(there(found.place),), valid=found.asked, place=place)
     return Finding(**said, values=(found.value,), valid=found.asked, place=place)
 
 
@@ -308,9 +306,9 @@ def with_equal(world: AskedPhase, first: str, second: str, phrase: str) -> Findi
         return Finding(undecided("no closed form was found for it"), second, equation=(table.zeros.open_ or (other - value,))[0])
     gap = neat(other * other - value * value, given)  # both are positive, or zero together
     same = sign(value, given).is_nonnegative
-    places = [*(zero.place for zero in zeros), symbol(first)]
+    every = [*(zero.place for zero in zeros), symbol(first)]
     asked = where_met(given, [demand for zero in zeros for demand in zero.asked])
-    said = checked("vanishes_for", value=gap if same else other - value, name=second, places=places, given=asked)
+    said = checked("vanishes_for", value=gap if same else other - value, name=second, places=every, given=asked)
     places = tuple(neat(zero.place, given) for zero in zeros)
     return Finding(**said, symbol=second, values=places, asked=tuple(z.asked for z in zeros))
 

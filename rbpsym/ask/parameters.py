@@ -17,7 +17,7 @@ from rbpsym.ask.seen import AskedPhase, NeverThere, number_in, require_same, sce
 from rbpsym.ask.senses import turned
 from rbpsym.ask.wanted import Wanted
 from rbpsym.decide.rooted import neat
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.errors import RbpsymError, StatementError, there
 from rbpsym.field import is_zero, short, substitute
 from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import mover
@@ -78,14 +78,15 @@ ROWS: Rows = (
 
 def _extreme_is(world: AskedPhase, name: str, text: str, best: str, to: str) -> Finding:
     """SYMBOL for which a greatest or least value is a given one, or vanishes. Raises StatementError without one such value."""
-    phase = f" in phase {world.asked.names[world.place]}" if world.is_named else ""
-    other, found = finding(world.asked, text + phase)
+    phase = f" in phase {world.asked.names[world.number]}" if world.is_named else ""
+    other, found = there(finding(world.asked, text + phase))
     if len(found.values) != 1 or found.relation != "=":
         raise StatementError(f"there is no single “{text}” that is known", instead="ask for that alone.")
     value = number_in(world, to or "0")
     require_same(world, found.values[0], value, (text, to))
-    for part, new in ((world.used, other.used), (world.doubts, other.doubts), (world.lasting, other.lasting)):
-        part.extend(new)
+    world.used.extend(other.used)
+    world.doubts.extend(other.doubts)
+    world.lasting.extend(other.lasting)
     world.standing.extend((*found.valid, *(found.asked[0] if found.asked else ())))
     equal = Wanted((short(found.values[0] - value),), world.motion.assumptions, equal=True)
     told = critical.equal_for(world, None, name, equal, f"{text} = {to or 0}")
@@ -131,12 +132,12 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
     with suppress(RbpsymError):
         other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
         if other is not None:
-            return branches.joined(text, found, finding(other[0], text), other[1], letter)
+            return branches.joined(text, found, there(finding(other[0], text)), other[1], letter)
     is_equation = found[1].rule == "vanishes_for" and found[1].values
     side = turned(asked, found[0].demands, found[1].symbol) if is_equation else None
     if side is not None:
         with suppress(NotMet):  # from there the motion does not come so far: the condition on its sense is told
-            return branches.either(text, found, finding(side, text), letter)
+            return branches.either(text, found, there(finding(side, text)), letter)
     return concluded(found[0], text, found[1], letter)
 
 
@@ -147,9 +148,9 @@ def _at_rest(asked: Asked, world: AskedPhase, found: Finding) -> tuple[AskedPhas
     if not (found.is_none and found.rule == "vanishes_for" and len(places) == 1):
         return None
     [(mover_, to)], value = places, found.grounds[0][1]["value"]
-    phase = f" in phase {asked.names[world.place]}" if world.is_named else ""
+    phase = f" in phase {asked.names[world.number]}" if world.is_named else ""
     with suppress(RbpsymError):
-        other = finding(asked, f"{found.symbol} for which {mover_} comes to rest at {to}{phase}")
+        other = there(finding(asked, f"{found.symbol} for which {mover_} comes to rest at {to}{phase}"))
         images = [{found.symbol: place} for place in other[1].values]
         if images and all(is_zero(neat(substitute(value, at), world.motion.assumptions)) for at in images):
             return other
@@ -177,11 +178,11 @@ def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[AskedPhase, Fin
     if (said := WITH.fullmatch(rest)) and _is_found(said[1]):
         return finding(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
     if (said := re.fullmatch(LIMIT, rest.removeprefix("the "))) and _is_found(said[1]):
-        inner = finding(asked, f"{said[1]} in phase {phase[2]}" if phase else said[1])
+        inner = there(finding(asked, f"{said[1]} in phase {phase[2]}" if phase else said[1]))
         return inner[0], special.limit_of(*inner, *said.groups())
     for pattern, find in rows:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
-            return _found(asked, place, lambda world, find=find, words=words: find(world, *words.groups()))
+            return _found(asked, place, find, words.groups())
     if any(re.fullmatch(pattern, rest.removeprefix("the ")) for pattern, _ in made.MADE):
         world = scene(asked, place)
         return world, made.made(world, rest.removeprefix("the "))
@@ -193,13 +194,15 @@ def _is_found(text: str) -> bool:
     return any(re.fullmatch(pattern, text) for pattern, _ in (*ROWS[:-1], *made.MADE))
 
 
-def _found(asked: Asked, place: int | None, find: Callable[[AskedPhase], Finding]) -> tuple[AskedPhase, Finding]:
+def _found(
+    asked: Asked, place: int | None, find: Callable[..., Finding], words: tuple[str | None, ...]
+) -> tuple[AskedPhase, Finding]:
     """What is found in the phase that is named, else in the first in which the motion comes to the place that is asked for."""
-    world, refused = scene(asked, place), None
-    for number in range(world.place, world.place + 1 if world.is_named else len(asked.names)):
+    world, refused = scene(asked, place), list[NeverThere]()
+    for number in range(world.number, world.number + 1 if world.is_named else len(asked.names)):
         try:
-            world = world if number == world.place else AskedPhase(asked.study(number), asked=asked, place=number)
-            return world, find(world)
+            world = world if number == world.number else AskedPhase(asked.study(number), asked=asked, number=number)
+            return world, find(world, *words)
         except NeverThere as error:
-            refused = refused or error
-    raise refused
+            refused.append(error)
+    raise refused[0]

@@ -129,12 +129,12 @@ def read_question(text: str) -> Question:
     if phase := PHASE.fullmatch(found.quantity):
         found = replace(found, quantity=phase[1] + (phase[3] or ""), phase=phase[2])
     if since := SINCE.fullmatch(found.quantity):
-        ends = _end(since[2], BEGINS), _end(since[3], ENDS)
-        if None not in ends:
-            return replace(found, quantity=since[1], since=ends[0], when=ends[1])
+        begin, end = _end(since[2], BEGINS), _end(since[3], ENDS)
+        if begin is not None and end is not None:
+            return replace(found, quantity=since[1], since=begin, when=end)
     for pattern, manner in (*MANNERS.items(), *MANNERS.items()):  # one may stand behind another
-        if said := re.search(rf",? ({pattern})(?=$|,| as )", found.quantity):
-            found = replace(found, quantity=found.quantity[: said.start()] + found.quantity[said.end() :])
+        if way := re.search(rf",? ({pattern})(?=$|,| as )", found.quantity):
+            found = replace(found, quantity=found.quantity[: way.start()] + found.quantity[way.end() :])
             found = replace(found, manner=f"{found.manner} {manner}".strip())
     while clause := _clause(found.quantity):
         quantity, kind, words, said = clause

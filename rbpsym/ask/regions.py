@@ -8,10 +8,10 @@ from rbpsym.ask.extremes import Extreme, least
 from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
-from rbpsym.field import Scalar, depends_on, is_zero
+from rbpsym.errors import all_there
+from rbpsym.field import Scalar, depends_on, is_zero, short
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.elimination import short
 
 
 class Region(Frozen):
@@ -35,7 +35,13 @@ class Region(Frozen):
     @property
     def is_whole(self) -> bool:
         """Whether it holds in the whole range."""
-        return not (self.is_empty or self.cases) and self.lower is self.upper is self.crossing is None
+        return not (self.is_empty or self.cases or self.crossing) and self.lower is self.upper is None
+
+
+    def within(self, name: str, given: Assumptions) -> Assumptions:
+        """What is known with the range of the name cut to this."""
+        lower, upper = given.range_of(name)
+        return given.with_range(name, lower if self.lower is None else self.lower, upper if self.upper is None else self.upper)
 
 
 def region(value: Scalar, name: str, given: Assumptions) -> Region | None:
@@ -63,7 +69,7 @@ def _otherwise(value: Scalar, name: str, demand: Demand, given: Assumptions) -> 
     """The sign in the whole range where the demand is not met; 0 if it is not known."""
     opposite = Demand(-demand.value, ">=" if demand.op == ">" else ">")
     table = sign_table(value, name, where_met(given, [opposite]))
-    return table.signs[0] if demand.op != "!=" and table.is_whole and len(table.signs) == 1 else 0
+    return (table.signs[0] or 0) if demand.op != "!=" and table.is_whole and len(table.signs) == 1 else 0
 
 
 def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> Region | None:
@@ -94,12 +100,13 @@ def _of_low(low: Extreme, name: str, along: str, given: Assumptions) -> Region |
     return found and replace(found, asked=(*low.asked, *found.asked), worst=(low.place,), otherwise=otherwise, loose=loose)
 
 
-def common(regions: Sequence[Region | None], given: Assumptions) -> Region | None:
+def common(every: Sequence[Region | None], given: Assumptions) -> Region | None:
     """Where all hold; None if it is not decided."""
-    if any(one is not None and one.is_empty and not one.asked for one in regions):
+    if any(one is not None and one.is_empty and not one.asked for one in every):
         return Region(is_empty=True)
-    if None in regions or any(one.crossing or one.is_empty for one in regions):
-        left = [one for one in regions if one is None or not one.is_whole]
+    regions = all_there(every)
+    if regions is None or any(one.crossing or one.is_empty for one in regions):
+        left = [one for one in every if one is None or not one.is_whole]
         return left[0] if len(left) == 1 else None
     asked = tuple(dict.fromkeys(demand for one in regions for demand in one.asked))
     bound = [one for one in regions if not one.is_whole]
@@ -111,19 +118,20 @@ def common(regions: Sequence[Region | None], given: Assumptions) -> Region | Non
             return common([*kept, *firm], given) if _are_whole([o for o in loose if o not in kept], held, given) else None
         if not all(_are_whole([other for other in loose if other is not one], one.asked, given) for one in loose):
             return None
-        cases = [common([one, *firm], given) for one in loose]  # one is whole where the other's demands are met
-        is_told = len(cases) == 2 and not any(one is None or one.is_empty or one.cases for one in cases)
-        return Region(cases=tuple(cases)) if is_told else None
+        cases = all_there(common([one, *firm], given) for one in loose)  # one is whole where the other's demands are met
+        is_told = cases is not None and len(cases) == 2 and not any(one.is_empty or one.cases for one in cases)
+        return Region(cases=tuple(cases)) if cases and is_told else None
     given = where_met(given, asked)
     lower = _outermost([one for one in regions if one.lower is not None], "lower", 1, given)
     upper = _outermost([one for one in regions if one.upper is not None], "upper", -1, given)
     if lower is None or upper is None:
         return None
-    ends = lower.lower, upper.upper
-    room = settled_sign(ends[1] - ends[0], given) if None not in ends else 1
-    is_empty, asked = room in (0, -1), (*asked, *([Demand(ends[1] - ends[0])] if room is None else []))
+    low, high = lower.lower, upper.upper
+    width = None if low is None or high is None else high - low
+    room = 1 if width is None else settled_sign(width, given)
+    is_empty, asked = room in (0, -1), (*asked, *([Demand(width)] if width is not None and room is None else []))
     otherwise = bound[0].otherwise if len(bound) == 1 and asked == bound[0].asked else 0
-    return Region(*ends, asked, is_empty, None, (*lower.worst, *upper.worst), otherwise)
+    return Region(low, high, asked, is_empty, None, (*lower.worst, *upper.worst), otherwise)
 
 
 def _are_whole(regions: Sequence[Region], met: Sequence[Demand], given: Assumptions) -> bool:
@@ -134,15 +142,15 @@ def _are_whole(regions: Sequence[Region], met: Sequence[Demand], given: Assumpti
 def by_order(regions: Sequence[Region | None], beside: Sequence[Region | None], given: Assumptions, sense: int) -> Region | None:
     """Where all hold, those `beside` too: in cases, each with the condition that one of the regions' upper (1) or lower (-1)
     bounds comes first; None if that is not what decides."""
-    every = [one for one in (*regions, *beside) if one is None or not one.is_whole or one.asked]
-    if None in every or any(one.crossing or one.is_empty or one.cases for one in every):
+    every = all_there(one for one in (*regions, *beside) if one is None or not one.is_whole or one.asked)
+    if every is None or any(one.crossing or one.is_empty or one.cases for one in every):
         return None
     shared = tuple(dict.fromkeys(demand for one in every for demand in one.asked))
-    side, other = SIDES[sense], SIDES[-sense]
-    cases = []
+    side = SIDES[sense]
+    cases: list[Region] = []
     for one in regions:
-        if getattr(one, side) is not None:
-            found = replace(one, **{other: None})
+        if one is not None and getattr(one, side) is not None:
+            found = replace(one, lower=None) if sense > 0 else replace(one, upper=None)
             order = [demand for two in every if two is not one for demand in _behind(two, found, sense)]
             asked = settle((*shared, *order), given)
             otherwise = one.otherwise if asked == settle(one.asked, given) else 0
@@ -170,11 +178,11 @@ def binding(
     return tuple(value for value, one in pairs if one is None or settle(_behind(one, found, sense), given) == ())
 
 
-def alone(found: Region, regions: Sequence[Region], sense: int) -> tuple[Demand, ...]:
+def alone(found: Region, regions: Sequence[Region | None], sense: int) -> tuple[Demand, ...]:
     """What is asked for the upper (1) or lower (-1) bound alone, without the demands of what is no bound otherwise."""
     side = SIDES[sense]
-    idle = [one for one in regions if one.otherwise == 1 and getattr(one, side) != getattr(found, side)]
-    firm = {demand for one in regions if one not in idle for demand in one.asked}
+    idle = [one for one in regions if one and one.otherwise == 1 and getattr(one, side) != getattr(found, side)]
+    firm = {demand for one in regions if one and one not in idle for demand in one.asked}
     return tuple(demand for demand in found.asked if demand in firm or not any(demand in one.asked for one in idle))
 
 

@@ -17,7 +17,7 @@ from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.dimensions import a, dimension_of
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.errors import DimensionError, StatementError, Undecided
+from rbpsym.errors import DimensionError, StatementError, Undecided, all_there
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -45,15 +45,16 @@ def never_told(text: str) -> StatementError:
 
 
 class AskedPhase(ProblemWorld):
-    """One phase of the motion of a problem that is asked, and what was found for the quantities that a question names.
+    """One phase of the motion of a problem that is asked (its `number` among all), and what was found for the quantities that a
+    question names.
 
     demands: under what conditions they have the values that were found; lasting: those of contacts, friction and declared
     ranges on the way to the moments at which they are taken; doubts: what of that is not decided; standing: what the same
     ask of the parameters where a quantity is taken at no moment; senses: what the ways ask along which something has to hold.
     """
 
-    asked: Asked | None = None
-    place: int = 0
+    asked: Asked = field(kw_only=True)
+    number: int = 0
     is_named: bool = False
     used: list[tuple[Question, Found]] = field(default_factory=list)
     lasting: list[Demand] = field(default_factory=list)
@@ -76,7 +77,7 @@ class AskedPhase(ProblemWorld):
 def scene(asked: Asked, place: int | None = None) -> AskedPhase:
     """The phase of that place; the first one that does not end at once."""
     meant = asked.meant(place)
-    return AskedPhase(asked.study(meant), asked=asked, place=meant, is_named=place is not None)
+    return AskedPhase(asked.study(meant), asked=asked, number=meant, is_named=place is not None)
 
 
 def seen(world: AskedPhase, phrase: str) -> Scalar:
@@ -93,8 +94,8 @@ def seen(world: AskedPhase, phrase: str) -> Scalar:
 def parts_seen(world: AskedPhase, phrase: str) -> tuple[Scalar, ...]:
     """The same of a vector too, its components."""
     question = read_question(phrase)
-    if (world.place or world.is_named) and question.when is None and not question.phase and not is_jump(question.quantity):
-        question = replace(question, phase=world.asked.names[world.place])
+    if (world.number or world.is_named) and question.when is None and not question.phase and not is_jump(question.quantity):
+        question = replace(question, phase=world.asked.names[world.number])
     found = found_of(world.asked, question)
     world.used.append((question, found))
     lasts, doubts = asks(world.asked, found)
@@ -156,7 +157,7 @@ def require_same(world: AskedPhase, first: Scalar, second: Scalar, texts: tuple[
             raise DimensionError(f"“{texts[0]}” is {a(dimensions[0])}, but “{texts[1]}” is {a(dimensions[1])}")
 
 
-def way_to(world: AskedPhase, name: str, end: Scalar | None, given: Assumptions) -> tuple[Way, Assumptions]:
+def way_to(world: ProblemWorld, name: str, end: Scalar | None, given: Assumptions) -> tuple[Way, Assumptions]:
     """How a coordinate moves from its start, and its range on the way to a place (None: to where it first comes to rest, or
     to the end of its range).
 
@@ -193,13 +194,13 @@ def _lost(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Scalar | Non
     return (happen[0][0].at[way.name] if happens else None), left
 
 
-def fits(world: AskedPhase, asked: Iterable[Demand]) -> bool:
+def fits(world: ProblemWorld, asked: Iterable[Demand]) -> bool:
     """Whether all that is asked is met by the example, or the sample numbers."""
     numbers = sample(world.study.problem, world.study.problem.example)
     return all(floating(demand.value, numbers) >= 0 for demand in asked)
 
 
-def _case(world: AskedPhase, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, ...]] | None:
+def _case(world: ProblemWorld, asked: tuple[Demand, ...]) -> tuple[bool, tuple[Demand, ...]] | None:
     """Whether all that is asked is met as `fits` says, and that, or its opposite, as a condition; None where the opposite is
     more than one condition."""
     if fits(world, asked):
@@ -215,7 +216,8 @@ def _kept_on(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, .
 
     alone = world.afresh()
     with suppress(Undecided):
-        asked = tuple(least_values(alone, Wanted(going_on(alone, way, given)[:-1], given, way.name, asked=way.asked)))
+        going = Wanted(going_on(alone, way, given)[:-1], given, way.name, asked=way.asked)
+        asked = tuple(least_values(going, alone.demands))
         if fits(world, asked):
             return asked
     ended = world.study.ended.found
@@ -228,9 +230,9 @@ def _kept_on(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, .
 def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> Assumptions:
     """The range up to where the next phase begins, if the coordinate comes there without turning round. Raises
     StatementError where that is not decided."""
-    if world.place + 1 == len(world.asked.names):
+    if world.number + 1 == len(world.asked.names):
         return given
-    phase, before = world.asked.names[world.place + 1], world.asked.stage(world.place + 1).began.before
+    phase, before = world.asked.names[world.number + 1], world.asked.began(world.number + 1).before
     end, onwards = before.places[way.name], sign(before.speeds[way.name] * way.sense, world.motion.assumptions)
     if onwards.is_nonnegative and end != symbol(way.name):
         return way.until(end, given)
@@ -243,7 +245,7 @@ def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> Assumptions:
 
 
 def ways_to(
-    world: AskedPhase, name: str, end: Scalar | None, given: Assumptions, *, may_turn: bool = False
+    world: ProblemWorld, name: str, end: Scalar | None, given: Assumptions, *, may_turn: bool = False
 ) -> list[tuple[Way, Assumptions]]:
     """The same as `way_to` for each sense in which it may set out; `may_turn`: whether it turns round may depend on the
     parameters, and is as at the sample numbers."""
@@ -259,8 +261,9 @@ def ways_to(
     found = ways(study.system, study.dynamics, name, square, given)
     if not found:
         raise StatementError(f"in which sense “{name}” sets out is not known", instead="ask for its acceleration at the start.")
-    coming = [(way, () if end is None else settle([Demand(way.ahead(end))], where_met(given, way.asked))) for way in found]
-    coming = [replace(way, asked=(*way.asked, *ahead)) for way, ahead in coming if ahead is not None]
+    asked = [() if end is None else settle([Demand(way.ahead(end))], where_met(given, way.asked)) for way in found]
+    pairs = zip(found, asked, strict=True)
+    coming = [replace(way, asked=(*way.asked, *ahead)) for way, ahead in pairs if ahead is not None]
     if not coming:
         sense = "grows" if found[0].sense > 0 else "falls"
         raise NeverThere(f"“{name}” never comes there before it turns round: it {sense} from {told(begin)}")
@@ -269,7 +272,7 @@ def ways_to(
     return [(way, _on_way(way, end, where_met(given, way.asked))) for way in coming]
 
 
-def _turns(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, ...]:
+def _turns(world: ProblemWorld, way: Way, given: Assumptions) -> tuple[Demand, ...]:
     """Under what one condition it turns round, at one of the places that are known, or does not, as it is at the sample
     numbers."""
     found = zeros(way.square, way.name, given.with_range(way.name, *_ends(way, given.range_of(way.name))))
@@ -279,14 +282,14 @@ def _turns(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, ...
     return case[1] if case else ()
 
 
-def to_and_fro(world: AskedPhase, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+def to_and_fro(world: ProblemWorld, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """The whole motion of a coordinate as `way_to` says it; with the other side of the start, to which it comes back from
     a place where it turns round."""
     way, within = way_to(world, name, None, given)
     return [(way, within), *_back(world, way, within, given)]
 
 
-def _back(world: AskedPhase, way: Way, within: Assumptions, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+def _back(world: ProblemWorld, way: Way, within: Assumptions, given: Assumptions) -> list[tuple[Way, Assumptions]]:
     """The other side of the start, if it comes back there from a place where it turns round."""
     if not _turns_round(world, way, within) or not world.study.system.scope.start.get(f"{way.name}_dot", NOTHING):
         return []
@@ -294,20 +297,20 @@ def _back(world: AskedPhase, way: Way, within: Assumptions, given: Assumptions) 
     return [(back, _on_way(back, None, where_met(given, way.asked)))]
 
 
-def whole_motion(world: AskedPhase, name: str, given: Assumptions) -> tuple[Way, Assumptions]:
+def whole_motion(world: ProblemWorld, name: str, given: Assumptions) -> tuple[Way, Assumptions]:
     """How a coordinate sets out, and all the places to which it comes on either side of its start."""
     (way, within), *back = to_and_fro(world, name, given)
     return way, _both(way, within, back)
 
 
-def _turns_round(world: AskedPhase, way: Way, within: Assumptions) -> bool:
+def _turns_round(world: ProblemWorld, way: Way, within: Assumptions) -> bool:
     """Whether it comes to rest at the end of its way, and goes back: what slips stays there."""
     end = within.range_of(way.name)[way.sense > 0]
     turns = end is not None and is_zero(without_even_roots(substitute(way.square, {way.name: end})))
     return turns and not slips(world.study.system)
 
 
-def comes_back(world: AskedPhase, name: str, given: Assumptions) -> bool:
+def comes_back(world: ProblemWorld, name: str, given: Assumptions) -> bool:
     """Whether a coordinate turns round where it first comes to rest, and passes its places again."""
     return any(_turns_round(world, *pair) for pair in ways_to(world, name, None, given, may_turn=True))
 
@@ -372,8 +375,8 @@ def going_on(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Scalar, .
 
 def is_sure(values: Iterable[Scalar], name: str, given: Assumptions) -> bool:
     """Whether all values are positive on the way, for all parameters."""
-    found = [extremes(value, name, given, -1) for value in values]
-    return None not in found and all(_is_positive(low, given) for lows in found for low in lows)
+    found = all_there(extremes(value, name, given, -1) for value in values)
+    return found is not None and all(_is_positive(low, given) for lows in found for low in lows)
 
 
 def _is_positive(low: Extreme, given: Assumptions) -> bool:

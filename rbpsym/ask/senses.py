@@ -17,7 +17,7 @@ from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import PI, Scalar, depends_on, is_zero
-from rbpsym.field import value as value_of
+from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
@@ -65,7 +65,7 @@ def _demands(found: Answer) -> list[Demand]:
 
 
 def _read(study: Study, node: t.Node) -> list[Demand]:
-    rows = ((value_of(t.add(left, t.neg(right)), study.system.scope), op) for left, op, right in t.relations(node))
+    rows = ((scalar(t.add(left, t.neg(right)), study.system.scope), op) for left, op, right in t.relations(node))
     return [Demand(gap if op in OPS else -gap, OPS.get(op, TURNED.get(op, op))) for gap, op in rows]
 
 

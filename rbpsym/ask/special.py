@@ -75,7 +75,7 @@ def special_problem(world: AskedPhase, text: str) -> Problem:
 
 
 def _with(problem: Problem, image: Mapping[str, Node]) -> Problem:
-    found = put_into(problem, image)
+    found: Problem = put_into(problem, image)
     return replace(found, parameters=tuple(quantity for quantity in found.parameters if quantity.name not in image))
 
 

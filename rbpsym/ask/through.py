@@ -24,36 +24,36 @@ def extremum(
     by_place: bool = False,
 ) -> Finding:
     """The same as `optima.extremum`, through all phases from the first that does not end at once, if none is named."""
-    last = len(world.asked.names)
-    if world.is_named or low is not None or over not in (None, *world.coordinates) or world.place + 1 == last:
+    last, asked = len(world.asked.names), world.asked
+    if world.is_named or low is not None or over not in (None, *world.coordinates) or world.number + 1 == last:
         found = optima.extremum(world, superlative, phrase, over, low, high, by_place=by_place)
         is_told = over or low is not None or by_place or not _is_open(found)
         return found if is_told else _over_time(world, superlative, phrase, found)
-    parts, found = [], []
+    parts, every = list[AskedPhase](), list[Finding]()
     for place in _known(world, phrase, last):
         try:
-            parts.append(AskedPhase(world.asked.study(place), asked=world.asked, place=place, is_named=True))
-            found.append(_in_phase(parts[-1], superlative, phrase, over))
+            parts.append(AskedPhase(asked.study(place), asked=asked, number=place, is_named=True))
+            every.append(_in_phase(parts[-1], superlative, phrase, over))
         except (NotApplicable, StatementError) as error:
-            name = world.asked.names[place]
-            what = f"how “{phrase}” goes on in the phase “{name}” is not known: {error.what}" if found else error.what
-            instead = f"ask for it in one phase: “… in phase {world.asked.names[world.place] if world.place else 'first'}”."
-            raise StatementError(what, instead=instead if found else error.instead) from None
-    without = next((k for k, one in enumerate(found) if len(one.values) != 1), None)
-    best = without if without is not None else _beyond_all(world, found, SUPERLATIVES[superlative])
+            name = asked.names[place]
+            what = f"how “{phrase}” goes on in the phase “{name}” is not known: {error.what}" if every else error.what
+            instead = f"ask for it in one phase: “… in phase {asked.names[world.number] if world.number else 'first'}”."
+            raise StatementError(what, instead=instead if every else error.instead) from None
+    without = next((k for k, one in enumerate(every) if len(one.values) != 1), None)
+    best = without if without is not None else _beyond_all(world, every, SUPERLATIVES[superlative])
     if best is None:
         return Finding(undecided("in which phase it is depends on the parameters, or is not decided"))
-    told = optima.extremum(parts[best], superlative, phrase, over, None, None, by_place=True) if by_place else found[best]
+    told = optima.extremum(parts[best], superlative, phrase, over, None, None, by_place=True) if by_place else every[best]
     if without is None:
-        one, known = found[best], world.motion.assumptions
-        others = tuple((o.values[0], where_met(known, [*one.valid, *o.valid])) for o in found if o is not one)
-        beyond = Finding(**checked("greatest_of", best=one.values[0], others=others, sense=SUPERLATIVES[superlative]))
+        one, known = every[best], world.motion.assumptions
+        beside = tuple((o.values[0], where_met(known, [*one.valid, *o.valid])) for o in every if o is not one)
+        beyond = Finding(**checked("greatest_of", best=one.values[0], others=beside, sense=SUPERLATIVES[superlative]))
         told = replace(told, **together(*((told, beyond) if by_place else (beyond, told))))
     for part in parts:
         world.used.extend(part.used)
-    begun = (d for place in range(world.place + 1, parts[best].place + 1) for d in world.asked.stage(place).began.before.valid)
+    begun = (d for place in range(world.number + 1, parts[best].number + 1) for d in asked.began(place).before.valid)
     valid = possible((*told.valid, *begun), world.motion.assumptions, never_told(phrase))
-    others = (one for k, one in enumerate(found) if k != best)
+    others = (one for k, one in enumerate(every) if k != best)
     return replace(told, **together(told, *others), valid=valid)
 
 
@@ -67,8 +67,7 @@ def _over_time(world: AskedPhase, superlative: str, phrase: str, known: Finding)
     with suppress(RbpsymError):
         found = optima.extremum(other, superlative, phrase, "t", None, None)
         if found.values and not _is_open(found):
-            for part, new in ((world.used, other.used), (world.lasting, other.lasting), (world.doubts, other.doubts)):
-                part[:] = new
+            world.used[:], world.lasting[:], world.doubts[:] = other.used, other.lasting, other.doubts
             return found
     return known
 
@@ -93,7 +92,7 @@ def extreme_for(world: AskedPhase, name: str | None, phrase: str, superlative: s
 
 def _known(world: AskedPhase, phrase: str, last: int) -> list[int]:
     """The phases in which the quantity means something, as a force does where it acts; all of them if it does in none."""
-    places, quantity = range(world.place, last), read_question(phrase).quantity
+    places, quantity = range(world.number, last), read_question(phrase).quantity
     found = []
     for place in places:
         with suppress(RbpsymError):

@@ -12,7 +12,7 @@ from itertools import permutations
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
-from rbpsym.errors import Indistinct, Undecided
+from rbpsym.errors import Indistinct, Undecided, there
 from rbpsym.field import NOTHING, Poly, Scalar, depends_on, derivative, names_in, short, substitute, symbol
 from rbpsym.frozen import replace
 from rbpsym.mechanics.demands import Demand, assuming
@@ -58,7 +58,7 @@ def bearable(
     force = study.dynamics.reactions.__getitem__
     rows = [force(name) for element in study.problem.constraints for name in pushes(element)]
     for need in held:
-        most = sum(map(force, need.normals), NOTHING) * need.limit
+        most = sum(map(force, need.normals), NOTHING) * there(need.limit)
         rows += [most + force(need.friction) * side for side in (-1, 1)]
     for name in left_open(study):
         lines = [(short(derivative(row, name)), short(substitute(row, {name: NOTHING}))) for row in rows]

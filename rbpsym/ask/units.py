@@ -31,7 +31,7 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
 
     def put(said: re.Match[str]) -> str:
         unit = _unit(said["unit"], known.get(said["of"] or ""), known)
-        if unit is None:
+        if unit is None or unit.of_mechanics is None:
             return said[0]
         lead = f"{said['of']} {said['is']}" if said["of"] else said["is"]
         sign = "-" if said["sign"] in ("-", "−") else ""

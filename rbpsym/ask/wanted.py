@@ -12,11 +12,10 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
-from rbpsym.field import Scalar, depends_on, derivative, is_zero, substitute
+from rbpsym.field import Scalar, depends_on, derivative, is_zero, short, substitute
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import period, zeros
 from rbpsym.mechanics.stability import essential
 from rbpsym.proof.step import Step
@@ -121,14 +120,14 @@ def on_way(
     free = moving(world, values)
     if not free:
         return Wanted(values, given)
-    asked = ()
+    asked: tuple[Demand, ...] = ()
     if until is None and len(free) > 1:
         values, asked = _in_time(world, values)
         free = moving(world, values) or free
     if free == ["t"] and until is None:
         turns = {period(value, "t"): value for value in values if depends_on(value, "t")}
         return Wanted(values, one_period(next(iter(turns.values())), given) if len(turns) == 1 else given, "t", asked=asked)
-    name, end = (free[0], None) if until is None else free_place(world, until, text)
+    name, end = (free[0], None) if until is None or text is None else free_place(world, until, text)
     if len(free) > 1 or name != free[0]:
         raise StatementError(f"“{phrase}” depends on {', '.join(free)} along the motion, and not on one coordinate alone")
     way, given = whole_motion(world, name, given) if until is None else way_to(world, name, end, given)

@@ -33,7 +33,7 @@ def does(world: AskedPhase, text: str, *, opposite: bool = False, condition: Wan
     if opposite and not condition.comes:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
     try:
-        parts = [*_least(world, condition)]
+        parts = [*_least(condition, world.demands)]
         demands = [demand for *_, demand in parts]
         still = (Demand(value, ">=") for value in condition.beside if not moving(world, (value,)))
         asked = (*condition.asked, *still, *premises(world, condition))
@@ -81,11 +81,11 @@ def vanishes(world: AskedPhase, force: str, until: str | None, text: str | None)
 
 def _by_loss(world: AskedPhase, losses: Sequence[Loss], until: str | None, text: str | None) -> Finding | None:
     """Whether a force vanishes before a place, by where it is known to vanish; None if that does not say it."""
-    [loss, *more], given, surely = losses, world.motion.assumptions, ()
+    [loss, *more], given, surely = losses, world.motion.assumptions, tuple[Demand, ...]()
     [(name, place)] = loss.at.items()
     way, _ = way_to(world, name, place, given)
     asked, is_all = [*loss.valid, *way.asked], bool(world.study.ended.complete and not more)
-    if until is not None:
+    if until is not None and text is not None:
         name_, end = free_place(world, until, text)
         if name_ != name:
             raise StatementError(f"“{loss.force}” is a function of {name}", instead=f"say until when: “… until {name} = VALUE”.")
@@ -124,14 +124,14 @@ def _told(steps: tuple[Step, ...], **more: bool) -> tuple[Step, ...]:
 Part = tuple[Scalar, Extreme | None, Demand]  # a value, one of its least ones, and what has to hold there
 
 
-def least_values(world: AskedPhase, condition: Wanted) -> Iterator[Demand]:
-    """What has to hold of the parameters: each least value on the way is positive."""
-    return (demand for *_, demand in _least(world, condition))
+def least_values(condition: Wanted, demands: Sequence[Demand] = ()) -> Iterator[Demand]:
+    """What has to hold of the parameters, where the demands are met: each least value on the way is positive."""
+    return (demand for *_, demand in _least(condition, demands))
 
 
-def _least(world: AskedPhase, condition: Wanted) -> Iterator[Part]:
+def _least(condition: Wanted, demands: Sequence[Demand]) -> Iterator[Part]:
     op = ">=" if condition.closed else ">"
-    given = where_met(condition.given, (*condition.asked, *world.demands))
+    given = where_met(condition.given, (*condition.asked, *demands))
     for value in condition.values:
         if condition.along is None or not depends_on(value, condition.along):
             yield value, None, Demand(value, op)

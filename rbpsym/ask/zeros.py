@@ -15,11 +15,10 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.rooted import neat, rooted, sign_along
 from rbpsym.decide.signs import sign
-from rbpsym.field import NOTHING, ONE, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol
+from rbpsym.field import NOTHING, ONE, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, short, symbol
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, root, substitute
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.rest import turns_within
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 
@@ -211,7 +210,7 @@ def _undone(factor: Scalar, index: int, name: str, given: Assumptions) -> list[P
     kind, low, high = UNDONE[atoms.atom(index).kind]
     angle = short(-parts.get(0, NOTHING) / parts[1])
     found = _all_places(atoms.atom(index).arg - function(kind, angle), name, given)
-    asked = () if low is None else (Demand(angle - low, ">=" if high else ">"),)
+    asked: tuple[Demand, ...] = () if low is None else (Demand(angle - low, ">=" if high else ">"),)
     asked += () if high is None else (Demand(high - angle, ">="),)
     return None if found is None else [(place, (*asked, *more)) for place, more in found]
 

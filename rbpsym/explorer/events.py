@@ -144,7 +144,7 @@ def strikes(stage: Stage, begins: Phase, put: Put, notation: Notation) -> dict[s
 
 def arrows(began: HandOver, stage: Stage, begins: Phase, put: Put, notation: Notation) -> Iterator[dict[str, Any]]:
     """The impulses that are known and not zero, on all bodies."""
-    for force in impulsive(stage.study.system, began.phase.impulses if began.phase else ()):
+    for force in impulsive(stage.study.system, began.phase.impulses):
         vector, point, couple = (put_in(began, value) for value in (force.vector, force.point, force.couple))
         unknown = any(depends_on(part, n) for part in (vector.x, vector.y, couple) for n in force.unknowns)
         if not unknown and not all(map(is_zero, (vector.x, vector.y, couple))):

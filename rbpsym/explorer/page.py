@@ -138,7 +138,7 @@ def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str,
 
 def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
     """The fixed lines that are touched in some phase: the floor is there also when nothing stands on it."""
-    struck = (e for part in parts if part.began and part.began.phase for e in part.began.phase.impulses)
+    struck = (e for part in parts if part.began for e in part.began.phase.impulses)
     found = chain((e for part in parts for e in part.study.problem.constraints), struck)
     return tuple(
         e for e in found if e.values.get("line") is not None and e.values.get("of") is None and not is_slot(e)

@@ -64,11 +64,12 @@ def _runs(node: Node) -> bool:
 
 
 class HandOver(Frozen):
-    """How a phase begins: the state that ended the one before, the speeds after, the impulses, the energy lost in the
-    blow (if there `is_blow`), and that which was taken on the way before (None where a force has no potential); what is
-    `asked` of coefficients of restitution, so that no energy is gained, and for contacts to be `held`, by their names; the
-    `phase` with the sides and senses of what strikes."""
+    """How a phase begins, told with the sides and senses of what strikes: the state that ended the one before, the speeds
+    after, the impulses, the energy lost in the blow (if there `is_blow`), and that which was taken on the way before (None
+    where a force has no potential); what is `asked` of coefficients of restitution, so that no energy is gained, and for
+    contacts to be `held`, by their names."""
 
+    phase: Phase
     before: ArrivalState
     speeds: Mapping[str, Scalar]
     impulses: Mapping[str, Scalar]
@@ -77,7 +78,6 @@ class HandOver(Frozen):
     is_blow: bool = True
     asked: tuple[Demand, ...] = ()
     held: Mapping[str, tuple[Demand, ...]] = field(default_factory=dict)
-    phase: Phase | None = None
 
 
 class Stage(Frozen):
@@ -143,7 +143,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     never = StatementError(f"with what “{phase.name}” begins, a coefficient of restitution is not between 0 and 1")
     asked = possible((Demand(x, ">=") for e in factors for x in (e, 1 - e)), study.assumptions, never)
     held = dict(_held(study, phase, struck, asked, lost)) if is_blow else {}
-    began = HandOver(before, speeds, impulses, lost, taken, is_blow, asked, held, phase)
+    began = HandOver(phase, before, speeds, impulses, lost, taken, is_blow, asked, held)
     later = type(study)(after)
     _refuse_struck_resistance(phase, later.system, struck)
     return Stage(phase.name, later if later.at_start and later.ties else study_of(after), began, clock)
