@@ -10,8 +10,9 @@ from dataclasses import replace
 
 from rbpsym.ask import critical, optima, yesno
 from rbpsym.ask.conditions import COEFFICIENT, wanted
-from rbpsym.ask.critical import KEPT, SUPERLATIVES, region_of
+from rbpsym.ask.critical import KEPT, region_of
 from rbpsym.ask.finding import Finding, together
+from rbpsym.ask.question import SUPERLATIVES
 from rbpsym.ask.seen import AskedPhase, never_told, parameter, parts_seen
 from rbpsym.ask.sliding import of_contact
 from rbpsym.ask.wanted import Wanted

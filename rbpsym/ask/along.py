@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
+from rbpsym.ask.asked import Asked
+from rbpsym.ask.found import Found
 from rbpsym.ask.question import Question
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
@@ -19,10 +20,6 @@ from rbpsym.present.forms import present
 from rbpsym.quantities import TIME, Quantity
 from rbpsym.quantity.path import first_push
 from rbpsym.quantity.problem import ProblemWorld
-
-if TYPE_CHECKING:
-    from rbpsym.ask.answer import Found
-    from rbpsym.ask.moments import Asked
 
 
 def moving_in(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:
@@ -105,4 +102,4 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     where = f"{what} = {'-' if speed and way < 0 else ''}{letter}"
     size = "the magnitude of the " if speed and way < 0 else "the " if speed else ""
     asking = f"time until {where}" if said[1] in ("t", "time") else f"{said[1]} where {where}"
-    return type(asked)(replace(problem, phases=tuple(phases))), asking, f"{letter} is {size}{what}"
+    return Asked(replace(problem, phases=tuple(phases))), asking, f"{letter} is {size}{what}"

@@ -7,11 +7,12 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
 from rbpsym.ask.along import converse
-from rbpsym.ask.answer import Answer, Found, answer, found_of
+from rbpsym.ask.answer import answer, found_of
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
+from rbpsym.ask.found import Answer, Found
 from rbpsym.ask.meeting import met
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.ask.seen import scene

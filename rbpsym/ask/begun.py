@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.asked import Asked
+from rbpsym.ask.found import Found
 from rbpsym.chapters.impulses import hand_over
 from rbpsym.field import names_in
 from rbpsym.proof.step import Step, StepRef
-
-if TYPE_CHECKING:
-    from rbpsym.ask.answer import Found
 
 # what a phase begins with, by the ids of the steps that say so: the first of each row that was made
 BEGINS = (("moment", "place"), ("state.place",), ("after.speeds", "state.speed"))

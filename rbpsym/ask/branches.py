@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.ask.answer import Answer
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.concluded import concluded
-from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.found import Answer
+from rbpsym.ask.question import SUPERLATIVES
 from rbpsym.ask.seen import AskedPhase
 from rbpsym.ask.senses import narrowed, of_sense
 from rbpsym.decide.signs import sign

@@ -6,12 +6,12 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
 
 from rbpsym.ask import in_time
+from rbpsym.ask.asked import Asked, Moment
 from rbpsym.ask.begun import before, needed, resting_on
+from rbpsym.ask.found import Answer, Found
 from rbpsym.ask.lasting import asks
-from rbpsym.ask.moments import Asked, Moment
 from rbpsym.ask.question import Question, is_jump
 from rbpsym.chapters import contact, course, endings, instant, moments, momentum, oscillations
 from rbpsym.chapters.impulses import hand_over
@@ -38,9 +38,6 @@ from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 from rbpsym.typeset.text import to_text
 
-if TYPE_CHECKING:
-    from rbpsym.ask.answer import Answer, Found
-
 LETTER = "Q"
 ANSWERS = ("ask.answer", "ask.there")
 COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, at a place that was not found")
@@ -59,8 +56,6 @@ def certified(
     """The answer, which is given the letter (its own one, where that is none of those that it has to be kept `apart` from),
     with its steps and its verdict; the ground of another answer (`is_ground`) is a formula, and does not say how far the
     motion lasts."""
-    from rbpsym.ask.answer import Answer
-
     place = found.moment.place if found.moment else asked_place(asked, found.study)
     begun, earlier = before(asked, place, found)
     for k, part in enumerate(found.since):

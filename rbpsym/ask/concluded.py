@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
-from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.finding import Finding, ground
+from rbpsym.ask.found import Answer
 from rbpsym.ask.question import Question
 from rbpsym.ask.seen import AskedPhase, never_told
 from rbpsym.ask.special import left_open

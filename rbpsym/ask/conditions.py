@@ -10,9 +10,9 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 
+from rbpsym.ask.asked import NoClosedForm
 from rbpsym.ask.begun import needed
 from rbpsym.ask.made import value_of
-from rbpsym.ask.moments import NoClosedForm
 from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import (
     PLACE,

@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 from rbpsym.ask.conditions import wanted
-from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, together
-from rbpsym.ask.lasting import lasts_to_place
+from rbpsym.ask.equal import equal_for
+from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, kept_said, together
+from rbpsym.ask.question import SUPERLATIVES
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
-from rbpsym.ask.seen import AskedPhase, moving, never_told, parameter, seen, told, way_to
+from rbpsym.ask.seen import AskedPhase, moving, never_told, parameter, seen, told
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, of_contact, rises, stays
 from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises, unsaid
-from rbpsym.ask.zeros import Crossing, Zero, sign_table, where_met
+from rbpsym.ask.zeros import where_met
 from rbpsym.decide.assumptions import Assumptions
-from rbpsym.decide.rooted import neat, rooted
+from rbpsym.decide.rooted import rooted
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import StatementError, all_there, there
-from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
-from rbpsym.mechanics.demands import Demand, assuming, possible, settle
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, substitute
+from rbpsym.mechanics.demands import Demand, assuming, possible
 from rbpsym.mechanics.stability import essential
-
-LEAST = {"smallest": -1, "least": -1, "lowest": -1, "minimum": -1, "minimal": -1, "shortest": -1, "slowest": -1}
-GREATEST = {"largest": 1, "greatest": 1, "highest": 1, "maximum": 1, "maximal": 1, "longest": 1, "fastest": 1}
-SUPERLATIVES = LEAST | GREATEST
 
 _BEFORE = r"((?: (?:until|before) .+)?)"
 OPPOSITE = re.compile(rf"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip|move)s?(?: off| over)?{_BEFORE}")
@@ -75,94 +72,6 @@ def _opposite(world: AskedPhase, superlative: str | None, name: str, text: str, 
     if not found.values:
         return replace(found, grounds=grounds) if f"“{text}”" in found.says else found
     return replace(found, relation=relation, says=says, grounds=grounds)
-
-
-# --- equalities
-
-
-def equal_for(world: AskedPhase, superlative: str | None, name: str, condition: Wanted, text: str) -> Finding:
-    """SYMBOL for which a value vanishes."""
-    [value], given, asked = condition.values, condition.given, tuple[Demand, ...]()
-    if name in world.coordinates:
-        way, given = way_to(world, name, None, given)
-        asked = possible(way.asked, world.motion.assumptions, never_told(text))
-    else:
-        parameter(world, name)
-    free = [other for other in moving(world, (value,)) if other != name]
-    if free:
-        raise StatementError(
-            f"“{text}” still depends on {free[0]}", instead=f"say where: “… where {free[0]} = VALUE”, or “… at the start”."
-        )
-    if not depends_on(value, name) or is_zero(derivative(value, name)):
-        return _without(world, name, value, given, text)
-    given = where_met(given, [demand for demand in world.demands if demand.op == ">"])  # ends that may be reached stay within
-    table = sign_table(value, name, given)
-    zeros = [zero for zero in table.zeros.found if not zero.is_pole]
-    zeros = [replace(zero, asked=left) for zero in zeros if (left := _met(world, name, zero, given)) is not None]
-    if table.zeros.open_:
-        why = undecided("no closed form was found for where it vanishes, nor was it seen to be monotone")
-        return Finding(why, name, equation=table.zeros.open_[0])
-    if table.zeros.crossings:
-        return _crossing(name, table.zeros.crossings, given, is_only=not zeros)
-    every = [zero.place for zero in table.zeros.found if not zero.is_pole]
-    if not zeros:
-        nowhere = Finding(**checked("vanishes_for", value=value, name=name, places=tuple(every), given=given))
-        away = [[one.value for one in _there((*world.demands, *world.standing), name, place)] for place in every]
-        others = (Finding(**kept_said(one, None, (), given, holds=False)) for one in away)  # there it is another motion
-        says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
-        return Finding(symbol=name, says=says, valid=(*asked, *case_of(world)), **together(nowhere, *others))
-    if superlative is not None and len(zeros) > 1:
-        zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
-    places = tuple(neat(zero.place, given) for zero in zeros)
-    shared = tuple(d for d in zeros[0].asked if all(d in zero.asked for zero in zeros))
-    under = where_met(given, [*table.zeros.asked, *(d for zero in zeros for d in zero.asked)])
-    own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
-    found = checked("vanishes_for", value=value, name=name, places=every, given=under)
-    strict = [d for d in world.demands if d.op == ">" and not depends_on(d.value, name)]
-    firm = possible(strict, world.motion.assumptions, never_told(text))
-    return Finding(symbol=name, values=places, valid=tuple(dict.fromkeys((*shared, *asked, *firm))), asked=own, met=True, **found)
-
-
-def _crossing(name: str, crossings: Sequence[Crossing], given: Assumptions, *, is_only: bool) -> Finding:
-    """A value without a closed form, by the equation that it solves."""
-    [crossing, *more] = crossings
-    said = checked("one_zero", equation=crossing.equation, name=name, given=given, value=None)
-    if more or not is_only:
-        said = {"verdict": undecided("there are several such values, and no closed form was found for one of them")}
-    return Finding(**said, symbol=name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
-
-
-def _met(world: AskedPhase, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:
-    """What a zero asks for, so that the moments come about at which the quantities are taken; None if they never do."""
-    limits = (replace(demand, op=">=") for demand in world.standing if demand.op == ">")  # where it just begins no more
-    wanted = [*world.demands, *(demand for demand in world.standing if demand.op != ">"), *limits]
-    lasts: tuple[Demand, ...] = ()
-    if name in world.coordinates:
-        wanted = [demand for demand in wanted if not depends_on(demand.value, name)]
-        try:
-            lasts, doubts = lasts_to_place(world.study, name, zero.place)
-        except StatementError:
-            return None
-        world.doubts.extend(doubts)
-    moments = [replace(d, value=rooted(d.value, given)) for d in _there(wanted, name, zero.place)]
-    return settle([*zero.asked, *moments, *lasts], given)
-
-
-def _there(demands: Iterable[Demand], name: str, place: Scalar) -> list[Demand]:
-    """The demands at a place. Raises StatementError where one has no value."""
-    try:
-        return [replace(demand, value=substitute(demand.value, {name: place})) for demand in demands]
-    except ZeroDivisionError:
-        what = f"where {name} has that value the motion is not the one that is stated: a ratio of forces has none there"
-        raise StatementError(what) from None
-
-
-def _without(world: AskedPhase, name: str, value: Scalar, given: Assumptions, text: str) -> Finding:
-    """What does not depend on the symbol."""
-    if is_zero(value):
-        said = checked("no_change", value=value, names=(name,), best=NOTHING, given=given)
-        return Finding(**said, symbol=name, says=f"“{text}” holds for every {name}", valid=case_of(world))
-    raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, value))
 
 
 def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense: int, opposite: str = "") -> Finding:
@@ -272,11 +181,11 @@ def _stopped(
 ) -> Finding:
     """With what is said where the motion ceases to be the stated one at a bound that is none of the condition itself."""
     for value, one in pairs:
+        worst = next(iter(one.worst), None)
+        along = {condition.along: worst} if condition.along and worst is not None else {}
         for bound in (bound for bound in told_.values if bound in (one.lower, one.upper) and bound not in ends):
-            at = {name: bound}
-            if condition.along and one.worst and one.worst[0] is not None:
-                at[condition.along] = one.worst[0]
-            vanishes = checked("no_change", value=substitute(value, at), names=(), best=NOTHING, given=given)
+            zero = substitute(value, {name: bound, **along})
+            vanishes = checked("no_change", value=zero, names=(), best=NOTHING, given=given)
             return replace(told_, says=condition.there, **together(told_, Finding(**vanishes)))
     return told_
 
@@ -340,14 +249,6 @@ def _in_cases(name: str, found: Region, parts: Parts, given: Assumptions, along:
     relation = "=" if sense else ">=" if lower[0] else "<="
     asked = tuple(case.asked for case in found.cases)
     return Finding(**said, symbol=name, values=tuple(bounds), relation=relation, asked=asked)
-
-
-def kept_said(
-    values: Iterable[Scalar], along: str | None, places: Sequence[Scalar | None], given: Assumptions, *, holds: bool
-) -> dict[str, Any]:
-    """That all values are nowhere negative, or that one of them is negative at one of the places, checked."""
-    parts = tuple((value, place, value) for value in values for place in places or (None,))
-    return checked("least_on_way", parts=parts, along=along, given=given, holds=holds)
 
 
 def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, said: dict[str, Any]) -> Finding:

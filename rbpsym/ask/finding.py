@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
+from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.verdict import Verdict, all_of
 from rbpsym.errors import there
 from rbpsym.expr.tree import ZERO, Node
@@ -69,6 +70,14 @@ def checked(rule: str, study: Study = NOWHERE, /, **data: Any) -> dict[str, Any]
     context = Context(study)
     verdict = weakest(guarded(partial(check, context, ground((rule, data)))) for check in RULES[rule])
     return {"verdict": verdict, "grounds": ((rule, data),)}
+
+
+def kept_said(
+    values: Iterable[Scalar], along: str | None, places: Sequence[Scalar | None], given: Assumptions, *, holds: bool
+) -> dict[str, Any]:
+    """That all values are nowhere negative, or that one of them is negative at one of the places, checked."""
+    parts = tuple((value, place, value) for value in values for place in places or (None,))
+    return checked("least_on_way", parts=parts, along=along, given=given, holds=holds)
 
 
 def ground(of: tuple[str, Mapping[str, Any]], statement: Node = ZERO) -> Step:

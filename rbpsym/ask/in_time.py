@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
+from rbpsym.ask.asked import Asked, Moment
 from rbpsym.ask.lasting import clear
-from rbpsym.ask.moments import Asked, Moment
 from rbpsym.ask.question import When
 from rbpsym.chapters import course, oscillations
 from rbpsym.decide.dimensions import require_dimension

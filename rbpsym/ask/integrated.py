@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.numbers import require_numbers
 from rbpsym.ask.question import Question, When
 from rbpsym.errors import StatementError

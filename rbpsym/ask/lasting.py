@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
 
+from rbpsym.ask.asked import Asked, Moment
+from rbpsym.ask.found import Found
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
@@ -29,10 +30,6 @@ from rbpsym.present.forms import present
 from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.model import Phase
-
-if TYPE_CHECKING:
-    from rbpsym.ask.answer import Found
-    from rbpsym.ask.moments import Asked, Moment
 
 
 def contacts_last(study: Study, places: Mapping[str, Scalar]) -> Iterator[tuple[str, Demand]]:
@@ -180,8 +177,6 @@ def compared(found: Found, others: Iterable[Found]) -> tuple[Demand, ...]:
 
 def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
     """The same as `lasts_to` for a place on the motion of a coordinate, with the contacts that are lost on it."""
-    from rbpsym.ask.moments import Moment
-
     begin = study.system.scope.start.get(name)
     if name not in study.squares or begin is None:
         return (), ()

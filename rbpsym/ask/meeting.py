@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.asked import Asked
 from rbpsym.errors import StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol

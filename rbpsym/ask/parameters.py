@@ -6,13 +6,14 @@ import re
 from collections.abc import Callable
 from contextlib import suppress
 
-from rbpsym.ask import ahead, branches, critical, made, optima, special, through, yesno
-from rbpsym.ask.answer import Answer
+from rbpsym.ask import ahead, branches, made, optima, special, through, yesno
+from rbpsym.ask.asked import Asked, NotMet
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
+from rbpsym.ask.equal import equal_for
 from rbpsym.ask.finding import Finding, together
-from rbpsym.ask.moments import Asked, NotMet
-from rbpsym.ask.question import ASKED, PHASE
+from rbpsym.ask.found import Answer
+from rbpsym.ask.question import ASKED, PHASE, SUPERLATIVES
 from rbpsym.ask.seen import AskedPhase, NeverThere, number_in, require_same, scene
 from rbpsym.ask.senses import turned
 from rbpsym.ask.wanted import Wanted
@@ -22,7 +23,7 @@ from rbpsym.field import is_zero, short, substitute
 from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import mover
 
-_BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
+_BEST = rf"({'|'.join(SUPERLATIVES)})"
 _N, _FOR = r"(\w+)", r"(?:for|at|with) which"
 _NO_MODE = r"(?!(?:lowest|highest) frequency of |(?:longest|shortest) period of \w+$)"  # that of a mode is a quantity
 _BETWEEN = r"(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?"
@@ -89,7 +90,7 @@ def _extreme_is(world: AskedPhase, name: str, text: str, best: str, to: str) -> 
     world.lasting.extend(other.lasting)
     world.standing.extend((*found.valid, *(found.asked[0] if found.asked else ())))
     equal = Wanted((short(found.values[0] - value),), world.motion.assumptions, equal=True)
-    told = critical.equal_for(world, None, name, equal, f"{text} = {to or 0}")
+    told = equal_for(world, None, name, equal, f"{text} = {to or 0}")
     return replace(told, **together(told, found))
 
 

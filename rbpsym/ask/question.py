@@ -13,6 +13,9 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.quantity.moments import JUMPS
 
 LONGEST = 400  # characters of a question
+LEAST = {"smallest": -1, "least": -1, "lowest": -1, "minimum": -1, "minimal": -1, "shortest": -1, "slowest": -1}
+GREATEST = {"largest": 1, "greatest": 1, "highest": 1, "maximum": 1, "maximal": 1, "longest": 1, "fastest": 1}
+SUPERLATIVES = LEAST | GREATEST
 
 
 class When(Frozen):

@@ -6,10 +6,11 @@ import re
 from collections.abc import Iterable
 from contextlib import suppress
 
-from rbpsym.ask.answer import Found, found_of
+from rbpsym.ask.answer import found_of
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.extremes import Extreme, extremes
+from rbpsym.ask.found import Found
 from rbpsym.ask.lasting import asks, compared
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question, is_jump, read_question
 from rbpsym.ask.zeros import where_met, zeros
 from rbpsym.decide.assumptions import Assumptions

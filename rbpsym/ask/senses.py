@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.ask.answer import Answer
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.asked import Asked
+from rbpsym.ask.found import Answer
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError

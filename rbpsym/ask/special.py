@@ -8,10 +8,10 @@ from dataclasses import replace
 from typing import Any
 
 from rbpsym.ask.answer import found_of
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.limits import SMALL, Leading, leading, squeezed
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import AskedPhase, parameter, parts_seen, place_in, require_same, told
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol

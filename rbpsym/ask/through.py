@@ -6,9 +6,8 @@ from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.ask import optima
-from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding, checked, together
-from rbpsym.ask.question import read_question
+from rbpsym.ask.question import SUPERLATIVES, read_question
 from rbpsym.ask.seen import AskedPhase, moving, never_told, place_in, seen
 from rbpsym.ask.zeros import precedes, settled_sign, where_met
 from rbpsym.decide.verdict import undecided

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from fractions import Fraction
 
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.asked import Asked
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.expr.infix import read_infix

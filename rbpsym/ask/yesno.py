@@ -7,9 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from rbpsym.ask.conditions import of_chapter, rest_at, wanted
-from rbpsym.ask.critical import kept_said
 from rbpsym.ask.extremes import Extreme, least
-from rbpsym.ask.finding import Finding, checked
+from rbpsym.ask.finding import Finding, checked, kept_said
 from rbpsym.ask.seen import AskedPhase, moving, never_told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met

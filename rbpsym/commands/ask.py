@@ -10,8 +10,8 @@ import click
 from rbpsym.commands.arguments import name_argument
 
 if TYPE_CHECKING:
-    from rbpsym.ask.answer import Answer
-    from rbpsym.ask.moments import Asked
+    from rbpsym.ask.asked import Asked
+    from rbpsym.ask.found import Answer
     from rbpsym.ask.numbers import GivenNumbers
     from rbpsym.expr.glyphs import Notation
     from rbpsym.statement.model import Problem
@@ -39,7 +39,7 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     A question is a quantity, and when, where or as a function of what it is asked for: docs/ask.md has the
     whole grammar. In JSON, `answer` is text for sympy.sympify with the names that `symbols` tells.
     """
-    from rbpsym.ask.moments import Asked
+    from rbpsym.ask.asked import Asked
     from rbpsym.ask.numbers import read_numbers
     from rbpsym.commands.arguments import found, stated
     from rbpsym.errors import ReadError
@@ -66,8 +66,8 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
 
 def _told(asked: Asked, text: str, numbers: GivenNumbers | None) -> tuple[Answer | None, dict[str, Any]]:
     """The answer with its record; no answer where there is no closed form and numbers give the value."""
+    from rbpsym.ask.asked import NoClosedForm
     from rbpsym.ask.asking import answered
-    from rbpsym.ask.moments import NoClosedForm
     from rbpsym.ask.question import read_question
     from rbpsym.ask.telling import record, record_integrated
     from rbpsym.ask.units import in_letters

@@ -7,8 +7,8 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TypeGuard
 
-from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused
+from rbpsym.ask.found import Answer
 from rbpsym.document.chapters import ends
 from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section, Text
 from rbpsym.document.questions import question, spoken

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from rbpsym.ask.answer import Answer
+from rbpsym.ask.found import Answer
 from rbpsym.ask.telling import latex_of
 from rbpsym.decide.verdict import Verdict
 from rbpsym.document.notes import notation_of

@@ -8,7 +8,7 @@ from functools import wraps
 import pytest
 
 from rbpsym.ask import asking, branches, parameters
-from rbpsym.ask.answer import Answer
+from rbpsym.ask.found import Answer
 from tests.ask import law
 
 

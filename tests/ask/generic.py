@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.asked import Asked
 from rbpsym.errors import RbpsymError
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
+from rbpsym.ask.found import Answer
 from rbpsym.decide.verdict import all_of
 from rbpsym.expr import tree as t
 from rbpsym.field.calculus import depends_on, substitute

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rbpsym.ask.answer import Answer
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.found import Answer
 from rbpsym.ask.numbers import value_at
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.field.calculus import names_in

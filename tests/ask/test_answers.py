@@ -6,8 +6,8 @@ from functools import cache
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import is_zero

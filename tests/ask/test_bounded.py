@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.ask import asking
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.asked import Asked
 from rbpsym.errors import WorkSpent
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.statement.loader import load_text
 from tests.ask.test_unseen import HERE
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found

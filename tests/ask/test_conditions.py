@@ -5,8 +5,8 @@ from collections.abc import Iterable
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.errors import StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar

@@ -6,8 +6,8 @@ from functools import cache
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import LimitError, StatementError
 from rbpsym.expr import tree as t

@@ -10,8 +10,8 @@ import math
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered, ask
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import value_at
 from rbpsym.decide.equal import equal
 from rbpsym.errors import RbpsymError

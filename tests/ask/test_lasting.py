@@ -6,9 +6,9 @@ import re
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import ask
 from rbpsym.ask.integrated import integrated
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import read_question
 from rbpsym.decide.equal import equal
 from rbpsym.errors import StatementError

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import Refused, own_answers
 from rbpsym.ask.begun import needed
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding
 from rbpsym.ask.seen import scene
 from rbpsym.decide.verdict import proved

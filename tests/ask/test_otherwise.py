@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import read_infix

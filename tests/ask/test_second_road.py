@@ -6,8 +6,8 @@ from itertools import islice
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import scene
 from rbpsym.ask.special import special_problem
 from rbpsym.decide.equal import scalars_equal

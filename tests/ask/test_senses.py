@@ -4,8 +4,8 @@ import math
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered, ask
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import read_numbers
 from rbpsym.ask.telling import record
 from rbpsym.field.evaluate import scalar

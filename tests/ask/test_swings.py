@@ -9,8 +9,8 @@ import mpmath
 import pytest
 from scipy.integrate import solve_ivp
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.chapters import course
 from rbpsym.decide import enclosure
 from rbpsym.decide.signs import sign

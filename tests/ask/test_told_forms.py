@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_text
 from rbpsym.typeset.text import to_text

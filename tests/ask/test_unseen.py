@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 from scipy.optimize import linprog
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.undetermined import bearable
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.expr.infix import read_infix

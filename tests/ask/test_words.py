@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding, ground
-from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding
 from rbpsym.ask.words import SAID, doubts
 from rbpsym.field.scalar import symbol

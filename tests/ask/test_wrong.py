@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.loader import load_text
 from tests.ask.test_answers import asked

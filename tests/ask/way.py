@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rbpsym.ask.answer import Answer
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.found import Answer
 from rbpsym.errors import NoNumber, NotApplicable, RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix

@@ -5,8 +5,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from rbpsym.ask.answer import Answer
 from rbpsym.ask.asking import Refused, own_answers
+from rbpsym.ask.found import Answer
 from rbpsym.claims.loader import load_claims
 from rbpsym.claims.model import Result
 from rbpsym.claims.run import Certificates, check_claims

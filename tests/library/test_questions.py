@@ -2,7 +2,7 @@
 
 import pytest
 
-from rbpsym.ask.answer import Answer
+from rbpsym.ask.found import Answer
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar

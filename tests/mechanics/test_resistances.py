@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.ask.answer import Answer
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.found import Answer
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix

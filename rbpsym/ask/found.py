@@ -1,0 +1,98 @@
+"""What is found for a quantity, and the answer with its steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.ask.asked import Moment
+from rbpsym.ask.question import Question
+from rbpsym.decide.verdict import Verdict
+from rbpsym.errors import StatementError, there
+from rbpsym.expr import tree as t
+from rbpsym.field import Scalar, names_in
+from rbpsym.frozen import Frozen, field, replace
+from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.study import Study
+from rbpsym.present.forms import present
+from rbpsym.proof.step import Step
+from rbpsym.typeset.machine import to_machine
+
+
+class Found(Frozen):
+    """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
+    of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
+    it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
+    `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `places` that
+    follow from one of them; whether it is `constant`, as at the start; `since`: what it was at the moment from which a change
+    is counted, and the works of the phases between; `about`: how which mass is spread, about which point."""
+
+    study: Study
+    named: tuple[Scalar, ...]
+    values: tuple[Scalar, ...]
+    of: str = ""
+    moment: Moment | None = None
+    works: Mapping[str, tuple[Scalar, Scalar]] = field(default_factory=dict)
+    ways: Mapping[str, int] = field(default_factory=dict)
+    told: str = ""
+    asked: tuple[Demand, ...] = ()
+    speeds: Mapping[str, Scalar] = field(default_factory=dict)
+    kept: Mapping[str, Scalar] = field(default_factory=dict)
+    places: Mapping[str, Scalar] = field(default_factory=dict)
+    constant: bool = False
+    since: tuple[Found, ...] = ()
+    about: tuple[str, str | None] | None = None
+
+    @property
+    def then(self) -> Moment:
+        """The moment at which it is taken. Raises ValueError for what is told along the motion."""
+        return there(self.moment)
+
+
+class Answer(Frozen):
+    """The answer to a question: one value, or the components along x and y of a vector, as they are and as they are
+    printed; `holds`: of what they are functions; the conditions under which they hold; the steps from which they follow.
+
+    Of a parameter: the `symbol` that was asked for, its `relation` to the values, `each` with conditions of its own; a
+    sentence, yes or no (`holds_so`), the `equation` that it solves where that has no closed solution; `at`: where an
+    extremum lies; what is `given` for letters of the question itself; the `conclusion`, and the `grounds` on which rules
+    have checked it."""
+
+    question: Question
+    study: Study
+    values: tuple[Scalar, ...]
+    nodes: tuple[t.Node, ...]
+    verdict: Verdict
+    holds: str
+    valid: tuple[t.Node, ...] = ()
+    steps: tuple[Step, ...] = ()
+    symbol: str = ""
+    relation: str = "="
+    says: str = ""
+    holds_so: bool | None = None
+    each: tuple[tuple[t.Node, ...], ...] = ()
+    equation: t.Node | None = None
+    at: tuple[str, t.Node] | None = None
+    given: Mapping[str, str] = field(default_factory=dict)
+    conclusion: Step | None = None
+    grounds: tuple[Step, ...] = ()
+
+    @property
+    def value(self) -> Scalar:
+        """The value. Raises StatementError for a vector."""
+        if len(self.values) == 1:
+            return self.values[0]
+        raise StatementError(f"“{self.question.quantity}” is a vector", instead="ask for its magnitude or a component.")
+
+    @property
+    def text(self) -> str:
+        """The value as text that Python and sympy read, as printed if that has no letters of its own; a vector as a pair."""
+        style = replace(self.study.style, tangents=False)
+        pairs = list(zip(self.nodes, self.values, strict=False))
+        is_plain = len(self.nodes) == len(self.values) and all(t.names(node) <= names_in(value) | {"pi"} for node, value in pairs)
+        texts = [to_machine(node if is_plain else present(value, style)) for node, value in pairs]
+        return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
+
+    @property
+    def is_angle(self) -> bool:
+        """Is it asked for an angle: a coordinate that is one, or a direction?"""
+        return self.question.is_direction or self.question.quantity in {c.name for c in self.study.problem.coordinates}
