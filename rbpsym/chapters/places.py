@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.expr import tree as t
-from rbpsym.field import Meanings, Scalar, Vector, depends_on, time_derivative
+from rbpsym.field import NOTHING, Meanings, Scalar, Vector, depends_on, is_zero, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import vector_rate
@@ -225,6 +225,12 @@ def _solved_already(statement: t.Node) -> list[str]:
 
 
 def _way(draft: Draft, name: str) -> str:
-    """How it was found: by integrating a condition on the speeds, by one on the place, or by forces that balance."""
-    held = [c for c in draft.study.system.conditions if depends_on(c.value, name)]
-    return "rate" if any(c.what == RATE for c in held) else "place" if held else "balance"
+    """How it was found: by integrating a condition on the speeds (from the start, or with zero for the constant), by one on
+    the place, or by forces that balance."""
+    system = draft.study.system
+    held = [c for c in system.conditions if depends_on(c.value, name)]
+    if not any(c.what == RATE for c in held):
+        return "place" if held else "balance"
+    declared = next(c.start for c in draft.study.problem.coordinates if c.name == name)
+    begins = substitute(system.dependent[name], {**system.scope.start, "t": NOTHING})
+    return "rate" if declared is not None or is_zero(begins) else "zero"

@@ -182,7 +182,7 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
             alike = [step for step in group if (step.slots.get("variant") == "balance") is balances]
             tied = [step.slots["coordinate"] for step in alike if "coordinate" in step.slots]
             ways = {step.slots.get("variant") for step in alike}
-            way = next((way for way in ("balance", "rate") if way in ways), "place")
+            way = next((way for way in ("balance", "rate") if way in ways), "rate" if "zero" in ways else "place")
             manner = {"variant": way} if kind == "dependent" else {}
             yield from teller.together(alike, f"kinematics.{kind}_many", coordinates=tied, **manner)
 

@@ -69,9 +69,10 @@ def words(text: str) -> Inlines:
 
 
 class Paragraph(Frozen):
-    """A paragraph of prose."""
+    """A paragraph of prose; one that says what a problem asks stands on slides too."""
 
     inlines: Inlines
+    is_question: bool = False
 
 
 class Display(Frozen):

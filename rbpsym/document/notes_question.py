@@ -14,6 +14,7 @@ from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemLis
 from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
 from rbpsym.document.translated import translated
+from rbpsym.document.used import led_to
 from rbpsym.document.words import Words, capital, sentences
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import RELATION_SIGNS
@@ -52,7 +53,8 @@ def _lettered(found: Answer) -> tuple[Step, ...]:
         if not isinstance(left, t.Pow) or not isinstance(left.base, t.Sym) or left.exponent != t.TWO:
             continue
         if t.names(square) == t.names(found.nodes[0]) and is_zero(scalar(found.nodes[0]) ** 2 - scalar(square)):
-            slots = {key: left.base if slot == told.items[0] else slot for key, slot in last.slots.items()}
+            named = {key: [left.base] if slot == [told.items[0]] else slot for key, slot in last.slots.items()}
+            slots = {key: left.base if slot == told.items[0] else slot for key, slot in named.items()}
             return (*before, replace(last, statement=t.equation(left.base, told.items[-1]), slots=slots))
     return found.steps
 
@@ -66,7 +68,7 @@ def asked(answers: tuple[Found, ...], stated: Mapping[int, Ref], said: Words) ->
     if len(items) > MOST_ASKED:
         yield from (Paragraph(said.say("question.intro")), ItemList(tuple(items)))
     elif items:
-        yield Paragraph(said.say("question.asked", questions=items))
+        yield Paragraph(said.say("question.asked", questions=items), is_question=True)
 
 
 def _stated(found: Found, shown: Mapping[t.Node, Inline]) -> Ref | None:
@@ -154,7 +156,7 @@ def answer_section(
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
         stated |= {number: mark} if (mark := _stated(found, shown)) else {}
         road += _outcome(found, said, () if _states(found) else _box(found), alone=not together)
-        head = [Paragraph((Emph(capital(question(text_of(found), said))),))] if road else []
+        head = [Paragraph((Emph(capital(question(text_of(found), said))),), is_question=True)] if road else []
         blocks += [*head, *road]
     if together and blocks:
         steps = [step for found in answers if isinstance(found, Answer) for step in found.steps]
@@ -174,11 +176,12 @@ def text_of(found: Found) -> str:
 def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[Block]:
     """The steps beyond what is told; adds to what is shown."""
     last = found.steps[-1:] if _states(found) else ()
-    before = [replace(step, is_result=False) for step in found.steps[: len(found.steps) - len(last)]]
+    equal = {step.id for step in _equal(found)}
+    led = led_to(found.steps, equal or [step.id for step in last]) | {step.id for step in last or found.steps}
+    before = [replace(step, is_result=False) for step in found.steps if step.id in led and step not in last]
     rows = ((step.id, row) for step in before for row in (ends(step.statement), *_by_name(step)))
     known = {id: shown[row] for id, row in rows if row in shown}
     new = [*(step for step in before if step.id not in known), *last]
-    equal = {step.id for step in _equal(found)}
     if any(step.id in equal for step in new):
         new = new[:-1]  # what is asked has its name already
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
@@ -238,7 +241,7 @@ def _beside(found: Answer, said: Words) -> Iterator[Inlines]:
         yield spoken(f"{says[0].upper()}{says[1:].rstrip('.')}.", said)
     if found.equation is not None:
         yield said.say("question.solves", name=t.Sym(found.symbol), equation=t.equation(found.equation, t.ZERO))
-    if found.at is not None and found.at[0] != found.symbol:
+    if found.at is not None and found.at[0] != found.symbol and found.at[1] not in found.nodes:
         yield said.say("question.there", place=t.equation(t.Sym(found.at[0]), found.at[1]))
     for node, conditions in zip(found.nodes, found.each, strict=False):
         if conditions:

@@ -103,7 +103,8 @@ def line_equation(line: Line) -> t.Node:
     x, y = t.Sym("x"), t.Sym("y")
     if line.b == t.ONE and line.a != t.ZERO:
         return t.equation(y, t.add(t.mul(x, t.neg(line.a)), line.c))
-    return t.equation(t.add(t.mul(line.a, x), t.mul(line.b, y)), line.c)
+    pairs = ((a, b) if not any(isinstance(part, t.Fn) for part in t.walk(a)) else (b, a) for a, b in ((line.a, x), (line.b, y)))
+    return t.equation(t.add(*(t.mul(*pair) for pair in pairs)), line.c)  # x sin β, but 2 x
 
 
 def _is_below(line: Line, pose: DrawnPose) -> bool:

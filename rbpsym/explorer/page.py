@@ -29,7 +29,7 @@ from rbpsym.languages import part_of
 from rbpsym.mechanics.arrivals import of_coordinate
 from rbpsym.mechanics.endings import gap
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.numbers import bound, number, sample
+from rbpsym.mechanics.numbers import angles, bound, number, sample
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.figures.outlines import OUTLINES
@@ -37,7 +37,7 @@ from rbpsym.pictures.figures.scene import COLORS
 from rbpsym.quantities import ENERGY, NUMBER, TIME, Dimension, Quantity
 from rbpsym.statement import units
 from rbpsym.statement.curves import is_slot
-from rbpsym.statement.model import Body, Coordinate, Element, Problem
+from rbpsym.statement.model import Coordinate, Element, Problem
 from rbpsym.statement.units import unit_text
 
 # --- a problem as the explorer has it: data for JSON, and the functions of its phases as JavaScript
@@ -310,27 +310,3 @@ def _open_starts(study: Study, numbers: Mapping[str, float]) -> Iterator[Slider]
             found = _start(start_name(coordinate.name), coordinate, own)
             at = t.At(t.Sym(coordinate.name), t.equation(t.Sym("t"), t.ZERO))
             yield replace(found, symbol=at)
-
-
-def angles(problem: Problem) -> frozenset[str]:
-    """Names that stand under a sine, cosine or tangent anywhere in the statement."""
-    nodes = [node for body in problem.bodies for node in _body_nodes(body)]
-    nodes += [node for e in problem.elements for node in _element_nodes(e)]
-    turned = [part.arg for node in nodes for part in t.walk(node) if isinstance(part, t.Fn) and part.name in TURNS]
-    found = {leaf.name for arg in turned for leaf in t.walk(arg) if isinstance(leaf, t.Sym)}
-    return frozenset(found | {name for name, text in problem.example.items() if str(text).endswith(("deg", "°"))})
-
-
-TURNS = frozenset({"sin", "cos", "tan"})
-
-
-def _body_nodes(body: Body) -> list[t.Node]:
-    placed = list(body.placed[1]) if body.placed else []
-    return [*placed, *([body.angle] if body.angle is not None else [])]
-
-
-def _element_nodes(element: Element) -> Iterator[t.Node]:
-    for value in element.values.values():
-        line = (value.a, value.b, value.c) if hasattr(value, "a") and hasattr(value, "c") else ()
-        parts = value if isinstance(value, tuple) else (value, *line)
-        yield from (part for part in parts if isinstance(part, t.Node))

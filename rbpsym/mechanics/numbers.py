@@ -7,17 +7,17 @@ Used for drawing, for the simulation and to choose between two equally valid con
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from typing import Any
 
 from rbpsym.errors import NoNumber, RbpsymError, there
-from rbpsym.expr.tree import Node
+from rbpsym.expr.tree import Fn, Node, Sym, walk
 from rbpsym.field import ONE, Poly, Scalar, atoms
 from rbpsym.field.elliptic import FUNCTIONS
 from rbpsym.field.evaluate import scalar
-from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
-from rbpsym.statement.model import Coordinate, Problem
-from rbpsym.statement.units import unit_named
+from rbpsym.quantities import ACCELERATION, ENERGY, NUMBER, Dimension, Quantity
+from rbpsym.statement.model import Coordinate, Element, Problem
+from rbpsym.statement.units import unit_named, unit_of
 
 Numbers = Mapping[str, float]
 
@@ -201,3 +201,29 @@ def floating(value: Scalar, numbers: Numbers) -> float:
     except NoNumber:
         return float("nan")
     return 0.0 if abs(found) < 1e-12 else found
+
+
+def angles(problem: Problem) -> frozenset[str]:
+    """Names that stand under a sine, cosine or tangent of the statement, are given in degrees, or are starts of angles."""
+    nodes = [node for body in problem.bodies for node in (*(body.placed[1] if body.placed else ()), body.angle) if node]
+    nodes += [node for element in problem.elements for node in _nodes_of(element)]
+    turned = [part.arg for node in nodes for part in walk(node) if isinstance(part, Fn) and part.name in TURNS]
+    found = {leaf.name for arg in turned for leaf in walk(arg) if isinstance(leaf, Sym)}
+    found |= {c.start.name for c in problem.coordinates if isinstance(c.start, Sym) and c.quantity.dimension == NUMBER}
+    return frozenset(found | {name for name, text in problem.example.items() if str(text).endswith(("deg", "°"))})
+
+
+TURNS = frozenset({"sin", "cos", "tan"})
+
+
+def _nodes_of(element: Element) -> Iterator[Node]:
+    for value in element.values.values():
+        line = (value.a, value.b, value.c) if hasattr(value, "a") and hasattr(value, "c") else ()
+        yield from (part for part in (value if isinstance(value, tuple) else (value, *line)) if isinstance(part, Node))
+
+
+def unit_of_given(name: str, dimension: Dimension, turned: Set[str]) -> str:
+    """The unit of a constant that is given: degrees for an angle; that of an energy is that of a torque."""
+    if dimension == NUMBER:
+        return "deg" if name in turned else ""
+    return unit_of(dimension, "torque" if dimension == ENERGY else "")

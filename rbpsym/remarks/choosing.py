@@ -21,7 +21,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import ZERO
 from rbpsym.field import NOTHING, Scalar, Vector, at_most, depends_on, derivative, is_zero, names_in, short, substitute, symbol
-from rbpsym.frozen import Frozen
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
 from rbpsym.present.forms import present
@@ -74,6 +74,8 @@ def _limit(result: BoxedResult, name: str, key: str, slots: Mapping[str, object]
     """The limit where it is finite and not zero, and still a function of the same coordinates."""
     if not depends_on(result.value, name) or squeezed(result.value, name, NOTHING, result.given):
         return
+    if any(depends_on(value, name) and _turns_negative(value, name, result.given) for value in result.kept):
+        return  # with a friction couple C no bucket sinks for m -> 0, where m g R > C
     found = leading(result.value, name, NOTHING, result.given)
     moving = {*result.study.system.scope.rates, *(c.name for c in result.study.problem.coordinates)}
     if found is None or found.order != 0 or moving & (names_in(result.value) - names_in(found.coefficient)):
@@ -87,6 +89,11 @@ def _limit(result: BoxedResult, name: str, key: str, slots: Mapping[str, object]
     verdict = checked("limit", **data)["verdict"]
     value = present(neat(found.coefficient, result.given), result.study.style, factor=True)
     yield Made(key, {"quantity": result.name, "name": t.Sym(name), "value": value, **slots}, verdict, (key, name))
+
+
+def _turns_negative(value: Scalar, name: str, given: Assumptions) -> bool:
+    found = leading(value, name, NOTHING, given)
+    return found is not None and sign(found.coefficient, given).kind == "negative"
 
 
 MOST: Mapping[str, int | None] = {"brief": 2, "standard": 3, "full": None}  # remarks on a result
@@ -154,6 +161,7 @@ class BoxedResult(Frozen):
     study: Study
     name: t.Node
     value: Scalar
+    kept: tuple[Scalar, ...] = ()  # what is not negative as long as the derivation holds
 
     @property
     def given(self) -> Assumptions:
@@ -171,10 +179,15 @@ class BoxedResult(Frozen):
 
 def results(derivation: Derivation) -> Iterator[BoxedResult]:
     """The results of a derivation that give a quantity which is not zero, as a function of the place or of the state."""
+    certificates = (step.certificate for step in derivation.steps if step.certificate)
+    duties = (duty.relation for certificate in certificates for duty in certificate.verdict.open_obligations)
+    chains = (node for node in duties if isinstance(node, t.Chain))
+    signs = {node.items[0] for node in chains if node.ops[0] in (">", ">=") and node.items[-1] == ZERO}
+    kept = tuple(value for value in map(derivation.letters.value, signs) if isinstance(value, Scalar))
     for step in derivation.steps:
         found = result_of(step, derivation)
         if found is not None:
-            yield found
+            yield replace(found, kept=kept)
 
 
 def result_of(step: Step, derivation: Derivation) -> BoxedResult | None:
@@ -261,7 +274,9 @@ def monotone(result: BoxedResult) -> Iterator[Made]:
     grow, fall = ([t.Sym(name) for name, way in ways.items() if way == wanted] for wanted in ("positive", "negative"))
     key = {(True, True): "both", (True, False): "grows", (False, True): "falls"}.get((bool(grow), bool(fall)))
     if key:
-        slots = {"quantity": result.name, "grow": grow, "fall": fall}
+        size = sign(result.value, result.given)
+        variant = "plain" if size.kind == "positive" else "size" if size.is_nonzero else "other"
+        slots = {"quantity": result.name, "grow": grow, "fall": fall, "variant": variant}
         told = ("monotone", *(f"{name}{way}" for name, way in ways.items() if way))
         yield Made(f"remark.{key}", slots, proved("the sign of its logarithmic derivative"), told)
 

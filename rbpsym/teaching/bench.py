@@ -82,11 +82,17 @@ class ProblemBench(Frozen):
         by_id = {s.id: s for s in self.derivation.steps}
         kept, front = [step], [step]
         while front and len(kept) < most:
-            near = [p for id in front for p in by_id[id].reasons if p not in kept]
+            near = [p for id in front for p in needed(by_id[id]) if p not in kept]
             front = list(dict.fromkeys(near))[: most - len(kept)]
             kept += front
         order = [s.id for s in self.derivation.steps]
         return tuple(by_id[id] for id in sorted(kept, key=order.index))
+
+
+def needed(step: Step) -> tuple[str, ...]:
+    """The steps without which one does not follow: what is solved or put in is all there, of others what they tell of too."""
+    own = tuple(id for id in step.reasons if id in step.premises)
+    return own if own and step.rule in ("solution", "substitution") else step.reasons
 
 
 class ItemSetting(Frozen):

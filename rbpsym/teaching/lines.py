@@ -10,7 +10,7 @@ from rbpsym.expr.places import Path, put
 from rbpsym.frozen import Frozen
 from rbpsym.proof.draft import length
 from rbpsym.proof.step import STANDARD, Step
-from rbpsym.teaching.bench import ProblemBench
+from rbpsym.teaching.bench import ProblemBench, needed
 from rbpsym.teaching.model import LinePiece, blank
 from rbpsym.teaching.spoilers import meaning
 
@@ -39,11 +39,12 @@ LARGEST_BLANK = 40  # parts of a formula that one has to write
 
 
 def lines_to(bench: ProblemBench, step: str, most: int) -> tuple[Step, ...]:
-    """The steps that lead to a step, those that a lecture would show, each line once, at most so many."""
+    """The steps that lead to a step, those that a lecture would show, each line once, at most so many; not the ledger of all
+    forces, with their torques about every point."""
     found = bench.way_to(step, 3 * most)
     first: dict[t.Node, Step] = {}
     for s in found:
-        if s.level <= STANDARD and s.rule not in ("constraint", "statement"):
+        if s.level <= STANDARD and s.rule not in ("constraint", "statement") and s.chapter != "forces":
             first.setdefault(s.statement, s)
     return tuple(first.values())[-most:]
 
@@ -63,7 +64,7 @@ def precedence(bench: ProblemBench, ids: list[str]) -> set[tuple[int, int]]:
 def _ancestors(by_id: Mapping[str, Step], id: str) -> Iterator[str]:
     seen, front = set(), [id]
     while front:
-        for premise in by_id[front.pop()].reasons:
+        for premise in needed(by_id[front.pop()]):
             if premise not in seen:
                 seen.add(premise)
                 front.append(premise)

@@ -6,7 +6,7 @@ Without a wish of the worksheet they lie around the author's example (else aroun
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Set
 from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from fractions import Fraction
 
@@ -14,7 +14,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.numbers import sample
+from rbpsym.mechanics.numbers import angles, sample, unit_of_given
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.source import SourceItem, SourceTable, kind_of
@@ -152,28 +152,23 @@ def named_quantities(problem: Problem) -> Mapping[str, Dimension]:
 def default_ranges(problem: Problem) -> dict[str, NumberRange]:
     """A range for each constant of a problem, around its example."""
     generic = sample(problem)
-    starts = {c.start.name for c in problem.coordinates if isinstance(c.start, t.Sym)}
+    turned = angles(problem)
     return {
-        name: _around(name, dimension, problem, generic, name in starts)
+        name: _around(name, dimension, problem, generic, turned)
         for name, dimension in named_quantities(problem).items()
     }
 
 
-def _around(name: str, dimension: Dimension, problem: Problem, generic: Mapping[str, float], is_start: bool) -> NumberRange:
+def _around(name: str, dimension: Dimension, problem: Problem, generic: Mapping[str, float], turned: Set[str]) -> NumberRange:
     text = str(problem.example.get(name, ""))
     if text:
         measure = read_measure(text, dimension, f"the example of “{name}”")
     else:
-        measure = _generic(generic.get(name, 1.0), dimension, is_start)
+        value, unit = generic.get(name, 1.0), unit_of_given(name, dimension, turned)
+        measure = Measure(Fraction(round(math.degrees(value))) if unit == "deg" else Fraction(Decimal(f"{value:.2g}")), unit)
     if dimension == ACCELERATION or not measure.value:
         return NumberRange(measure.value, measure.value, Fraction(0), measure.unit)
     return spread(measure)
-
-
-def _generic(value: float, dimension: Dimension, is_start: bool) -> Measure:
-    if dimension == NUMBER and is_start:
-        return Measure(Fraction(round(math.degrees(value))), "deg")
-    return Measure(Fraction(Decimal(f"{value:.2g}")), unit_of(dimension))
 
 
 def spread(measure: Measure) -> NumberRange:

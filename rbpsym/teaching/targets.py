@@ -355,10 +355,12 @@ def _answer(study: Study, text: str) -> Scalar | None:
 
 def _own_name(study: Study, text: str) -> str:
     """The name of what is asked for, if it has one: a force, a coordinate, its rates."""
-    named = getattr(found_in(study, text), "named", ())
+    found = found_in(study, text)
+    named = getattr(found, "named", ())
     system = study.system
     names = (*system.unknowns, *system.accelerations, *(f"{c}{rate}" for c in system.coordinates for rate in ("", "_dot")))
-    return next((name for name in names if named == (symbol(name),)), "")
+    given = (q.name for q in study.problem.parameters if q.name == getattr(found, "symbol", ""))
+    return next((name for name in names if named == (symbol(name),)), next(given, ""))
 
 
 # steps by which a later phase begins: how what they tell is asked for

@@ -1,16 +1,16 @@
 // The problems that ship, as cards with their drawings, which are made as they come into sight; and one to begin anew from.
 import { say } from "./words.js";
 
-/** A problem to begin from: it is derived as it stands. */
-const NEW = `title = "My problem"
+/** A problem to begin from, in the words of the page: it is derived as it stands. */
+const fresh = () => `title = "${say("new.title")}"
 
 [parameters]
-M   = "mass: mass of the rod"
-ell = "length: length of the rod"
-g   = "acceleration: acceleration of gravity"
+M   = "mass: ${say("new.mass")}"
+ell = "length: ${say("new.length")}"
+g   = "acceleration: ${say("new.gravity")}"
 
 [coordinates.theta]
-meaning = "angle of the rod from the downward vertical"
+meaning = "${say("new.angle")}"
 start   = "theta_0"
 range   = ["-pi", "pi"]
 
@@ -50,7 +50,6 @@ export function shelf(el, picture, started, began) {
     if (name) seen.observe(one);
     return one;
   };
-  const fresh = () => card("", say("new"), say("new.about"), () => began(NEW));
   $("gallery").onclick = () => { $("shelf").showModal(); $("wanted").focus(); };
   $("close").onclick = () => $("shelf").close();
   $("wanted").oninput = () => {
@@ -59,7 +58,7 @@ export function shelf(el, picture, started, began) {
     $("found").textContent = say("found", { count: [...$("cards").children].filter((one) => !one.hidden).length });
   };
   return (problems) => {
-    $("cards").replaceChildren(fresh(), ...problems.map((one) => card(one.name, one.title, [one.topic, one.level].filter(Boolean).join(" · "), () => started(one.name))));
+    $("cards").replaceChildren(card("", say("new"), say("new.about"), () => began(fresh())), ...problems.map((one) => card(one.name, one.title, [one.topic, one.level].filter(Boolean).join(" · "), () => started(one.name))));
     $("wanted").oninput();
   };
 }

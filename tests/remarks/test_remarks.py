@@ -289,3 +289,24 @@ def test_no_limit_is_told_to_which_the_declared_ranges_leave_no_way():
     assert told == ["M"]
     with pytest.raises(StatementError, match="no value in its declared range"):
         ask(problem, "acceleration of y for m >> M")
+
+
+def test_no_limit_in_which_the_condition_of_the_motion_fails() -> None:
+    """A bucket sinks against a friction couple C as long as m g R > C, which no m -> 0 leaves (it was told to rise then)."""
+    found = derive(load_text(WINDLASS, "windlass"), simulation=False)
+    steps = (step for rows in remarks(found, "full")[0].values() for step in rows if "name" in step.slots)
+    told = [(step.phrase, step.slots["name"].name) for step in steps]
+    assert ("remark.much", "M") in told and ("remark.much", "m") not in told
+
+
+WINDLASS = """
+parameters = { m = "mass", M = "mass", R = "length", C = "torque", h = "length", g = "acceleration" }
+coordinates.y = { dimension = "length", start = "h" }
+coordinates.phi = {}
+bodies.drum = { shape = "disk", mass = "M", radius = "R", center = "O", angle = "phi" }
+bodies.bucket = { shape = "particle", mass = "m", center = ["-R", "y - 2*h"] }
+interactions.W = { type = "gravity" }
+interactions.C_b = { type = "resisting-couple", between = ["ground", "drum"], size = "C", sense = "ccw" }
+constraints.F = { type = "pivot", point = "drum.center" }
+constraints.T = { type = "string", path = ["ccw drum", "bucket.center"] }
+"""

@@ -17,7 +17,7 @@ from rbpsym.teaching.plan import plan_of
 from rbpsym.teaching.ranges import measure_text
 from rbpsym.typeset.text import to_text
 
-SOURCES = ["rod-and-disk-fixed", "sliding-ladder", "rod-and-disk-free", "works-that-cancel", "spin-part", "falling-spool"]
+SOURCES = ["rod-and-disk-fixed", "sliding-ladder", "rod-and-disk-free", "works-that-cancel", "spin-part", "half-ring-rocking"]
 OTHER = t.Mul((t.Num(17), t.Sym("g")))
 FLIPPED = {"+": "-", "-": "0", "0": "+"}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from rbpsym.chapters import momentum
 from rbpsym.chapters.forces import force_node, name_node
@@ -179,11 +179,18 @@ def _conserved(draft: Draft, value: Scalar) -> None:
         t.equation(*items),
         phrase,
         is_result=True,
-        premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
+        premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless."))), *_works_beside(draft)],
         data={"value": value},
         ideal=[name_node(draft, name) for name in ideal],
         variant={0: none, 1: "one"}.get(len(ideal), "many"),
     )
+
+
+def _works_beside(draft: Draft) -> Iterator[str]:
+    """The works that stand in the energy as their forces have no potential one and do not drop out: of a friction couple."""
+    told = {name for name, value in energy.potentials(draft.study.system).items() if value is not None}
+    told |= {name for name, is_ideal in draft.study.dynamics.workless.items() if is_ideal}
+    return (f"work.{i.force}.{i.on}" for i in draft.study.works if i.force not in told)
 
 
 def _as_sum(draft: Draft) -> t.Node:

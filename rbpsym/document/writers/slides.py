@@ -47,7 +47,9 @@ class _Counter:
 def _gathered(part: list[d.Section]) -> Iterator[d.Section]:
     blocks = [block for section in part if not section.label.endswith(NEVER) for block in _wanted(section)]
     kept = _kept(blocks, {id(block) for section in part if section.label.endswith(MOTION) for block in section.blocks})
-    yield replace(part[0], blocks=tuple(block for k, block in enumerate(blocks) if k in kept))
+    found = tuple(block for k, block in enumerate(blocks) if k in kept)
+    is_bare = all(isinstance(block, d.Paragraph) for block in found) and any(isinstance(block, d.Display) for block in blocks)
+    yield replace(part[0], blocks=() if is_bare else found)  # words that lead to formulas which are not shown
 
 
 def _wanted(section: d.Section) -> Iterable[d.Block]:
@@ -64,7 +66,7 @@ def _kept(blocks: list[d.Block], motion: set[int]) -> set[int]:
     begins = blocks and isinstance(blocks[0], d.Paragraph) and not isinstance(blocks[min(1, len(blocks) - 1)], d.Display)
     kept = {0} if begins else set()
     for k, block in enumerate(blocks):
-        if isinstance(block, SHOWN):
+        if isinstance(block, SHOWN) or (isinstance(block, d.Paragraph) and block.is_question):
             kept.add(k)
         if isinstance(block, d.Display) and (block.boxed or (block.is_result and id(block) in motion)):
             lead = k - 1 if k and isinstance(blocks[k - 1], d.Paragraph) else k

@@ -9,7 +9,7 @@ from fractions import Fraction
 from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.numbers import sample
+from rbpsym.mechanics.numbers import angles, sample
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
 from rbpsym.statement.units import unit_of, unit_text
@@ -95,16 +95,16 @@ def told_numbers(problem: Problem, found: Scales, decimal: str = ".") -> Iterato
     if not found.base:
         yield from (example(name, text, decimal) for name, text in problem.example.items())
         return
-    names = {quantity.dimension: quantity.name for quantity in found.base}
+    turned = angles(problem)
     for quantity in problem.parameters:
         if quantity in found.base or quantity.name not in found.numbers:
             continue
         value = found.numbers[quantity.name]
-        if quantity.dimension == NUMBER:
-            yield t.equation(t.Sym(quantity.name), rounded(value))
-        elif quantity.dimension in names:
-            name = names[quantity.dimension]
-            yield t.equation(t.Sym(quantity.name), t.mul(rounded(value / found.numbers[name]), t.Sym(name)))
+        if quantity.dimension == NUMBER and quantity.name in turned:
+            yield example(quantity.name, f"{value / DEGREE:.3g} deg", decimal)
+        else:
+            unit = Scale(1.0) if quantity.dimension == NUMBER else found.of(quantity.dimension)
+            yield t.equation(t.Sym(quantity.name), t.mul(rounded(value / unit.size), unit.node or t.ONE))
 
 
 def rounded(value: float) -> t.Num:

@@ -31,7 +31,7 @@ def _force_sign(study: Study) -> Iterator[Site]:
         name = element.name
         if element.kind != "gravity":  # see “weight-sign”
             pushes = any(force.vector for force in study.system.named(name))
-            slots = {"force": t.Vec(name), "variant": "force" if pushes else "couple"}
+            slots = {"force": t.Vec(name) if pushes else t.Sym(name), "variant": "force" if pushes else "couple"}
             yield Site(slots, partial(change.with_force, study, name, change.opposite))
 
 

@@ -274,9 +274,12 @@ LONGEST = 60
 
 
 def file_stem(worksheet: Worksheet) -> str:
-    """`name` or `name-student`, without anything that a file system or a shell takes amiss."""
-    student = worksheet.student
-    return worksheet.name if student is None else f"{safe(worksheet.name)}-{own(student.id)}"
+    """`name` or `name-student`, without anything that a file system or a shell takes amiss; what is called as its problem is
+    `name-worksheet`: the notes of that are `name` in the same folder."""
+    name, student = worksheet.name, worksheet.student
+    if student is not None:
+        return f"{safe(name)}-{own(student.id)}"
+    return f"{name}-worksheet" if name in worksheet.problems else name
 
 
 def own(id: str) -> str:

@@ -40,7 +40,8 @@ def section(part: Section, page: Page) -> str:
         return titled_section(part, page)
     text = blocks(part.blocks, page)
     is_kept = bool(part.blocks) and isinstance(part.blocks[0], Lead) and fits_a_page(part.blocks)
-    return f"#block(breakable: false, width: 100%, above: 1.5em)[\n{text}\n]" if is_kept else text
+    room = 1 + sum(block.height for block in part.blocks if isinstance(block, EmptySpace))  # a share of what the page leaves
+    return f"#block(breakable: false, width: 100%, above: 1.5em)[\n{text}\n]\n#v({room}fr)" if is_kept else text
 
 
 def lead(block: Lead, page: Page) -> str:

@@ -216,11 +216,15 @@ def _anticipated(bench: ProblemBench, step: Step, gap: Gap) -> tuple[Anticipated
 def _lines(
     bench: ProblemBench, setting: ItemSetting, steps: tuple[Step, ...], statements: Mapping[str, t.Node], reasons: bool
 ) -> Iterator[Block]:
-    for step in steps:
-        why = sentence(bench, step, setting.said) if reasons else ()
+    for before, step in zip(("", *(step.id for step in steps)), steps, strict=False):
+        is_said = step.phrase not in GOES_ON or before in step.reasons
+        why = sentence(bench, step, setting.said) if reasons and is_said else ()
         if why:
             yield Paragraph(why)
         yield Display(statements[step.id], numbered=False)
+
+
+GOES_ON = ("kinematics.velocity", "kinematics.speed")  # “its time derivative”: of the line before
 
 
 # --- explain: an open question about a step, with a rubric of what the derivation uses there
@@ -241,7 +245,8 @@ def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[
     """One item a step that has a reason and premises; `about` names ids of steps."""
     struck = is_struck(bench.derivation)  # of a motion that ends at its start only what is true of each state
     reasoned = (s for s in bench.derivation.steps if _interest(s) and (s.rule in KEPT or _premises(bench, s)))
-    steps = [s for s in reasoned if not struck or s.chapter in STATES]
+    given = () if bench.study.system.independent else ("work", "energy")  # of a motion that is given its forces are asked about
+    steps = [s for s in reasoned if s.chapter not in given and (not struck or s.chapter in STATES)]
     named = [s for s in steps if not wish.about or any(s.id == a or s.id.startswith(f"{a}.") for a in wish.about)]
     if not named and wish.at is not None:
         ids = ", ".join(s.id for s in steps)
@@ -301,9 +306,10 @@ def _rubric(setting: ItemSetting, step: Step, premises: list[Step], points: Frac
 
 
 def _that_counts(premise: Step, step: Step) -> t.Node:
-    """The rows of a premise that a step is about: of both works of a force only that of the half of which it speaks."""
+    """The rows of a premise that a step is about: of both works of a force only that of the half of which it speaks, of a
+    force in the ledger what it is, and not its torques about points of which there is no talk."""
     told = _halves(step.statement)
-    rows = [row for row in t.rows(premise.statement) if _halves(row) <= told]
+    rows = [row for row in t.rows(premise.statement) if _halves(row) <= told][: 1 if premise.chapter == "forces" else None]
     return t.Relations(tuple(rows)) if len(rows) > 1 else rows[0] if rows else premise.statement
 
 
