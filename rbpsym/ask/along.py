@@ -79,7 +79,7 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     letter for what it is a function of, the question when, or where, that has this value, and what the letter is; None for
     another question."""
     said = CONVERSE.fullmatch(text)
-    if said is None:
+    if said is None or said[3] == "t":
         return None
     world = asked.world(asked.lasting)
     moves = names_in(world.dependent.get(said[3], symbol(said[3]))) & {*world.motion.scope.rates}

@@ -234,7 +234,7 @@ def _direction(draft: Draft, question: Question, found: Found) -> tuple[Step, tu
             raise StatementError(f"which way “{question.quantity}” points is not decided", instead="ask for it itself.")
         angle, asked = PI / 2 * (1 if side == "positive" else -1), list[Demand]()
     else:
-        way = {"positive": 1, "negative": -1}.get(kind or "") or (1 if number(x, sample(draft.study.problem)) > 0 else -1)
+        way = sign(x, draft.study.assumptions).sense or (1 if number(x, sample(draft.study.problem)) > 0 else -1)
         angle, asked = function("atan", y / x) + (NOTHING if way > 0 else PI), [Demand(x * way)]
     letter = draft.define(draft.free("varphi"), angle)
     step = draft.add("direction", "direction", t.equation(letter, draft.show(angle)), "ask.there", premises=["answer"],

@@ -38,6 +38,8 @@ def by_time(asked: Asked, when: When, place: int | None, manner: str = "") -> Mo
     with suppress(NotApplicable):
         if name == "t":
             return at_time(asked, asked.meant(place), instant(world, when.words[1]), manner)
+        if name.removesuffix("_dot") not in {*world.coordinates, *world.study.system.unknowns}:
+            return None
         value = NOTHING if when.kind in ("rests", "vanishes") else scalar(read_infix(when.words[1], world.names))
         found = reached(asked, asked.meant(place), f"{name}_dot" if when.kind == "rests" else name, value, manner)
         return replace(found, state=clear(world.study, found.state))

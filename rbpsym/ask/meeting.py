@@ -26,10 +26,27 @@ LENGTH = re.compile(
 )
 
 
+MOVES = re.compile(
+    r"\b(until|when|where|once) (?:the )?((angular )?(?:speed|velocity) of (?:the )?(\w+)) "
+    r"(?:=|reaches|is|equals|is equal to) (?:the )?(.+)$"
+)
+TOGETHER = re.compile(
+    r"\b(until|when|where|once) (?:the )?(\w+) and (?:the )?(\w+) (?:have|(?:turn|rotate) (?:with|at)) (?:the same|equal) "
+    r"angular (?:velocity|speed|velocities|speeds)$"
+)
+
+
 def met(asked: Asked, text: str) -> str:
-    """The question with “where x = VALUE” for “where BODY meets BODY”, or “where elongation of S = VALUE”; as it is if it says no
-    such thing."""
+    """The question with “where x = VALUE” for “where BODY meets BODY”, “where elongation of S = VALUE” or “where angular velocity
+    of BODY = VALUE”; as it is if it says no such thing."""
     world = asked.world(asked.lasting)
+    text = TOGETHER.sub(r"\1 angular velocity of \2 = angular velocity of \3", text)
+    if (said := MOVES.search(text)) and said[4] in {body.name for body in asked.problem.bodies} - {*world.coordinates}:
+        before = f"{text[: said.start()]}{said[1]} "
+        if said[3] is None:  # of a body that is the magnitude of its velocity, of a coordinate its rate
+            return f"{before}magnitude of velocity of {said[4]} = {said[5]}"
+        sides = [world.bound(side).number for side in (said[2], said[5])]
+        return f"{before}{_equation(world, (sides[0] - sides[1],), f'“{said[2]}” has this value')}"
     if (said := MEETS.search(text)) and {said[2], said[3]} <= {body.name for body in asked.problem.bodies}:
         apart, what = world.centre(said[2]) - world.centre(said[3]), f"“{said[2]}” and “{said[3]}” are at one place"
         return f"{text[: said.start()]}{said[1]} {_equation(world, (apart.x, apart.y), what)}"
@@ -44,7 +61,8 @@ def met(asked: Asked, text: str) -> str:
 def _equation(world: ProblemWorld, values: Iterable[Scalar], what: str) -> str:
     tied = world.study.system.dependent
     gaps = [gap for part in values if not is_zero(gap := short(substitute(part, tied)))]
-    free = [name for name in world.study.system.independent if gaps and depends_on(gaps[0], name)]
+    names = (*world.study.system.independent, *world.study.system.speeds)
+    free = [name for name in names if gaps and depends_on(gaps[0], name)]
     ways = [name for name in free if not names_in(derivative(gaps[0], name)) & {*world.motion.scope.rates, "t"}]
     if not ways or any(names_in(short(gap / gaps[0])) & {*world.motion.scope.rates, "t"} for gap in gaps[1:]):
         raise StatementError(

@@ -29,7 +29,7 @@ def sine(angle: Scalar) -> Scalar:
 
 
 @lru_cache(maxsize=8192)
-def _wave(angle: Scalar) -> tuple[Scalar, Scalar]:
+def _wave(angle: Scalar) -> Wave:
     return _quarter(*_split(angle))
 
 
@@ -42,7 +42,7 @@ def _split(angle: Scalar) -> tuple[Poly, Fraction]:
     return clean(terms), turns
 
 
-def _quarter(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:
+def _quarter(rest: Poly, turns: Fraction) -> Wave:
     quarters, remainder = divmod(turns * 2, 1)
     c, s = _basic(rest, remainder / 2)
     for _ in range(int(quarters) % 4):
@@ -50,13 +50,13 @@ def _quarter(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:
     return c, s
 
 
-def _basic(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:
+def _basic(rest: Poly, turns: Fraction) -> Wave:
     """(cos, sin) of rest + turns·π with 0 ≤ turns < 1/2."""
     if not rest.terms:
         return _special(turns)
-    undone = None if turns else _inverse(rest)
+    undone = _inverse(rest) if not turns or turns in SPECIAL else None
     if undone is not None:
-        return undone
+        return _turned_by(_special(turns), undone)
     sign = -1 if rest.terms[min(rest.terms)] < 0 else 1
     if sign < 0:
         rest, turns = -rest, -turns
@@ -71,18 +71,28 @@ def _basic(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:
 MOST_MULTIPLES = 4
 
 
-def _inverse(rest: Poly) -> tuple[Scalar, Scalar] | None:
-    """(cos, sin) of a small multiple of acos x, asin x or atan x."""
-    [(m, c)] = rest.terms.items() if rest.is_monomial() else [((), 0)]
-    if len(m) != 1 or m[0][1] != 1 or type(c) is not int or atoms.atom(m[0][0]).kind not in UNDONE:
-        return None
-    if not 0 < abs(c) <= MOST_MULTIPLES:
-        return None
-    found = atoms.atom(m[0][0])
-    x, y = cos, sin = UNDONE[found.kind](found.arg)
-    for _ in range(abs(c) - 1):
-        x, y = x * cos - y * sin, y * cos + x * sin
-    return x, y if c > 0 else -y
+Wave = tuple[Scalar, Scalar]  # cos and sin of an angle
+
+
+def _turned_by(first: Wave, second: Wave) -> Wave:
+    """(cos, sin) of a sum of angles."""
+    (x, y), (c, s) = first, second
+    return x * c - y * s, y * c + x * s
+
+
+def _inverse(rest: Poly) -> Wave | None:
+    """(cos, sin) of a sum of small multiples of acos x, asin x or atan x."""
+    wave = UNITY, NOTHING
+    for m, c in rest.terms.items():
+        if len(m) != 1 or m[0][1] != 1 or type(c) is not int or atoms.atom(m[0][0]).kind not in UNDONE:
+            return None
+        if not 0 < abs(c) <= MOST_MULTIPLES:
+            return None
+        found = atoms.atom(m[0][0])
+        x, y = UNDONE[found.kind](found.arg)
+        for _ in range(abs(c)):
+            wave = _turned_by(wave, (x, y if c > 0 else -y))
+    return wave
 
 
 def _side(value: Scalar) -> Scalar:
@@ -92,19 +102,19 @@ def _side(value: Scalar) -> Scalar:
     return root(value)
 
 
-UNDONE: dict[str, Callable[[Scalar], tuple[Scalar, Scalar]]] = {
+UNDONE: dict[str, Callable[[Scalar], Wave]] = {
     "acos": lambda x: (x, _side(1 - x * x)),
     "asin": lambda x: (_side(1 - x * x), x),
     "atan": lambda x: (1 / _side(1 + x * x), x / _side(1 + x * x)),
 }
 
 
-def _atoms(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:
+def _atoms(rest: Poly, turns: Fraction) -> Wave:
     angle = rest + Poly({PI_TERM: turns}) if turns else rest
     return generator_of("cos", angle), generator_of("sin", angle)
 
 
-def _special(turns: Fraction) -> tuple[Scalar, Scalar]:
+def _special(turns: Fraction) -> Wave:
     if turns == 0:
         return UNITY, NOTHING
     values = SPECIAL.get(turns)

@@ -36,6 +36,7 @@ from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System, by_letters
+from rbpsym.mechanics.tying import placed_by
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Phase, Problem
 from rbpsym.statement.scope import CLOCK
@@ -308,6 +309,14 @@ def state_reached(study: Study, name: str, value: Scalar) -> ArrivalState | None
     return _at(study, time, {name: value, CLOCK: time}, Demand((value - start) * way))
 
 
+def driven_to(study: Study, image: Mapping[str, Scalar]) -> dict[str, Scalar]:
+    """What is known of a moment, with the places to which drives alone put other coordinates then, by their ranges."""
+    system = study.system
+    if system.independent or not system.implicit:
+        return dict(image)
+    return {**placed_by(system.implicit, system.coordinates, image, study.assumptions), **image}
+
+
 def time_driven(study: Study, name: str, value: Scalar) -> Scalar | None:
     """When a coordinate that is itself driven at a steady rate, as an angle Ω t, has a value; None for another one."""
     driven = study.system.dependent.get(name)
@@ -320,6 +329,7 @@ def time_driven(study: Study, name: str, value: Scalar) -> Scalar | None:
 
 def _at(study: Study, time: Scalar, image: Mapping[str, Scalar], ahead: Demand | None = None) -> ArrivalState | None:
     """The state then; None where that lies before the start."""
+    image = driven_to(study, image)
     pairs = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], image)) for n, pair in pairs.items()} for k in (0, 1))
     valid = settle([ahead or Demand(time)], study.assumptions)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
@@ -18,9 +17,8 @@ from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.interactions import LAWS, LawSetting
 from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.placing import locator, open_names, poses, still_open
-from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import BodyState, ConstraintCondition, Force, Pose, System, at_point
-from rbpsym.mechanics.tying import Tied, tie
+from rbpsym.mechanics.tying import Tied, placed_by, tie
 from rbpsym.present.forms import present
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Coordinate, PointRef, Problem
@@ -151,10 +149,14 @@ def _by_preference(problem: Problem) -> tuple[str, ...]:
     """Coordinates that are best kept come first: those with a start and a start speed, angles."""
 
     def rank(c: Coordinate) -> tuple[bool, bool, bool]:
-        moves = c.speed is not None and bool(scalar(c.speed))
-        return (c.start is None, not moves, c.quantity.dimension.length != 0)
+        return (c.start is None, not _moves(c), c.quantity.dimension.length != 0)
 
     return tuple(c.name for c in sorted(problem.coordinates, key=rank))
+
+
+def _moves(c: Coordinate) -> bool:
+    """Whether a speed is stated with which it starts."""
+    return c.speed is not None and bool(scalar(c.speed))
 
 
 def _settled(pose: Pose, solved: Mapping[str, Scalar]) -> Pose:
@@ -188,18 +190,11 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
 def _tied_starts(names: tuple[str, ...], tied: Tied, problem: Problem, start: dict[str, Scalar]) -> dict[str, Scalar]:
     """Where coordinates begin of which only their range is said, and conditions that tie them to those that are stated leave
     one place there, whatever the parameters are."""
-    found, given = dict[str, Scalar](), declared(problem.parameters).assumptions
-    ranges = {c.name: (scalar(c.lower), scalar(c.upper)) for c in problem.coordinates if c.start is None and c.lower and c.upper}
-    for condition in tied.implicit * len(tied.implicit):
-        value = substitute(condition.value, {**start, **found})
-        match [name for name in names if depends_on(value, name)]:
-            case [name] if name in ranges:
-                places, (low, high) = zeros(value, name), ranges[name]
-                beyond = [any(sign(gap, given).is_nonnegative for gap in (low - place, place - high)) for place in places]
-                left = [place for place, is_beyond in zip(places, beyond, strict=True) if not is_beyond]
-                if len(left) == 1 and all(sign(gap, given).is_nonnegative for gap in (left[0] - low, high - left[0])):
-                    found |= {name: left[0]}
-    return found
+    given = declared(problem.parameters).assumptions
+    for c in problem.coordinates:
+        if c.start is None and c.lower and c.upper:
+            given = given.with_range(c.name, scalar(c.lower), scalar(c.upper))
+    return placed_by(tied.implicit, names, {**start, CLOCK: NOTHING}, given)
 
 
 def _dependent_speeds(free: Sequence[str], tied: Tied, problem: Problem) -> dict[str, Scalar]:
@@ -210,9 +205,9 @@ def _dependent_speeds(free: Sequence[str], tied: Tied, problem: Problem) -> dict
         rows.append(sum(parts, derivative(condition.value, CLOCK)))
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None}
     loose = {name for name in free if all(is_zero(substitute(derivative(row, f"{name}_dot"), start)) for row in rows)}
-    last = [n for n in _by_preference(problem) if n in free][::-1]
-    unknowns = tuple(f"{name}_dot" for name in sorted(last, key=loose.__contains__))
-    return solve_linear(rows, unknowns, keep_free=True).values
+    ranks = {f"{c.name}_dot": (c.name in loose, c.start is not None, _moves(c)) for c in problem.coordinates}
+    unknowns = tuple(f"{name}_dot" for name in reversed(_by_preference(problem)) if name in free)
+    return solve_linear(rows, unknowns, keep_free=True, ranks=ranks).values
 
 
 def moving(name: str, own: Inertia, pose: Pose, scope: Meanings) -> BodyState:

@@ -8,6 +8,7 @@ by substitution; a small dense block is solved by determinants, which stay polyn
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from rbpsym.field import NOTHING, ONE, UNITY, Scalar, derivative, is_zero, short, substitute, symbol
 from rbpsym.field.modular import PRIME, NoImage, value_of
@@ -34,16 +35,20 @@ def linear_row(value: Scalar, unknowns: Sequence[str]) -> Row:
     return row
 
 
-def solve_linear(rows: Sequence[Scalar], unknowns: Sequence[str], *, keep_free: bool = False) -> Solution:
-    """Solves rows = 0 for the unknowns; with `keep_free`, some in terms of those that stay free."""
-    return solve_rows([linear_row(value, unknowns) for value in rows], unknowns, keep_free=keep_free)
+Ranks = Mapping[str, tuple[bool, ...]]
+EQUAL: Ranks = MappingProxyType({})
 
 
-def solve_rows(rows: list[Row], unknowns: Sequence[str], *, keep_free: bool = False) -> Solution:
+def solve_linear(rows: Sequence[Scalar], unknowns: Sequence[str], *, keep_free: bool = False, ranks: Ranks = EQUAL) -> Solution:
+    """Solves rows = 0 for the unknowns; with `keep_free`, some in terms of those that stay free: these of higher `ranks`."""
+    return solve_rows([linear_row(value, unknowns) for value in rows], unknowns, keep_free=keep_free, ranks=ranks)
+
+
+def solve_rows(rows: list[Row], unknowns: Sequence[str], *, keep_free: bool = False, ranks: Ranks = EQUAL) -> Solution:
     """The same for rows already split into coefficients."""
     rows, done = [_cleaned(row) for row in rows], []
     while True:
-        choice = _pivot(rows, unknowns)
+        choice = _pivot(rows, unknowns, ranks)
         if choice is None:
             break
         place, name = choice
@@ -57,14 +62,14 @@ def _cleaned(row: Row) -> Row:
     return {name: part for name, part in row.items() if name == CONSTANT or not is_zero(part)}
 
 
-def _pivot(rows: list[Row], unknowns: Sequence[str]) -> tuple[int, str] | None:
+def _pivot(rows: list[Row], unknowns: Sequence[str], ranks: Ranks) -> tuple[int, str] | None:
     candidates = [
-        (len(row), _size(part), order, place, name)
+        (ranks.get(name, ()), len(row), _size(part), order, place, name)
         for place, row in enumerate(rows)
         for order, name in enumerate(unknowns)
         if (part := row.get(name)) is not None
     ]
-    return min(candidates)[3:] if candidates else None
+    return min(candidates)[4:] if candidates else None
 
 
 def _size(part: Scalar) -> int:

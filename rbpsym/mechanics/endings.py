@@ -20,6 +20,7 @@ from rbpsym.mechanics.arrivals import (
     EDGE,
     ArrivalState,
     at_start,
+    driven_to,
     first_met,
     mover,
     of_coordinate,
@@ -262,7 +263,7 @@ def _after(study: Study, phase: Phase, start: ArrivalState, time: Scalar, asked:
     """The places and speeds that the accelerations, constants or functions of the time, give; what follows from these and the
     time, from its formula. Raises StatementError if what is asked is never met."""
     valid = possible(asked, study.assumptions, _never(study, phase))
-    image, to = {CLOCK: time}, {CLOCK: time}
+    image, to = driven_to(study, {CLOCK: time}), {CLOCK: time}
     for name in study.system.independent:
         gone = gathered(_gain(study, phase, name, CLOCK))
         way = None if gone is None else gathered(gone)

@@ -194,6 +194,11 @@ WRONG = {
         "check the start (the sense in which things move or turn), the side, and whether it touches at all; what holds to both "
         'sides is type = "guide" for a point.',
     ),
+    "force.rolling": (
+        "the rolling “{name}” would have to pull at the start: its force is {size}",
+        "check the start (the sense in which things move or turn), the side, and that weights press it down, also where motion "
+        'alone is asked for: [interactions.W] type = "gravity".',
+    ),
     "growth": (
         "the {kind} “{name}” would have to pull as soon as it moves: its force vanishes at the start, and falls from there",
         "check the side; what lets go at once is left out.",

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.field import Meanings, Scalar, depends_on, is_zero, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
@@ -12,6 +14,7 @@ from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, 
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import Inertias, locator
+from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import BodyState, ConstraintCondition, Pose, at_point
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
@@ -110,3 +113,20 @@ def _first_integral(waiting: Rates, names: tuple[str, ...], problem: Problem) ->
         if found is not None:
             return place, ConstraintCondition(condition.constraint, from_start(found, names, start), condition.what)
     return None
+
+
+def placed_by(ties: Ties, names: Sequence[str], known: Mapping[str, Scalar], given: Assumptions) -> dict[str, Scalar]:
+    """Where coordinates are of which ties to what is known leave one place in their range, whatever the parameters are."""
+    found = dict[str, Scalar]()
+    for tie in ties * len(ties):
+        value = substitute(tie.value, {**known, **found})
+        name, *others = [name for name in names if depends_on(value, name)] or [""]
+        low, high = given.range_of(name)
+        if low is None or high is None or others:
+            continue
+        places = zeros(value, name)
+        beyond = [any(sign(gap, given).is_nonnegative for gap in (low - place, place - high)) for place in places]
+        left = [place for place, is_beyond in zip(places, beyond, strict=True) if not is_beyond]
+        if len(left) == 1 and all(sign(gap, given).is_nonnegative for gap in (left[0] - low, high - left[0])):
+            found[name] = left[0]
+    return found

@@ -87,6 +87,12 @@ ANSWERS = (
     ("block-onto-belt", "work of f until carried", "-m*u**2/2"),
     ("rod-in-car", "theta_0 for which acceleration of theta at the start = 0", "atan(g/a)"),
     ("platform", "N where t = pi/(2*Omega)", "m*(g - A*Omega**2)"),
+    ("slotted-arm", "angular velocity of arm where theta = pi/2", "r**2*Omega/(r**2+d**2)"),
+    ("slotted-arm", "angular acceleration of arm where t = pi/(2*Omega)", "-r*d*Omega**2*(d**2-r**2)/(r**2+d**2)**2"),
+    ("slotted-arm", "C where theta = pi/3", "-sqrt(3)*M*L**2*r**2*d*Omega**2*(d**2-r**2)*(d+2*r)/(12*(r**2+r*d+d**2)**3)"),
+    ("slotted-arm", "angular velocity of arm at the start", "r*Omega/(d+r)"),
+    ("clutch", "time until one and two have the same angular velocity", "omega_0*I_1*I_2/(tau*(I_1+I_2))"),
+    ("free-wedge", "direction of velocity of block", "-atan((M+m)/M*tan(beta))"),
 )
 
 
@@ -186,3 +192,14 @@ def test_what_is_driven_may_tell_a_quantity() -> None:
 def test_a_coordinate_that_is_tied_is_not_told_where_its_tie_is_not_solved() -> None:
     with pytest.raises(StatementError, match="no closed form"):
         answered(asked("slider-crank-by-torque"), "phi where theta = pi/3")
+
+
+def test_a_moment_of_what_turns_is_that_of_its_coordinate() -> None:
+    """A body has no coordinate of its name: of one that has none, it was said that its speed never comes to a value."""
+    found = answered(asked("clutch"), "time until angular velocity of two = omega_0/10")
+    assert found.verdict.is_proved and found.text == "I_2*omega_0/(10*tau)", found.text
+
+
+def test_what_no_coordinate_is_has_no_value() -> None:
+    with pytest.raises(StatementError, match="“load” is no coordinate"):
+        answered(asked("clutch"), "time until speed of load = omega_0/10")

@@ -10,10 +10,11 @@ from typing import Any
 
 from rbpsym.decide.equal import compare, scalars_equal
 from rbpsym.decide.signs import sign
-from rbpsym.decide.verdict import Verdict
+from rbpsym.decide.verdict import PROVED, Verdict
 from rbpsym.errors import Undecided
-from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
+from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.field.evaluate import scalar
+from rbpsym.proof.checks.of_steps import weakest
 from rbpsym.proof.checks.places import UNSEEN, own_place
 from rbpsym.proof.context import Context
 from rbpsym.proof.mass import primitive
@@ -102,3 +103,33 @@ def state_said(context: Context, ending: Any, what: str, name: str, stated: Scal
     there = {"t": state.time, subject: stated if (name, what) == (subject, "place") else state.places[subject]}
     moved = value if what == "place" else derivative(value, subject) * speed + derivative(value, "t")
     return scalars_equal(substitute(moved, there), NOTHING if name == subject else stated, context.assumptions)
+
+
+def led_then(context: Context, ending: Any, what: str, name: str, stated: Scalar) -> Verdict:
+    """Where drives alone tell all places: these meet all equations at that time, each in its range, in which its equation has no
+    other zero; the speed is the rate that they have there."""
+    there, value = {**ending.state.places, "t": ending.state.time}, own_place(context, name)
+    said = value if what == "place" else time_derivative(value, context.study.system.scope)
+    verdicts, open_ = [_same(context, substitute(said, there), stated)], {*context.study.system.coordinates}
+    for tie in sorted(context.study.ties, key=lambda tie: len(names_in(tie.value) & open_)):
+        new = names_in(tie.value) & open_
+        rest = substitute(tie.value, {n: place for n, place in there.items() if n not in new})
+        verdicts += [_same(context, substitute(tie.value, there), NOTHING)]
+        verdicts += [UNSEEN] if len(new) > 1 else [_only_there(context, rest, n, there[n]) for n in new]
+        open_ -= new
+    return weakest(verdicts)
+
+
+def _same(context: Context, first: Scalar, second: Scalar) -> Verdict:
+    return scalars_equal(first, second, context.assumptions)
+
+
+def _only_there(context: Context, value: Scalar, name: str, place: Scalar) -> Verdict:
+    """The place lies in the declared range; a cos q + b sin q has no other zero within half a turn, nor has what is monotone."""
+    low, high = context.assumptions.range_of(name)
+    if low is None or high is None:
+        return UNSEEN
+    slope = derivative(value, name)
+    is_wave = is_zero(derivative(slope, name) + value) and sign(low + PI - high, context.assumptions).is_nonnegative
+    is_inside = all(sign(gap, context.assumptions).is_nonnegative for gap in (place - low, high - place))
+    return Verdict(PROVED) if is_inside and (is_wave or sign(slope, context.assumptions).is_nonzero) else UNSEEN

@@ -35,7 +35,7 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System, by_letters, in_state
 from rbpsym.proof.checks.constraints import slip_at
-from rbpsym.proof.checks.courses import at_time, comes_there, course_of, is_driven, left_then, moved_to, state_said
+from rbpsym.proof.checks.courses import at_time, comes_there, course_of, is_driven, led_then, left_then, moved_to, state_said
 from rbpsym.proof.checks.of_steps import agree, named_sides, premise_says, right_side, right_sides, same, weakest
 from rbpsym.proof.checks.places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.proof.context import Context
@@ -179,6 +179,8 @@ def _by_what(context: Context, ending: Any) -> Callable[..., Verdict]:
     """What checks a state: the tie to the time, a motion that is integrated twice, or the first integral."""
     if is_driven(context, ending.phase):
         return state_said
+    if context.study.ties and not context.study.system.independent:
+        return led_then
     return _uniform if ending.state.time is not None else _placed
 
 
