@@ -18,10 +18,12 @@ from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises, unsai
 from rbpsym.ask.zeros import where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
+from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import StatementError, all_there, there
-from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, substitute
+from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, short, substitute
 from rbpsym.mechanics.demands import Demand, assuming, possible
+from rbpsym.mechanics.numbers import floating, sample
 from rbpsym.mechanics.stability import essential
 
 _BEFORE = r"((?: (?:until|before) .+)?)"
@@ -98,6 +100,9 @@ def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense:
         world.doubts.append("whether the contacts and the friction last so far is not decided")
     beside = [one for _, one in pairs]
     found = _first(regions, beside, given, sense)
+    if found is None and (case := _case(world, name, (*values, *condition.beside), premise)):
+        told_ = region_of(world, name, replace(condition, asked=(*condition.asked, *case)), text, sense, opposite)
+        return replace(told_, valid=(*told_.valid, *case))
     if found is None:
         return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)
     parts = (*values, *(value for value, _ in pairs)), [*regions, *beside]
@@ -117,6 +122,18 @@ def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense:
     told_ = _otherwise(told_, name, found, parts, given, along, text)
     ends = {end for one in regions if one for end in (one.lower, one.upper)}
     return _stopped(told_, name, condition, pairs, ends, given)
+
+
+def _case(world: AskedPhase, name: str, values: Sequence[Scalar], given: Assumptions) -> list[Demand]:
+    """On which side what is linear in the symbol is bounded, where other parameters tell: the case that the numbers are in."""
+    problem, found = world.study.problem, list[Demand]()
+    slopes = dict.fromkeys(short(derivative(value, name)) for value in values)
+    for slope in (one for one in slopes if one and not depends_on(one, name) and not moving(world, (one,))):
+        if not sign(slope, given).sense:
+            slope = essential(slope, given)
+            way = 1 if floating(slope, sample(problem, problem.example)) > 0 else -1
+            found.append(Demand(slope * way))
+    return list(dict.fromkeys(found))
 
 
 def _never(

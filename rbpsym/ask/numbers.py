@@ -12,7 +12,7 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, names_in
 from rbpsym.field.evaluate import scalar
-from rbpsym.frozen import Frozen
+from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import NUMBER, TIME, Dimension
@@ -47,6 +47,11 @@ class GivenNumbers(Frozen):
         """With what a question itself gives for its letters."""
         own = read_numbers(", ".join(f"{name} = {value}" for name, value in more.items()), problem) if more else self
         return GivenNumbers({**self.values, **own.values}, self.digits)
+
+    def in_case(self, problem: Problem) -> Problem:
+        """The problem with these numbers as its example: of several cases that in which they are is told."""
+        own = {name: repr(values[0]) for name, values in self.values.items() if len(values) == 1}
+        return replace(problem, example={**problem.example, **own})
 
     def rows(self) -> list[dict[str, float]]:
         """One set of numbers for each place of the range; the ranges go on together."""

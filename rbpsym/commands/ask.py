@@ -48,7 +48,8 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     questions = questions or tuple(problem.questions)
     if not questions:
         raise ReadError(f"nothing is asked about {name}", instead='add a question: rbpsym ask NAME "N at the start".')
-    numbers, asked = read_numbers(given, problem) if given else None, Asked(problem)
+    numbers = read_numbers(given, problem) if given else None
+    asked = Asked(numbers.in_case(problem) if numbers else problem)
     tell = _told if len(questions) == 1 else _told_or_refused
     told = [tell(asked, text, numbers) for text in questions]
     records = [record for _, record in told]

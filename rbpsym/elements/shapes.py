@@ -131,6 +131,7 @@ SHAPES = registry(
     given=shape(
         "a body whose moment of inertia about its centre of mass, its `center`, is given", points=_CENTER,
         moment="moment of inertia, positive: moment of inertia about the centre of mass",
+        radius="length, positive, optional: its radius, if it is round: where it touches, and strings run round it",
     ),
 )  # fmt: skip
 
