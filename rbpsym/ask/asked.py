@@ -43,7 +43,7 @@ class Moment(Frozen):
     courses: Mapping[str, InTime] = field(default_factory=dict)
     is_small: bool = False
     is_open: bool = False
-    watched: tuple[str, Scalar, Scalar] | None = None
+    watched: tuple[str, Scalar, Scalar | None] | None = None
 
 
 class Asked(Frozen):

@@ -12,7 +12,7 @@ from rbpsym.ask.question import When
 from rbpsym.chapters import course, oscillations
 from rbpsym.decide.dimensions import require_dimension
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, StatementError, all_there
+from rbpsym.errors import NotApplicable, StatementError, there
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -109,11 +109,11 @@ def _by_speed(study: Study, place: int, name: str, value: Scalar) -> Moment | No
     it is none. Raises StatementError where the speed is never come to."""
     known, letter = solutions.given(study, name), study.letters.free("u")
     found = solved.by_speed(known, letter) if known and study.system.independent == (name,) else None
-    every = None if found is None else all_there(found)
-    if known is None or every is None or is_zero(value):
+    if known is None or found is None or found[2] is None or is_zero(value):
         return None
-    gained, time, place_ = (short(substitute(one, {letter: value})) for one in every)
-    begun = substitute(Scalar(every[0].num), {letter: known.speed})
+    gained, place_ = (short(substitute(one, {letter: value})) for one in (found[0], found[2]))
+    time = None if found[1] is None else short(substitute(found[1], {letter: value}))
+    begun = substitute(Scalar(found[0].num), {letter: known.speed})
     asked_for = Demand(short((value - known.speed) * gained)), Demand(short(begun / gained)), Demand(value * known.speed, ">=")
     never = StatementError(f"“{name}_dot” does not come to this value in this motion")
     valid = possible(asked_for, study.assumptions, never)
@@ -167,4 +167,4 @@ def write(draft: Draft, moment: Moment) -> tuple[str, ...]:
         return told
     if not moment.courses:
         return (course.by_speed(draft, *moment.watched[:2], moment.state),)
-    return (*told, course.reached(draft, *moment.watched, moment.state, _letters(moment.courses)))
+    return (*told, course.reached(draft, *moment.watched[:2], there(moment.watched[2]), moment.state, _letters(moment.courses)))

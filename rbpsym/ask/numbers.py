@@ -15,7 +15,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
-from rbpsym.quantities import NUMBER, TIME, Dimension
+from rbpsym.quantities import ENERGY, NUMBER, TIME, Dimension
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.example import SIGNS
 from rbpsym.statement.model import Problem
@@ -197,13 +197,17 @@ def _holds(gap: Scalar, op: str, numbers: Mapping[str, float]) -> bool:
     return {">": found > -NEAR, ">=": found >= -NEAR, "!=": abs(found) > NEAR, "=": abs(found) < NEAR}.get(op, True)
 
 
-def unit_for(node: t.Node, study: Study, *, is_angle: bool = False) -> str:
-    """The unit of a value, as printed: "" for a number, rad for an angle."""
+ENERGIES = re.compile(r"energ|work|lost|Lagrangian|(?:^|\W)[EKU](?:_|\b)")
+
+
+def unit_for(node: t.Node, study: Study, what: str, *, is_angle: bool = False) -> str:
+    """The unit of a value, as printed: "" for a number, rad for an angle; by `what` it is said to be, a torque or an energy."""
     try:
         dimension = dimension_of(node, {**dimensions_with_unknowns(study.problem), "t": TIME})
     except DimensionError:
         return ""
-    return "rad" if is_angle and dimension == NUMBER else unit_of(dimension)
+    name = "torque" if dimension == ENERGY and not ENERGIES.search(what) else ""
+    return "rad" if is_angle and dimension == NUMBER else unit_of(dimension, name)
 
 
 def rounded(value: float, digits: int) -> str:

@@ -51,6 +51,21 @@ def begins_to_slip(world: AskedPhase, contact: str) -> Wanted | None:
     return Wanted((seen(world, f"acceleration of {name} at the start") * senses.pop(),), given, closed=False)
 
 
+STEADY = re.compile(
+    r"(?:the )?(\w+) (?:moves|goes|rises|sinks|falls|rolls|slides|turns) (?:steadily|uniformly|(?:at|with) (?:a )?constant \w+)"
+)
+
+
+def goes_steadily(world: AskedPhase, text: str) -> Wanted | None:
+    """A coordinate, or the only one with which a body moves, has no acceleration. None for another condition."""
+    said, system = STEADY.fullmatch(text), world.study.system
+    body = system.bodies.get(said[1]) if said else None
+    rates = [] if body is None else [n for n in system.speeds if body.velocity.derivative(n) or derivative(body.omega, n)]
+    names = [said[1]] if said and said[1] in world.coordinates else [name.removesuffix("_dot") for name in rates]
+    gain = seen(world, f"acceleration of {names[0]} as a function of the state") if len(names) == 1 else None
+    return None if gain is None or moving(world, (gain,)) else Wanted((gain,), world.motion.assumptions, equal=True)
+
+
 STAYS = re.compile(r"(\w+) (?:stays|remains)(?: at)? (.+)")
 
 

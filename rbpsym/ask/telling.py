@@ -87,7 +87,7 @@ def record_integrated(asked: Asked, question: Question, given: GivenNumbers) -> 
     """The record of what has no closed form: its value alone."""
     rows = [integrated(asked, question, row) for row in given.rows()]
     values = [value[0] if len(value) == 1 else list(value) for value, _ in rows]
-    return {**unanswered(question.text, HOW), **_valued(given, values, unit_for(rows[0][1], asked.first))}
+    return {**unanswered(question.text, HOW), **_valued(given, values, unit_for(rows[0][1], asked.first, question.quantity))}
 
 
 def unanswered(question: str, reason: str) -> dict[str, Any]:
@@ -144,7 +144,7 @@ def _at(found: Answer, row: Mapping[str, float]) -> list[float]:
 def unit_of_answer(found: Answer) -> str:
     """The unit of the value: that of its dimension, rad for a coordinate that is an angle."""
     node = next((node for node in found.nodes if node != t.ZERO), t.Sym(found.symbol) if found.symbol else t.ZERO)
-    return unit_for(node, found.study, is_angle=found.is_angle)
+    return unit_for(node, found.study, found.symbol or found.question.text, is_angle=found.is_angle)
 
 
 def numbered(record: Mapping[str, Any], given: GivenNumbers) -> Iterator[str]:

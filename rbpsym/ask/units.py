@@ -20,6 +20,7 @@ VALUE = re.compile(
     r"(?:\b(?P<of>\w+) )?(?P<is>=|[<>]=?|reaches|is) (?P<sign>[-+−]?)(?P<number>\d+(?:\.\d+)?) ?(?P<unit>[^\W\d][\w^*/ ]*?)"
     r"(?=$|,| (?:in|with|for|as|at|and|to|until|from|before|after)\b)"
 )
+GONE = re.compile(r"\bafter (?:a time of )?(?=\d+(?:\.\d+)? ?(?:m?s|min|h)\b)")
 LETTER, FINEST = "q", 100_000
 
 
@@ -42,7 +43,7 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
         added.append(Quantity(name, unit.of_mechanics, f"{said['number']} {said['unit']}"))
         return f"{lead} {sign}{name}"
 
-    plain = VALUE.sub(put, whole := " ".join(text.split()).rstrip(" ?."))
+    plain = VALUE.sub(put, GONE.sub("where t = ", whole := " ".join(text.split()).rstrip(" ?.")))
     if not added:
         return asked, text if plain == whole else plain, given
     problem = asked.problem

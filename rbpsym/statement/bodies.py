@@ -147,6 +147,8 @@ def _sizes(table: SourceTable, kind: ShapeKind, scope: Scope, where: str) -> dic
             table.require(field.name, where, f"a {kind.name} needs {field.name}: its {field.meaning}.")
     found: dict[str, Node] = {}
     for field in kind.fields:
+        if field.default == "" and field.name not in table:
+            continue
         item, what = table.item(field.name, field.default), f"“{field.name}” of {where}"
         if field.kind == "vertices":
             found |= _vertices(item, scope, what)

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.numbers import read_numbers
 from rbpsym.errors import StatementError
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.typeset.machine import to_machine
-from tests.ask.test_unseen import asked
+from tests.ask.test_unseen import HERE, asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 
 ANSWERS = (
@@ -93,6 +94,9 @@ ANSWERS = (
     ("slotted-arm", "angular velocity of arm at the start", "r*Omega/(d+r)"),
     ("clutch", "time until one and two have the same angular velocity", "omega_0*I_1*I_2/(tau*(I_1+I_2))"),
     ("free-wedge", "direction of velocity of block", "-atan((M+m)/M*tan(beta))"),
+    ("lift-with-drum", "tau for which the cabin rises steadily", "(M-m)*g*R"),
+    ("crate-pushed-high", "largest P for which the crate does not tip", "m*g*(w-mu*H)/(2*h-H)"),
+    ("struck-rod", "rotational kinetic energy right after struck", "3*J**2/(8*m)"),
 )
 
 
@@ -203,3 +207,23 @@ def test_a_moment_of_what_turns_is_that_of_its_coordinate() -> None:
 def test_what_no_coordinate_is_has_no_value() -> None:
     with pytest.raises(StatementError, match="“load” is no coordinate"):
         answered(asked("clutch"), "time until speed of load = omega_0/10")
+
+
+def test_a_torque_is_no_energy(capsys) -> None:
+    from rbpsym import cli
+
+    numbers = "M = 5 kg, m = 4 kg, I = 2 kg m^2, R = 0.4 m, tau = 8 N m, g = 9.81 m/s^2, h = 10 m"
+    asking = ["ask", str(HERE / "lift-with-drum.toml"), "tau for which the cabin rises steadily", "work of C after 1 s",
+              "y after a time of 1 s"]
+    cli.exit_code(lambda: cli.main([*asking, "--with", numbers], standalone_mode=False))
+    told = capsys.readouterr().out
+    assert "3.92 N·m" in told and " J" in told and "q_1 = 1 s" in told
+
+
+@pytest.mark.parametrize(("height", "bound"), [("1.3 m", "m*g*(w - mu*H)/(2*h - H)"), ("0.7 m", "m*g*(w + mu*H)/(H - 2*h)")])
+def test_the_case_is_that_of_the_numbers(height: str, bound: str) -> None:
+    problem = asked("crate-pushed-high").problem
+    numbers = read_numbers(f"m = 40 kg, w = 0.8 m, H = 2 m, h = {height}, mu = 0.3, g = 9.81 m/s^2", problem)
+    found = answered(Asked(numbers.in_case(problem)), "largest P for which the crate does not tip")
+    assert found.verdict.is_proved and found.text == bound
+    assert any("2*h" in to_machine(node) and "H" in to_machine(node) for node in found.valid)
