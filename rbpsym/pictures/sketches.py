@@ -72,14 +72,15 @@ def _outline(pose: DrawnPose, body: Body) -> tuple[str, dict[str, float]]:
     shapes = [part.shape for part in body.shape.parts] or [body.shape]
     if any(shape.kind != "given" for shape in shapes):
         return body.shape.kind, _sizes(pose, body.shape)
-    rims = [pose.node(rim) for rim in pose.rims.get(body.name, ())]
+    own = [body.shape.sizes["radius"]] if "radius" in body.shape.sizes else []
+    rims = [pose.node(rim) for rim in (*own, *pose.rims.get(body.name, ()))]
     if rims and "center" in body.points:
         return "disk", {"radius": max(rims)}
-    own = [(pose.node(x), pose.node(y)) for x, y in body.points.values()]
-    xs, ys = zip((0.0, 0.0), *own, strict=True)
+    at = [(pose.node(x), pose.node(y)) for x, y in body.points.values()]
+    xs, ys = zip((0.0, 0.0), *at, strict=True)
     if max(xs) - min(xs) > 0 and max(ys) - min(ys) > 0:
         return "box", {"left": min(xs), "right": max(xs), "bottom": min(ys), "top": max(ys)}
-    return "given", {"size": 2.1 * max([math.hypot(*p) for p in own], default=0.0) or pose.size}
+    return "given", {"size": 2.1 * max([math.hypot(*p) for p in at], default=0.0) or pose.size}
 
 
 def _sizes(pose: DrawnPose, shape: Shape) -> dict[str, float]:
