@@ -7,7 +7,7 @@
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
 # make distractors  every wrong answer of every problem, for 200 students: none may look right
 # make certify  each step of every problem that ships, re-proved by Rocq; the report in build/certify.txt
-# make lint    style, by ruff; types of the rooms that pyproject.toml names, by mypy
+# make lint    style, by ruff; types, by mypy
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
 # make docs    write the reference pages of docs/ anew and build the site, with the gallery (and the studio, if built), in build/docs

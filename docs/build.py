@@ -14,6 +14,7 @@ from pathlib import Path
 from rbpsym import errors
 from rbpsym.ask.question import CLAUSES
 from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.events import STATED
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.elements.interactions import INTERACTIONS
 from rbpsym.elements.kinds import ElementKind, Field, ShapeKind
@@ -21,7 +22,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.quantity.phrases import PHRASES
 from rbpsym.statement import SHAPES, load_problem, load_text
-from rbpsym.statement.phases import EVENTS, PHASE_KEYS
+from rbpsym.statement.phases import PHASE_KEYS
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE / "examples"
@@ -57,9 +58,9 @@ def phases_part() -> Iterator[str]:
     yield "| key | what it is |\n|---|---|"
     yield from (f"| `{key}` | {meaning} |" for key, meaning in PHASE_KEYS.items())
     yield "\n## Events\n\nChosen by the key `event` of a phase.\n"
-    for name, meaning in EVENTS.items():
+    for name, kind in STATED.items():
         yield f"### `{name}`\n"
-        yield meaning[0].upper() + meaning[1:] + ".\n"
+        yield kind.meaning[0].upper() + kind.meaning[1:] + ".\n"
         yield from excerpt(EXAMPLES / "events" / f"{name.replace(' ', '-')}.toml", "event", name)
     yield "\n## Impulses\n\nThey strike when a phase begins: `[phases.impulses.NAME]`, chosen by the key `type`.\n"
     for kind in IMPULSES.values():

@@ -17,7 +17,7 @@ from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, sense_to, state_at, tie_to_time, value_in
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
-from rbpsym.mechanics.endings import uniform_motion, value_reached
+from rbpsym.mechanics.endings import LAWS, uniform_motion
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import floating
@@ -185,7 +185,7 @@ def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand
     if mover(study) == name:
         reached = state_at(study, name, place, -1 if floating(place - begin, begun_numbers(study)) < 0 else 1)
     else:
-        reached = value_reached(study, Phase("", "reaches", name, (), study.problem, present(place)))
+        reached = LAWS["reaches"].ends(study, Phase("", "reaches", name, (), study.problem, present(place)))
     lasts, doubts = lasts_to(study, Moment(0, reached, "event"))
     return (*(demand for _, demand in contacts_last(study, {name: place})), *lasts), doubts
 

@@ -13,6 +13,7 @@ from rbpsym.ask.lasting import clear, coming, in_phase
 from rbpsym.ask.question import Question, When
 from rbpsym.decide.dimensions import require_dimension
 from rbpsym.decide.rooted import neat
+from rbpsym.elements.events import EVENTS
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, there
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.tree import ZERO, Node
@@ -21,7 +22,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover
 from rbpsym.mechanics.demands import assuming
-from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, comes_to_rest, force_taken, is_before
+from rbpsym.mechanics.endings import LAWS, UNKNOWN, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.orbit import orbits
 from rbpsym.mechanics.study import Study
@@ -96,7 +97,7 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value: Nod
         try:
             study = asked.study(number)
             phase = Phase("", event, subject, (), study.problem, value)
-            state = FINDERS[event](study, phase)
+            state = LAWS[event].ends(study, phase)
         except (NotApplicable, StatementError) as error:
             refused = refused or error
             if isinstance(error, NotApplicable) and event == "reaches" and subject == mover(study):
@@ -139,9 +140,7 @@ def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
     if isinstance(error, NotApplicable):
         return NoClosedForm(error.what, instead=BY_NUMBERS)
     if error is not None and "the phase “”" in error.what:
-        what = {"lost": "does not vanish", "reaches": "does not come to this value", "rests": "does not come to rest",
-                "no slip": "does not stop slipping", "slips": "does not begin to slip",
-                "takes": "does not have this value"}[event]  # fmt: skip
+        what = EVENTS[event].fails
         if UNKNOWN in error.what:
             return NotMet(f"“{subject}” {what} in this motion at any of the numbers that were tried", instead=error.instead)
         return StatementError(f"“{subject}” {what} in this motion, as far as is known", instead=error.instead)
@@ -249,7 +248,6 @@ def _steady(study: Study, place: int) -> Moment:
 
 
 BY_NUMBERS = "ask for it with numbers: --with “M = 1 kg, …”."
-FINDERS: Mapping[str, Callable[[Study, Phase], ArrivalState]] = {**ENDINGS, "rests": comes_to_rest, "takes": force_taken}
 MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
     "start": lambda asked, when, place: Moment(place or 0, at_start(asked.study(place or 0))),
     "begins": _begins,

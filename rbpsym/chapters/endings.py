@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from rbpsym.elements.events import EVENTS
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute, symbol, time_derivative
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.arrivals import ArrivalState, at_start
-from rbpsym.mechanics.contacts import meeting, slip_speed
-from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.jumps import KeptMomentum, until_no_slip
 from rbpsym.mechanics.system import Force, by_letters, in_state
 from rbpsym.present.forms import present
@@ -47,11 +47,8 @@ def write(draft: Draft, ending: Ending) -> None:
 
 def _slip(draft: Draft, ending: Ending) -> Scalar | None:
     """How fast it slips; None where no slip ends."""
-    if ending.phase.event != "no slip":
-        return None
-    system, element = draft.study.system, ending.element(draft)
-    geometry = geometry_of(system)
-    return short(substitute(slip_speed(geometry, meeting(element, geometry)), system.dependent))
+    gap = LAWS[ending.phase.event].gap if EVENTS[ending.phase.event].by_friction else None
+    return None if gap is None else short(gap(draft.study, ending.phase))
 
 
 def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
@@ -83,12 +80,12 @@ def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
 
 def _moment(draft: Draft, ending: Ending, time: Scalar) -> None:
     """t_1."""
-    letter = draft.define(draft.free(f"t_{ending.number}"), time)
+    letter, event = draft.define(draft.free(f"t_{ending.number}"), time), begun(ending.phase)
     draft.add(
         "moment",
         "event_time",
         t.equation(letter, draft.show(time, factor=True, met=ending.state.valid or None)),
-        f"phases.moment.{MOMENTS[begun(ending.phase)]}",
+        f"phases.moment.{EVENTS[event].moment if event in EVENTS else event}",
         premises=draft.those("slip.speed", "slip.rate"),
         letter=letter,
         coordinate=t.Sym(ending.phase.subject),
@@ -110,7 +107,7 @@ def _place(draft: Draft, ending: Ending) -> None:
         "place",
         "event_place",
         t.equation(letter, draft.show(value)),
-        f"phases.place.{PLACES[begun(ending.phase)]}",
+        f"phases.place.{EVENTS[ending.phase.event].place}",
         letter=letter,
         force=t.Sym(ending.phase.subject),
         coordinate=t.Sym(name),
@@ -123,12 +120,6 @@ def _place(draft: Draft, ending: Ending) -> None:
 def begun(phase: Phase) -> str:
     """The event as it is told: a string that begins is taut."""
     return "taut" if phase.gap is not None and "path" in phase.gap.values else phase.event
-
-
-MOMENTS = {"no slip": "slip", "reaches": "value", "takes": "value", "rests": "rest", "time": "time", "begins": "begins",
-           "taut": "taut"}  # fmt: skip
-PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value", "no slip": "rest", "rests": "turn",
-          "begins": "value", "taut": "value"}  # fmt: skip
 
 
 def _mover(draft: Draft, ending: Ending) -> list[str]:
@@ -171,14 +162,14 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
 
 def _coefficient(draft: Draft, ending: Ending) -> t.Node:
     """That of the friction of what slips; 0 where nothing does."""
-    slips: t.Node = ending.element(draft)["coefficient"] if ending.phase.event == "no slip" else t.ZERO
+    slips: t.Node = ending.element(draft)["coefficient"] if EVENTS[ending.phase.event].by_friction else t.ZERO
     return slips
 
 
 def _energy(draft: Draft, ending: Ending) -> None:
     """What kinetic friction has taken by then."""
     study, start = draft.study, at_start(draft.study)
-    if ending.phase.event != "no slip":
+    if not EVENTS[ending.phase.event].by_friction:
         return
     before, after = (kinetic(draft, s.places, s.speeds) for s in (start, ending.state))
     lost = short(before - after)

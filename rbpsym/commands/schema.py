@@ -31,8 +31,8 @@ def named(rows: Schema) -> Schema:
 
 def schema() -> Schema:
     """The schema of a problem file."""
+    from rbpsym.elements.events import STATED
     from rbpsym.statement.assemble import SECTIONS
-    from rbpsym.statement.phases import EVENTS
     from rbpsym.studio.completing import COMMON, KINDS
 
     sections = {name: {"description": meaning} for name, meaning in SECTIONS.items()}
@@ -40,7 +40,7 @@ def schema() -> Schema:
     phase: Schema = {key: {"description": meaning} for key, meaning in COMMON["phases"].items()}
     phase |= {key: phase[key] | {"type": "object"} for key in ("constraints", "interactions")}  # may change a key alone
     phase["impulses"] |= kinds["impulses"]
-    phase["event"] |= {"enum": list(EVENTS)}
+    phase["event"] |= {"enum": list(STATED)}
     rows = {"type": "array", "items": table(phase, ("name",))}
     coordinate = {key: {"description": meaning} for key, meaning in COMMON["coordinates"].items()}
     coordinates = named({"anyOf": [TEXT, table(coordinate)]})

@@ -63,6 +63,34 @@ class ElementKind(Frozen):
     folder: str = ""
 
 
+class EventKind(Frozen):
+    """A kind of event that ends a phase, with what its keys are: `of` names something ("" nothing: a "constraint", a
+    "coordinate", what the phase brings), `at` gives a "value" or a "time".
+
+    `fails` says that it does not come, `moment` and `place` are tails of the phrases that tell when and where it does;
+    `shown` are the events of the explorer that end a phase so. What ends `gives_way` (it holds before), or it ends
+    `by_friction` that slips. Questions may know more events than statements, of which it `is_stated`.
+    """
+
+    name: str
+    meaning: str
+    folder: str
+    of: str = ""
+    at: str = ""
+    fails: str = ""
+    moment: str = ""
+    place: str = ""
+    shown: tuple[str, ...] = ()
+    gives_way: bool = False
+    by_friction: bool = False
+    is_stated: bool = True
+
+
+def event(folder: str, meaning: str, **more: Any) -> EventKind:
+    """The kind of event that a folder holds."""
+    return EventKind(folder.rpartition(".")[2].replace("_", " "), meaning, folder, **more)
+
+
 class ElementText(Frozen):
     """A mass element as infix text in the sizes of the shape (see `model.MassElement`)."""
 

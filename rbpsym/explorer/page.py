@@ -17,18 +17,16 @@ from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
+from rbpsym.elements.events import EVENTS
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.explorer.events import force_labels, label, strikes
 from rbpsym.explorer.stage import LAST, Began, PhaseEnding, StagePhase, loose, phase, start_name
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.field import Scalar
-from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.languages import part_of
-from rbpsym.mechanics.arrivals import of_coordinate
-from rbpsym.mechanics.endings import gap
-from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.numbers import angles, bound, number, sample
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.study import Study
@@ -149,20 +147,10 @@ def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:
     """The moment at which a phase ends, if it is known, and the event that is no surprise then."""
     if k + 1 == len(parts):
         return LAST
-    ending = problem.phases[k]
-    goal, began, name = None, parts[k + 1].began, ending.subject
-    if ending.event in ("reaches", "rests"):
-        place, speed = of_coordinate(parts[k].study, name)
-        goal = name, place - scalar(ending.value) if ending.event == "reaches" and ending.value is not None else speed
-    if ending.gap is not None and ending.event == "begins":
-        goal = name, gap(ending.gap, geometry_of(parts[k].study.system))
-    names_of = tuple((kind, ending.subject) for kind in KINDS.get(ending.event, ()))
-    return PhaseEnding(began.before.time if began else None, names_of, goal)
-
-
-# event that begins a phase -> events of the explorer that end the phase before
-KINDS = {"lost": ("lost", "slack"), "slips": ("slips",), "no slip": ("holds",), "reaches": ("reaches",), "rests": ("reaches",),
-         "begins": ("reaches",)}  # fmt: skip
+    ending, began = problem.phases[k], parts[k + 1].began
+    shown, gap = EVENTS[ending.event].shown, LAWS[ending.event].gap
+    goal = (ending.subject, gap(parts[k].study, ending)) if gap is not None and "reaches" in shown else None
+    return PhaseEnding(began.before.time if began else None, tuple((kind, ending.subject) for kind in shown), goal)
 
 
 def _number(slider: Slider, notation: Notation, said: Words) -> dict[str, Any]:

@@ -5,15 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, substitute, symbol
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import Scalar, symbol
 from rbpsym.mechanics.arrivals import of_coordinate
-from rbpsym.mechanics.contacts import meeting, slip_speed
-from rbpsym.mechanics.endings import gap
-from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import Derivation, Step
-from rbpsym.statement.model import Phase
 
 
 def parts(derivation: Derivation) -> Iterator[tuple[str, str, Derivation]]:
@@ -55,34 +51,5 @@ LETTERS: Mapping[str, Callable[[Study, Step], dict[str, Scalar]]] = {
 def event(derivation: Derivation) -> Scalar | None:
     """What vanishes at the end of a phase; None where there is no end, or no words for it."""
     phase = next((step.data["ending"].phase for step in derivation.steps if "ending" in step.data), None)
-    return GAPS[phase.event](derivation.study, phase) if phase is not None and phase.event in GAPS else None
-
-
-def _slip(study: Study, phase: Phase) -> Scalar:
-    geometry = geometry_of(study.system)
-    return slip_speed(geometry, meeting(study.system.element(phase.subject), geometry))
-
-
-def _closing(study: Study, phase: Phase) -> Scalar:
-    assert phase.gap is not None
-    return gap(phase.gap, geometry_of(study.system))
-
-
-def _value(phase: Phase) -> Scalar:
-    assert phase.value is not None
-    return scalar(phase.value)
-
-
-def _tied(found: Callable[[Study, Phase], Scalar]) -> Callable[[Study, Phase], Scalar]:
-    return lambda study, phase: substitute(found(study, phase), study.system.dependent)
-
-
-GAPS: Mapping[str, Callable[[Study, Phase], Scalar]] = {
-    "no slip": _tied(_slip),
-    "begins": _tied(_closing),
-    "reaches": lambda study, phase: of_coordinate(study, phase.subject)[0] - _value(phase),
-    "rests": lambda study, phase: of_coordinate(study, phase.subject)[1],
-    "time": lambda study, phase: symbol("t") - _value(phase),
-    "takes": lambda study, phase: symbol(phase.subject) - _value(phase),
-    "lost": lambda study, phase: symbol(phase.subject),
-}
+    gap = None if phase is None else LAWS[phase.event].gap
+    return None if phase is None or gap is None else gap(derivation.study, phase)

@@ -21,7 +21,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.arrivals import ArrivalState, at_start
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, possible
-from rbpsym.mechanics.endings import ENDINGS
+from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import STRIKES, Struck, is_holding, restitutions, strike
 from rbpsym.mechanics.phase_checks import check_in_place, check_still_slipping, with_senses
@@ -116,7 +116,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
             f"no closed form was found for the end of the phase before “{phase.name}”: its motion is known at its start alone",
             instead="let the phase begin at once, or state it as a problem of its own.",
         )
-    before = ENDINGS[phase.event](study, phase)
+    before = LAWS[phase.event].ends(study, phase)
     lost_track = [name for name, value in before.places.items() if value == symbol(name)]
     if lost_track:
         raise NotApplicable(

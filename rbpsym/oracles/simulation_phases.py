@@ -9,10 +9,10 @@ n·(v₂' - v₁') = -e n·(v₂ - v₁), and speeds, impulses and the loss of e
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from copy import copy
 
 import numpy as np
 
+from rbpsym.elements.events import EVENTS
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import NotApplicable, there
@@ -24,13 +24,13 @@ from rbpsym.mechanics.study import Study
 from rbpsym.numeric import integration
 from rbpsym.oracles.simulation import Bench, Derived, Errors, SimulationReport, simulate_study, told
 from rbpsym.oracles.simulation_bodies import Mechanism, placed
-from rbpsym.oracles.simulation_contacts import ROWS, slipping
+from rbpsym.oracles.simulation_contacts import ROWS
 from rbpsym.oracles.simulation_joints import Kept
-from rbpsym.oracles.simulation_placement import Start, dotted
+from rbpsym.oracles.simulation_placement import Start
 from rbpsym.statement.model import Element, Phase, PointRef, Problem
 
 LONGEST = 200.0  # lengths of the usual motion in which an event must have come
-Watch = Callable[[np.ndarray, np.ndarray], float]
+Watch = Callable[[float, np.ndarray, np.ndarray], float]
 
 
 def simulate_problem(study: Study) -> SimulationReport:
@@ -121,11 +121,7 @@ def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float],
         return End(0.0, start.where, start.speed)
     if _is_idle(bench, start):
         start = _on_the_way(bench, study, derived)
-    if phase.event == "time":
-        end = bench.placement.mechanism.number(there(phase.value))
-        return _seen(bench, start, lambda time, where, speed: time - end)
-    watch = WATCHES[phase.event](bench, phase, start)
-    return _seen(bench, start, lambda time, where, speed: watch(where, speed))
+    return _seen(bench, start, WATCHES[phase.event](bench, phase, start))
 
 
 def _is_idle(bench: Bench, start: Start) -> bool:
@@ -144,7 +140,7 @@ def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]) -> Sta
     return bench.start({name: here}, {name: rate if derived[name] > begin else -rate}, (name,))
 
 
-def _seen(bench: Bench, start: Start, watch: Callable[[float, np.ndarray, np.ndarray], float]) -> End:
+def _seen(bench: Bench, start: Start, watch: Watch) -> End:
     """The first change of sign along the motion."""
     size, step = bench.equations.size, bench.usual_time(start)
     event = integration.Event(lambda time, state: watch(time, state[:size], state[size : 2 * size]))
@@ -157,67 +153,10 @@ def _seen(bench: Bench, start: Start, watch: Callable[[float, np.ndarray, np.nda
     return End(time, state[:size], state[size : 2 * size])
 
 
-def _watch_slip(bench: Bench, phase: Phase, start: Start) -> Watch:
-    element = _element(bench, phase.subject)
-    row = slipping(element, bench.placement.mechanism, start.where.tolist())
-    return lambda where, speed: dotted(row.at(where.tolist(), speed.tolist()).entries, speed.tolist())
+WATCHES: Mapping[str, Callable[[Bench, Phase, Start], Watch]] = KindParts(EVENTS, "row", "watch")
 
 
-def _watch_push(bench: Bench, phase: Phase, start: Start) -> Watch:
-    subject = phase.subject
-    return lambda where, speed: bench.multipliers(where, speed)[subject]
-
-
-def _watch_grip(bench: Bench, phase: Phase, start: Start) -> Watch:
-    element = _element(bench, phase.subject)
-    limit = bench.placement.mechanism.number(element["limit"])
-
-    def left(where: np.ndarray, speed: np.ndarray) -> float:
-        forces = bench.multipliers(where, speed)
-        return limit * sum(forces[name] for name in element.normals) - abs(forces[element["friction"]])
-
-    return left
-
-
-def _watch_value(bench: Bench, phase: Phase, start: Start) -> Watch:
-    target = bench.placement.mechanism.number(there(phase.value))
-    place, near = bench.placement.names.index(phase.subject), [start.q]
-
-    def ahead(where: np.ndarray, speed: np.ndarray) -> float:
-        near[0] = bench.placement.coordinates(where.tolist(), near[0])
-        return float(near[0][place]) - target
-
-    return ahead
-
-
-def _watch_speed(bench: Bench, phase: Phase, start: Start) -> Watch:
-    place, near = bench.placement.names.index(phase.subject), [start.q]
-
-    def left(where: np.ndarray, speed: np.ndarray) -> float:
-        near[0] = bench.placement.coordinates(where.tolist(), near[0])
-        return float(bench.placement.speeds(near[0], where.tolist(), speed.tolist())[place])
-
-    return left
-
-
-def _watch_gap(bench: Bench, phase: Phase, start: Start) -> Watch:
-    mechanism, gap = copy(bench.placement.mechanism), there(phase.gap)
-    mechanism.slips = {gap.name: 1}  # whatever it is: the gap does not ask
-    [kept, *_] = met(gap, mechanism, start.where.tolist())
-    return lambda where, speed: kept.at(where.tolist(), speed.tolist()).value
-
-
-WATCHES: Mapping[str, Callable[[Bench, Phase, Start], Watch]] = {
-    "no slip": _watch_slip,
-    "slips": _watch_grip,
-    "lost": _watch_push,
-    "reaches": _watch_value,
-    "rests": _watch_speed,
-    "begins": _watch_gap,
-}
-
-
-def _element(bench: Bench, name: str) -> Element:
+def stated_element(bench: Bench, name: str) -> Element:
     return next(e for e in bench.placement.mechanism.problem.constraints if e.name == name)
 
 

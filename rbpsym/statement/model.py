@@ -203,7 +203,7 @@ class Element(Frozen):
 class Phase(Frozen):
     """A part of the motion after the first: what begins it, what strikes then, the problem that then holds.
 
-    `event` is a key of `phases.EVENTS`, `subject` the constraint or impulse that it is about, or the coordinate
+    `event` is a key of `elements.events.EVENTS`, `subject` the constraint or impulse that it is about, or the coordinate
     that reaches `value` ("" of what asks for none); `impulses` are elements of the kinds of `phases.IMPULSES`. The starts in
     `problem` are those of the first phase.
     """

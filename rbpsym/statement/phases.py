@@ -11,11 +11,12 @@ Keys of a constraint that is there already are kept as far as its new kind has t
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
 from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.events import STATED
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.elements.interactions import INTERACTIONS
 from rbpsym.elements.kinds import ElementKind
@@ -28,21 +29,10 @@ from rbpsym.statement.premises import surely_above
 from rbpsym.statement.scope import read_expression
 from rbpsym.statement.source import SourceTable, did_you_mean, kind_of
 
-EVENTS: dict[str, str] = {
-    "at once": "the phase begins at the start of the one before: a blow, a point suddenly held",
-    "no slip": "the constraint “of”, which has kinetic friction, stops slipping",
-    "slips": "the constraint “of”, which static friction with a limit holds, begins to slip: |f| reaches μN",
-    "lost": "the contact “of” is lost: its normal force reaches zero",
-    "reaches": "the coordinate “of” reaches the value “at”",
-    "rests": "the coordinate “of” comes to rest: its speed vanishes",
-    "time": "the time “at” has gone since the phase before began",
-    "begins": "the contact, string or bounce “of”, which the phase brings, begins: a body lands, a string goes taut",
-}
-
 KINDS = {"interactions": INTERACTIONS, "constraints": CONSTRAINTS}
 PHASE_KEYS = {
     "name": "what the phase is called",
-    "event": "what ends the phase before: " + ", ".join(EVENTS),
+    "event": "what ends the phase before: " + ", ".join(STATED),
     "of": "the constraint or bounce that the event is about, or the coordinate that reaches a value or rests",
     "at": "the value that the coordinate reaches, or the time that goes",
     "constraints": "constraints that are new or change",
@@ -78,23 +68,20 @@ def read_phases(table: SourceTable, problem: Problem, around: Surroundings) -> t
 
 def _event(row: SourceTable, name: str, current: Mapping[str, object], around: Surroundings) -> tuple[str, str]:
     event = row.string("event", "at once")
-    if event not in EVENTS:
+    if event not in STATED:
         raise row.value_error(
-            "event", f"the phase “{name}” begins with an unknown event “{event}”", did_you_mean(event, EVENTS, "events")
+            "event", f"the phase “{name}” begins with an unknown event “{event}”", did_you_mean(event, STATED, "events")
         )
-    if event == "at once":
-        _needless(row, name, event, ("of", "at"))
+    kind = STATED[event]
+    what = kind.of
+    _needless(row, name, event, [key for key, is_asked in (("of", what), ("at", kind.at)) if not is_asked])
+    if not what:
         return event, ""
-    if event == "time":
-        _needless(row, name, event, ("of",))
-        return event, ""
-    row.require("of", f"the phase “{name}”", f'add of = "N": {EVENTS[event]}.')
+    row.require("of", f"the phase “{name}”", f'add of = "N": {kind.meaning}.')
     subject = row.string("of")
-    known, what = (around.scope.coordinates, "coordinate") if event in ("reaches", "rests") else (current, "constraint")
-    if event == "begins":
-        own = (row.tables(section, section) for section in ("constraints", "impulses"))
-        known = {key: part for tables in own for key, part in tables}
-        what = "constraint or bounce of its own"
+    known: Mapping[str, object] = around.scope.coordinates if what == "coordinate" else current
+    if what not in ("coordinate", "constraint"):
+        known = {key: part for section in ("constraints", "impulses") for key, part in row.tables(section, section)}
     if subject not in known:
         raise row.value_error(
             "of", f"the phase “{name}”: there is no {what} “{subject}”", did_you_mean(subject, known, f"{what}s")
@@ -104,11 +91,10 @@ def _event(row: SourceTable, name: str, current: Mapping[str, object], around: S
 
 def _value(row: SourceTable, name: str, event: str, subject: str, around: Surroundings) -> Node | None:
     """The value that a coordinate reaches, or the time that goes."""
-    if event == "time":
+    if STATED[event].at == "time":
         row.require("at", f"the phase “{name}”", 'add at = "t_1": the time that goes.')
         return read_expression(row.item("at"), around.scope, f"“at” of the phase “{name}”", TIME, sign="positive")
-    if event != "reaches":
-        _needless(row, name, event, ("at",))
+    if not STATED[event].at:
         return None
     row.require("at", f"the phase “{name}”", f'add at = "0": the value that {subject} reaches.')
     dimension, given = around.scope.coordinates[subject], around.scope.given
@@ -119,7 +105,7 @@ def _value(row: SourceTable, name: str, event: str, subject: str, around: Surrou
     return value
 
 
-def _needless(row: SourceTable, name: str, event: str, keys: tuple[str, ...]) -> None:
+def _needless(row: SourceTable, name: str, event: str, keys: Iterable[str]) -> None:
     for key in keys:
         if key in row:
             raise row.value_error(

@@ -7,6 +7,7 @@ from typing import Any
 
 from rbpsym.ask.question import CLAUSES
 from rbpsym.elements.constraints import CONSTRAINTS
+from rbpsym.elements.events import STATED
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.elements.interactions import INTERACTIONS
 from rbpsym.elements.kinds import ElementKind, Field, ShapeKind
@@ -14,7 +15,7 @@ from rbpsym.elements.shapes import SHAPES
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.quantity.phrases import PHRASES
 from rbpsym.statement.assemble import SECTIONS
-from rbpsym.statement.phases import EVENTS, PHASE_KEYS
+from rbpsym.statement.phases import PHASE_KEYS
 
 Words = Mapping[str, str]  # what can be written, and what it means
 KINDS: Mapping[str, tuple[str, Mapping[str, ElementKind]]] = {
@@ -45,7 +46,7 @@ def tables() -> dict[str, object]:
         "kinds": {section: {"key": key, "names": dict(map(_kind, kinds.values()))} for section, (key, kinds) in KINDS.items()},
         "keys": COMMON,
         "dimensions": {name: str(dimension) for name, dimension in DIMENSIONS.items()},
-        "events": EVENTS,
+        "events": {name: kind.meaning for name, kind in STATED.items()},
         "quantities": sorted({*_examples(PHRASES), *_examples(CLAUSES)}),
     }
 

@@ -12,10 +12,10 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.derive import derive
+from rbpsym.elements.events import STATED
 from rbpsym.elements.impulses import IMPULSES
 from rbpsym.solve import solve
 from rbpsym.statement import CONSTRAINTS, INTERACTIONS, SHAPES, load_problem, load_text
-from rbpsym.statement.phases import EVENTS
 from tests.architecture.source import ROOT
 from tests.library.derived import derived_from, stated
 
@@ -23,7 +23,7 @@ DOCS = ROOT / "docs"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 KINDS = {"shapes": SHAPES, "interactions": INTERACTIONS, "constraints": CONSTRAINTS}
 EXAMPLES = [DOCS / "examples" / section / f"{name}.toml" for section, kinds in KINDS.items() for name in kinds]
-PHASES = [DOCS / "examples" / "events" / f"{name.replace(' ', '-')}.toml" for name in EVENTS]
+PHASES = [DOCS / "examples" / "events" / f"{name.replace(' ', '-')}.toml" for name in STATED]
 PHASES += [DOCS / "examples" / "impulses" / f"{name}.toml" for name in IMPULSES]
 
 

@@ -17,7 +17,8 @@ HEAVY = {"sympy", "matplotlib", "scipy", "typst", "jinja2", "rich", "docx", "nbf
 SYMPY_LIVES_IN = ("rbpsym.field.sympy_bridge", "rbpsym.face.late")
 
 
-PARTS = {"law": "mechanics", "work": "oracles", "row": "oracles"}  # of the folder of a kind, whose data are part of the statement
+# of the folder of a kind, whose data are part of the statement
+PARTS = {"law": "mechanics", "work": "oracles", "row": "oracles", "check": "proof"}
 
 
 def room(dotted: str) -> str:

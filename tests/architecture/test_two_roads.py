@@ -17,7 +17,8 @@ SHARED = {  # what a checker takes from the mechanics beside these, with the rea
     ("rbpsym.proof.checks.constraints", "rbpsym.mechanics.conditions"): "what a constraint asks is the statement",
     ("rbpsym.proof.checks.constraints", "rbpsym.mechanics.contacts"): "where bodies touch; their speeds are its own",
     ("rbpsym.proof.checks.constraints", "rbpsym.mechanics.friction"): "the poses as places of points",
-    ("rbpsym.proof.checks.phases", "rbpsym.mechanics.contacts"): "where bodies touch is the statement",
+    ("rbpsym.proof.checks.courses", "rbpsym.mechanics.contacts"): "where bodies touch is the statement",
+    ("rbpsym.proof.checks.courses", "rbpsym.mechanics.friction"): "the poses as places of points",
     ("rbpsym.proof.checks.phases", "rbpsym.mechanics.friction"): "the poses as places of points",
     ("rbpsym.proof.checks.phases", "rbpsym.mechanics.geometry"): "the direction that the statement names",
     ("rbpsym.proof.checks.oscillations", "rbpsym.mechanics.demands"): "conditions of a place as assumptions",
@@ -29,7 +30,7 @@ SHARED = {  # what a checker takes from the mechanics beside these, with the rea
 
 
 def _is_checker(name: str) -> bool:
-    return name.startswith(CHECKERS)
+    return name.startswith(CHECKERS) or (name.startswith("rbpsym.elements.") and name.endswith(".check"))
 
 
 @pytest.mark.parametrize("module", [m for m in MODULES if _is_checker(m.name)], ids=lambda m: m.name)

@@ -26,7 +26,7 @@ EQUIVALENT: dict[str, str] = {
     "decide/points.py points: 0 -> 1": SAMPLE,
     "present/grouping.py _forms: len(form) > 1 -> len(form) >= 1": "a sum that becomes one term has factors as it is",
     "mechanics/interactions.py stretch: UNITY * sign -> (UNITY) / (sign)": SIGN,
-    "mechanics/endings.py _time_until: speed * sense -> (speed) / (sense)": SIGN,
+    "mechanics/endings.py time_until: speed * sense -> (speed) / (sense)": SIGN,
     "mechanics/phase_checks.py check_still_slipping: _at(study, slip_speed(geometry, meeting(element, geometry)), known) * "
     "sense < -CLOSE -> _at(study, slip_speed(geometry, meeting(element, geometry)), known) * sense <= -CLOSE": NEVER_EQUAL,
     "field/normal.py without_inverses: 1 -> 2": "it is asked only whether it vanishes",

@@ -5,19 +5,27 @@ A coordinate that an equation with the time ties is checked by this equation its
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
 
 from rbpsym.decide.equal import compare, scalars_equal
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED, Verdict
+from rbpsym.elements.events import EVENTS
+from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import Undecided
 from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import Frozen
+from rbpsym.mechanics.contacts import meeting
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.system import System
 from rbpsym.proof.checks.of_steps import weakest
 from rbpsym.proof.checks.places import UNSEEN, own_place
 from rbpsym.proof.context import Context
 from rbpsym.proof.mass import primitive
+from rbpsym.statement.model import Element, Phase
 
 
 def course_of(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
@@ -68,6 +76,34 @@ def _gained(rate: Scalar) -> Scalar:
 def at_time(time: Scalar, value: Scalar) -> Scalar:
     """The value of a function of the time then."""
     return substitute(value, {"t": time})
+
+
+def _unseen(context: Context, phase: Phase) -> Scalar:
+    raise Undecided(f"that “{phase.event}” holds is not seen on a second road")
+
+
+class EventCheck(Frozen):
+    """What vanishes at an event: as a function of the time on the motion from the start, and of the place along it."""
+
+    then: Callable[[Context, Phase], Scalar] = _unseen
+    there: Callable[[Context, Phase], Scalar] = _unseen
+
+
+CHECKS: Mapping[str, EventCheck] = KindParts(EVENTS, "check", "CHECK")
+
+
+def force_there(context: Context, name: str) -> Scalar:
+    """An unknown force as a function of the place."""
+    return (context.study.reactions_along_motion or {})[name]
+
+
+def closing(system: System, element: Element) -> Scalar:
+    """How far what meets is apart; half the difference of the squares for the ends of a string of a length, and circles."""
+    geometry = geometry_of(system)
+    if "path" not in element.values:
+        return meeting(element, geometry).gap
+    first, second = (geometry.where(turn.center) for turn in element["path"])
+    return ((second - first).dot(second - first) - scalar(element["length"]) ** 2) / 2
 
 
 def is_driven(context: Context, phase: Any) -> bool:

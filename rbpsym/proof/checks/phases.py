@@ -15,6 +15,7 @@ from rbpsym.decide.equal import compare, refuted_only_where
 from rbpsym.decide.rooted import sign_along
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
+from rbpsym.elements.events import EVENTS
 from rbpsym.expr import tree as t
 from rbpsym.field import (
     NOTHING,
@@ -30,12 +31,21 @@ from rbpsym.field import (
     time_derivative,
 )
 from rbpsym.field.evaluate import scalar
-from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System, by_letters, in_state
 from rbpsym.proof.checks.constraints import slip_at
-from rbpsym.proof.checks.courses import at_time, comes_there, course_of, is_driven, led_then, left_then, moved_to, state_said
+from rbpsym.proof.checks.courses import (
+    CHECKS,
+    at_time,
+    closing,
+    comes_there,
+    is_driven,
+    led_then,
+    left_then,
+    moved_to,
+    state_said,
+)
 from rbpsym.proof.checks.of_steps import agree, named_sides, premise_says, right_side, right_sides, same, weakest
 from rbpsym.proof.checks.places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.proof.context import Context
@@ -45,7 +55,6 @@ from rbpsym.statement.model import Element
 
 Values = Mapping[str, Scalar]
 SENSES = {"positive": 1, "negative": -1, "nonzero": -1}  # 1: surely positive
-GIVE_WAY = ("lost", "slips")  # what ends so holds before: its force pushes, friction is within its limit
 
 
 def slip(context: Context, step: Step) -> Verdict:
@@ -100,25 +109,15 @@ def _mean_and_last(left: Scalar, time: Scalar) -> tuple[Scalar, Scalar]:
 
 def _left(context: Context, step: Step) -> Any:
     """What is left of the slip, or of the way to the value, as a function of the time."""
-    phase, system = step.data["ending"].phase, context.study.system
+    phase = step.data["ending"].phase
     if is_driven(context, phase):
         return left_then(context, phase)
-    if phase.event == "reaches":
-        return course_of(context, own_place(context, phase.subject))[0] - scalar(phase.value)
-    if phase.event == "rests":
-        return course_of(context, own_place(context, phase.subject))[1]
-    if phase.event == "time":
-        return symbol("t") - scalar(phase.value)
-    if phase.event == "begins":
-        gap = substitute(_closing(system, phase.gap), system.dependent)
-        return substitute(gap, {n: course_of(context, own_place(context, n))[0] for n in names_in(gap) & {*system.coordinates}})
-    slip = slip_at(system, system.element(phase.subject))
-    return context.start(slip) + context.on_motion(time_derivative(slip, system.scope)) * symbol("t")
+    return CHECKS[phase.event].then(context, phase)
 
 
 def reached_there(context: Context, step: Step) -> Verdict:
     """At the stated place the force vanishes, friction is at its limit, or the value is there (`data`: "ending", "name")."""
-    gap = _gap(context, step.data["ending"].phase)
+    gap = CHECKS[step.data["ending"].phase.event].there(context, step.data["ending"].phase)
     return same(context, substitute(gap, {step.data["name"]: right_side(context, step)}), NOTHING)
 
 
@@ -132,38 +131,11 @@ def first_there(context: Context, step: Step) -> Verdict:
         goes = weakest(verdicts)
     if not goes.is_proved:
         return goes
-    gap, name = _gap(context, step.data["ending"].phase), step.data["name"]
+    phase, name = step.data["ending"].phase, step.data["name"]
+    gap = CHECKS[phase.event].there(context, phase)
     way = SENSES.get(sign(gap, between).kind or "") or sign_along(gap, name, between)
-    is_free = way > 0 if step.data["ending"].phase.event in GIVE_WAY else bool(way)
+    is_free = way > 0 if EVENTS[phase.event].gives_way else bool(way)
     return Verdict(PROVED) if is_free else UNSEEN
-
-
-def _gap(context: Context, phase: Any) -> Any:
-    """What vanishes where a phase ends."""
-    system, along = context.study.system, context.study.reactions_along_motion or {}
-    if phase.event == "reaches":
-        return own_place(context, phase.subject) - scalar(phase.value)
-    if phase.event == "rests":
-        return context.along(time_derivative(own_place(context, phase.subject), system.scope) ** 2)
-    if phase.event == "begins":
-        gap = substitute(_closing(system, phase.gap), system.dependent)
-        return substitute(gap, {n: context.start(symbol(n)) for n in names_in(gap) & {*system.independent} if _rests(context, n)})
-    if phase.event == "takes":
-        return along[phase.subject] - scalar(phase.value)
-    element = system.element(phase.subject)
-    if phase.event == "no slip":
-        return context.along(slip_at(system, element) ** 2)
-    if phase.event == "lost":
-        return along[phase.subject]
-    grip, most = along[element["friction"]], sum((along[n] for n in element.normals), NOTHING) * scalar(element["limit"])
-    return (most - grip) * (most + grip)
-
-
-def _rests(context: Context, name: str) -> bool:
-    """Whether a coordinate keeps its start: nothing moves it, and it does not move at first."""
-    rate = symbol(f"{name}_dot")
-    gain = context.on_motion(time_derivative(rate, context.study.system.scope))
-    return not context.start(rate) and same(context, gain, NOTHING).is_proved
 
 
 def state_then(context: Context, step: Step) -> Verdict:
@@ -285,19 +257,10 @@ def parting(context: Context, step: Step) -> Verdict:
 
 def _approach(system: System, element: Element) -> Scalar:
     if element.kind == "bounce":
-        return time_derivative(_closing(system, element), system.scope)
+        return time_derivative(closing(system, element), system.scope)
     where = geometry_of(system).where
     first, second = (where(ref) for ref in element["points"])
     return pair(element["along"]).dot((second - first).rate(system.scope.rates))
-
-
-def _closing(system: System, element: Element) -> Scalar:
-    """How far what meets is apart; half the difference of the squares for the ends of a string of a length, and circles."""
-    geometry = geometry_of(system)
-    if "path" not in element.values:
-        return meeting(element, geometry).gap
-    first, second = (geometry.where(turn.center) for turn in element["path"])
-    return ((second - first).dot(second - first) - scalar(element["length"]) ** 2) / 2
 
 
 def energy_jump(context: Context, step: Step) -> Verdict:
