@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from rbpsym.ask import in_time
 from rbpsym.ask.asked import Asked, Moment, NoClosedForm, NotMet
 from rbpsym.ask.lasting import clear, coming, in_phase
 from rbpsym.ask.question import Question, When
@@ -34,8 +35,6 @@ from rbpsym.typeset.machine import to_machine
 
 def moment_of(asked: Asked, when: When, question: Question) -> Moment:
     """The moment that the words mean. Raises StatementError where the motion never comes there."""
-    from rbpsym.ask import in_time
-
     place = asked.named(question.phase) if question.phase else None
     if question.manner and when.kind in ("reaches", "rests"):
         if found := in_time.by_time(asked, when, place, question.manner):
@@ -203,8 +202,6 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
         return _ahead(asked, "rests", _coordinate(asked, name.removesuffix("_dot")), place)
     if text == "0" and name in asked.held:
         return _vanishes(asked, When("vanishes", (name,)), place)
-    from rbpsym.ask import in_time
-
     world = asked.world(asked.meant(place))
     node = read_infix(text, world.names)
     if name == "t":

@@ -2,9 +2,4 @@
 
 from rbpsym.elements.kinds import event
 
-KIND = event(
-    __name__,
-    "the time “at” has gone since the phase before began",
-    at="time",
-    moment="time",
-)
+KIND = event(__name__, "the time “at” has gone since the phase before began", at="time", moment="time")
