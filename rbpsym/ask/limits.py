@@ -10,27 +10,10 @@ from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.rooted import root_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import LimitError, Undecided, all_there
-from rbpsym.field import (
-    NOTHING,
-    ONE,
-    PI,
-    UNITY,
-    Coefficient,
-    Monomial,
-    Poly,
-    Scalar,
-    apart,
-    at_most,
-    atoms,
-    depends_on,
-    generator,
-    is_zero,
-    names_in,
-    short,
-    symbol,
-)  # fmt: skip
+from rbpsym.field import ONE, Coefficient, Monomial, Poly, apart, at_most, atoms, depends_on, generator, is_zero, names_in, short
 from rbpsym.field.calculus import atom_depends, derivative, split_factor, substitute
 from rbpsym.field.roots import without_even_roots
+from rbpsym.field.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.frozen import Frozen
 
 SMALL = "epsilon_"  # what goes to zero from above

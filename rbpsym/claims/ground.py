@@ -18,22 +18,9 @@ from rbpsym.expr.latex.tokens import tokenize
 from rbpsym.expr.letters import NAME_OF_LETTER
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import Drawn, SymbolTable, spelling
-from rbpsym.field import (
-    NOTHING,
-    ONE,
-    UNITY,
-    Meanings,
-    Scalar,
-    Space,
-    atoms,
-    depends_on,
-    is_zero,
-    kept,
-    substitute,
-    symbol,
-    time_derivative,
-)
+from rbpsym.field import ONE, Meanings, Space, atoms, depends_on, is_zero, kept, substitute, time_derivative
 from rbpsym.field.exponentials import with_squares
+from rbpsym.field.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantity.bound import Bound, Motion, World
 

@@ -14,20 +14,8 @@ from rbpsym import quantities as dimensions
 from rbpsym.chapters import theory_ground as theory
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
-from rbpsym.field import (
-    NOTHING,
-    Meanings,
-    Scalar,
-    Space,
-    atoms,
-    cartesian,
-    depends_on,
-    kept,
-    space_derivative,
-    substitute,
-    symbol,
-)
-from rbpsym.field.calculus import atom_depends
+from rbpsym.field import NOTHING, Meanings, Scalar, Space, atoms, cartesian, kept, space_derivative, symbol
+from rbpsym.field.calculus import atom_depends, depends_on, substitute
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantity.bound import Bound, Motion, axial, number, plane

@@ -8,21 +8,9 @@ from math import prod
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.signs import sign
-from rbpsym.field import (
-    ONE,
-    Poly,
-    Scalar,
-    atoms,
-    factors,
-    generator,
-    inverse,
-    quotient,
-    shorten,
-    symbol,
-    with_exponentials_joined,
-)
+from rbpsym.field import ONE, Poly, Scalar, atoms, factors, generator, inverse, quotient, symbol, with_exponentials_joined
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, root, substitute
-from rbpsym.field.normal import has_roots, in_one_angle, normal, short
+from rbpsym.field.normal import has_roots, in_one_angle, normal, short, shorten
 from rbpsym.field.roots import is_root, side_of, simplified_root, tidied, with_image, without_even_roots
 from rbpsym.frozen import Frozen
 

@@ -12,22 +12,10 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat, root_of, sign_along
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError, there
-from rbpsym.field import (
-    NOTHING,
-    PI,
-    Scalar,
-    depends_on,
-    derivative,
-    has_roots,
-    is_zero,
-    names_in,
-    short,
-    substitute,
-    symbol,
-    time_derivative,
-)
+from rbpsym.field import depends_on, derivative, has_roots, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
+from rbpsym.field.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.events import Way, places_ahead

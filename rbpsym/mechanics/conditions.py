@@ -12,23 +12,10 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NoNumber, StatementError, there
-from rbpsym.field import (
-    NOTHING,
-    ONE,
-    UNITY,
-    Scalar,
-    Vector,
-    atoms,
-    depends_on,
-    derivative,
-    has_roots,
-    is_zero,
-    short,
-    substitute,
-    symbol,
-)
+from rbpsym.field import ONE, Vector, atoms, depends_on, derivative, has_roots, is_zero, short, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.integration import antiderivative
+from rbpsym.field.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.mechanics.constraints import JOINTS, AngleJoin
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample

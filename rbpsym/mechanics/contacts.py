@@ -13,20 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rbpsym.errors import StatementError, there
-from rbpsym.field import (
-    NOTHING,
-    UNITY,
-    Poly,
-    Scalar,
-    Vector,
-    atoms,
-    cartesian,
-    derivative,
-    is_zero,
-    root,
-    substitute,
-    symbol,
-)
+from rbpsym.field import NOTHING, UNITY, Poly, Scalar, Vector, atoms, cartesian, derivative, is_zero, root, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import tidy
 from rbpsym.frozen import Frozen

@@ -17,16 +17,7 @@ from rbpsym.field import Scalar, depends_on, is_zero, names_in, short, substitut
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.arrivals import (
-    EDGE,
-    ArrivalState,
-    at_start,
-    driven_to,
-    first_met,
-    of_coordinate,
-    positive_root,
-    state_at,
-)
+from rbpsym.mechanics.arrivals import EDGE, ArrivalState, at_start, driven_to, first_met, of_coordinate, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.demands import Demand, existence, possible, settle
 from rbpsym.mechanics.forms import gathered

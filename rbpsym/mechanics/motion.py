@@ -10,22 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
-from rbpsym.field import (
-    NOTHING,
-    UNITY,
-    Poly,
-    Scalar,
-    Vector,
-    atoms,
-    depends_on,
-    derivative,
-    function,
-    is_zero,
-    names_in,
-    short,
-    substitute,
-    symbol,
-)
+from rbpsym.field import NOTHING, UNITY, Poly, Scalar, Vector, atoms, is_zero, short, symbol
+from rbpsym.field.calculus import depends_on, derivative, function, names_in, substitute
 from rbpsym.field.exponentials import with_exponentials_joined
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots

@@ -6,20 +6,8 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.errors import NotApplicable
-from rbpsym.field import (
-    NOTHING,
-    Meanings,
-    Scalar,
-    cartesian,
-    depends_on,
-    derivative,
-    is_zero,
-    names_in,
-    substitute,
-    symbol,
-    time_derivative,
-)
-from rbpsym.field.scalar import lift
+from rbpsym.field import Meanings, cartesian, depends_on, derivative, is_zero, names_in, substitute, time_derivative
+from rbpsym.field.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.frozen import replace
 from rbpsym.mechanics.assemble import moving, with_clock, with_forces
 from rbpsym.mechanics.conditions import all_conditions, full_rates, rate_conditions

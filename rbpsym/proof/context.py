@@ -13,21 +13,8 @@ from typing import Any
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.errors import Undecided
 from rbpsym.expr.tree import Add, Bracket, Delta, Deriv, Integral, Limit, Node, PathIntegral, Sym, walk
-from rbpsym.field import (
-    NOTHING,
-    UNITY,
-    Meanings,
-    Scalar,
-    Space,
-    Value,
-    Vector,
-    at_start,
-    atoms,
-    depends_on,
-    rate,
-    time_derivative,
-    value,
-)
+from rbpsym.field import NOTHING, UNITY, Scalar, Space, Vector, atoms, depends_on
+from rbpsym.field.evaluate import Meanings, Value, at_start, rate, time_derivative, value
 from rbpsym.field.exponentials import with_squares
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.study import Study

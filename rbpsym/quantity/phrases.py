@@ -13,22 +13,8 @@ from typing import TYPE_CHECKING
 from rbpsym.decide.rooted import root_of
 from rbpsym.errors import StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import (
-    NOTHING,
-    ORIGIN,
-    PI,
-    Scalar,
-    Space,
-    cartesian,
-    function,
-    names_in,
-    short,
-    space_derivative,
-    substitute,
-    symbol,
-    time_derivative,
-)
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import NOTHING, ORIGIN, PI, Scalar, Space, cartesian, function, names_in, short, substitute, symbol
+from rbpsym.field.evaluate import scalar, space_derivative, time_derivative
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, stretched, translational_energy
 from rbpsym.quantities import NUMBER

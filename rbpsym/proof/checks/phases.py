@@ -17,20 +17,8 @@ from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.elements.events import EVENTS
 from rbpsym.expr import tree as t
-from rbpsym.field import (
-    NOTHING,
-    ORIGIN,
-    UNITY,
-    Scalar,
-    depends_on,
-    derivative,
-    names_in,
-    short,
-    substitute,
-    symbol,
-    time_derivative,
-)
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, short, substitute, symbol
+from rbpsym.field.evaluate import scalar, time_derivative
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System, by_letters, in_state

@@ -15,21 +15,9 @@ from rbpsym.decide.rooted import neat, rooted
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict, proved, undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import (
-    NOTHING,
-    PI,
-    UNITY,
-    Scalar,
-    atoms,
-    generator,
-    has_roots,
-    is_zero,
-    short,
-    symbol,
-    time_derivative,
-    without_roots_below,
-)
+from rbpsym.field import atoms, generator, has_roots, is_zero, short, time_derivative, without_roots_below
 from rbpsym.field.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
+from rbpsym.field.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.proof.checks.of_steps import first_proved, named_sides, premise_says, right_side, same, weakest
 from rbpsym.proof.checks.phases import said_of

@@ -19,17 +19,7 @@ from rbpsym.statement.model import Body, Element, Turn
 from rbpsym.statement.solids import put_into
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.energy import with_energy
-from rbpsym.teaching.misconceptions.model import (
-    ENERGY,
-    FORCES,
-    MOTION,
-    NO_INERTIA,
-    SPIN,
-    WELL,
-    Misconception,
-    Site,
-    of_elements,
-)  # fmt: skip
+from rbpsym.teaching.misconceptions.model import ENERGY, FORCES, MOTION, NO_INERTIA, SPIN, WELL, Misconception, Site, of_elements
 
 SHOWN_AT_ONCE = frozenset({"acceleration", "frequency"})
 
