@@ -9,17 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.chapters.places import (
-    FreeGeometry,
-    as_given,
-    coordinates_of,
-    distance_rows,
-    found_spins,
-    line_rows,
-    meeting_rows,
-    speed_along,
-    tied,
-)
+from rbpsym.chapters import places
 from rbpsym.decide.signs import sign
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, Vector, is_zero, short, time_derivative
@@ -39,7 +29,7 @@ from rbpsym.statement.paths import runs, tensions
 
 def write(draft: Draft) -> None:
     """The conditions of all constraints, then the coordinates and speeds that they determine."""
-    given = as_given(draft.study.system)
+    given = places.as_given(draft.study.system)
     _define_tied(draft)
     ties = (*draft.study.ties, *draft.study.system.speed_ties) if draft.study.at_start else ()
     kept = {condition.constraint for condition in ties}  # their rates are told of the start alone
@@ -48,8 +38,8 @@ def write(draft: Draft) -> None:
         _kept_angle(draft, element)
         if element.name not in kept:
             ASKED.get(JOINTS[element.kind].rates, _nothing)(draft, element, given)
-    found_spins(draft, given)
-    tied(draft)
+    places.found_spins(draft, given)
+    places.tied(draft)
 
 
 def _define_tied(draft: Draft) -> None:
@@ -66,7 +56,7 @@ def _define_tied(draft: Draft) -> None:
             draft.context.scalars[f"{name}_ddot"] = time_derivative(rate, system.scope)
 
 
-def _nothing(draft: Draft, element: Element, given: FreeGeometry) -> None:
+def _nothing(draft: Draft, element: Element, given: places.FreeGeometry) -> None:
     """Nothing is asked of the speeds."""
 
 
@@ -74,7 +64,7 @@ def _nothing(draft: Draft, element: Element, given: FreeGeometry) -> None:
 
 
 def _geometric(draft: Draft, element: Element) -> None:
-    rows = [*meeting_rows(draft, element), *line_rows(draft, element), *distance_rows(draft, element)]
+    rows = [*places.meeting_rows(draft, element), *places.line_rows(draft, element), *places.distance_rows(draft, element)]
     rows += _driven_rows(draft, element)
     rows = rows or _moving_line_rows(draft, element)
     if not rows:
@@ -175,7 +165,7 @@ def _driven_rows(draft: Draft, element: Element) -> list[t.Chain]:
         return [] if angle is None or base is None else [t.equation(t.add(angle, t.neg(base)), element["angle"])]
     if element.kind != "prescribed" or element["of"]:
         return []
-    at = coordinates_of(draft, element["point"])
+    at = places.coordinates_of(draft, element["point"])
     if at is None:
         return []
     ways = zip(element["along"], at, strict=True)
@@ -194,12 +184,12 @@ class _Part(Frozen):
     extra: t.Node | None = None
 
 
-def _speed(draft: Draft, given: FreeGeometry, body: str | None, place: Vector, direction: Vector, about: Vector) -> _Part:
+def _speed(draft: Draft, given: places.FreeGeometry, body: str | None, place: Vector, direction: Vector, about: Vector) -> _Part:
     """Speed of the material point at `place`, split at the point `about` of the same body."""
     if body is None:
         return _Part(t.ZERO, t.ZERO)
     arm = direction.dot((place - about).turned())
-    moved = short(speed_along(given, body, about, direction))
+    moved = short(places.speed_along(given, body, about, direction))
     letter = None
     if body in given.unplaced and moved:
         letter = draft.define(_free_letter(draft, body), draft.context.value(draft.show(moved)))
@@ -207,7 +197,7 @@ def _speed(draft: Draft, given: FreeGeometry, body: str | None, place: Vector, d
     return _Part(still, _turned(draft, given, body, arm), letter)
 
 
-def _turned(draft: Draft, given: FreeGeometry, body: str, arm: Scalar) -> t.Node:
+def _turned(draft: Draft, given: places.FreeGeometry, body: str, arm: Scalar) -> t.Node:
     """arm × ω; with the letter ω where no one gave the angle of the body."""
     spin = given.spin(body)
     if spin is not None:
@@ -223,7 +213,7 @@ def _free_letter(draft: Draft, body: str) -> str:
     return draft.free("v" if draft.is_single else f"v_{body}")
 
 
-def _no_slip(draft: Draft, element: Element, given: FreeGeometry) -> None:
+def _no_slip(draft: Draft, element: Element, given: places.FreeGeometry) -> None:
     """At the contact both have one velocity: V·t = (what it touches) - (rim) ω."""
     met = meeting(element, given.geometry)
     on, by = toucher(element), curve_body(element)
@@ -279,14 +269,14 @@ def _slope(normal: Vector) -> str:
     return "line" if normal.y else "wall"
 
 
-def _taut(draft: Draft, element: Element, given: FreeGeometry) -> None:
+def _taut(draft: Draft, element: Element, given: places.FreeGeometry) -> None:
     """Both ends of each run of a string move along it at one speed."""
     for name, run in zip(tensions(element), runs(element["path"]), strict=True):
         if element["length"] is None:
             _run(draft, element, name, run, given)
 
 
-def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given: FreeGeometry) -> None:
+def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given: places.FreeGeometry) -> None:
     terms = [part for part in _along_run(draft, run, given) if part != t.ZERO]
     if not terms:
         return
@@ -314,7 +304,7 @@ def _balanced(terms: list[t.Node]) -> t.Node:
     return t.equation(t.neg(first), second) if isinstance(first, t.Neg) else t.equation(first, t.neg(second))
 
 
-def _along_run(draft: Draft, run: tuple[Turn, ...], given: FreeGeometry) -> list[t.Node]:
+def _along_run(draft: Draft, run: tuple[Turn, ...], given: places.FreeGeometry) -> list[t.Node]:
     """u·v of the places where the string pulls: at its ends, and at what it slides round."""
     parts = segments(run, given.geometry)
     first, last = parts[0], parts[-1]
@@ -325,7 +315,7 @@ def _along_run(draft: Draft, run: tuple[Turn, ...], given: FreeGeometry) -> list
     return found + _pull(draft, given, run[-1], last.end, -last.along)
 
 
-def _pull(draft: Draft, given: FreeGeometry, turn: Turn, place: Vector, way: Vector) -> list[t.Node]:
+def _pull(draft: Draft, given: places.FreeGeometry, turn: Turn, place: Vector, way: Vector) -> list[t.Node]:
     if turn.body is None:
         return []
     part = _speed(draft, given, turn.body, place, way, given.geometry.where(turn.center))
@@ -333,4 +323,4 @@ def _pull(draft: Draft, given: FreeGeometry, turn: Turn, place: Vector, way: Vec
 
 
 # by what the law of a constraint asks of the speeds
-ASKED: Mapping[object, Callable[[Draft, Element, FreeGeometry], None]] = {no_slip: _no_slip, speeds_along: _taut}
+ASKED: Mapping[object, Callable[[Draft, Element, places.FreeGeometry], None]] = {no_slip: _no_slip, speeds_along: _taut}

@@ -11,22 +11,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.chapters.theory_ground import (
-    ALPHA,
-    AT_START,
-    MASS,
-    MOMENT,
-    OMEGA,
-    POWERS,
-    RATES,
-    SCALARS,
-    VECTORS,
-    R,
-    TheoryContext,
-    forces,
-    particle_context,
-    turning,
-)
+from rbpsym.chapters import theory_ground as ground
 from rbpsym.chapters.theory_works import ideal_forces, potential_energy, works
 from rbpsym.decide.verdict import Verdict
 from rbpsym.expr import tree as t
@@ -37,12 +22,12 @@ from rbpsym.proof.step import Certificate, Lesson, Step, StepRef
 
 
 def _identity(context: Any, step: Step) -> Verdict:
-    particles: Any = particle_context(context)
+    particles: Any = ground.particle_context(context)
     return c.weakest([c.identity(context, step), c.identity(particles, step)])
 
 
 def _rates(context: Any, step: Step) -> Verdict:
-    particles: Any = particle_context(context)
+    particles: Any = ground.particle_context(context)
     return c.weakest([c.rates(context, step), c.rates(particles, step)])
 
 
@@ -54,7 +39,7 @@ class TheoryWriter:
 
     def __init__(self) -> None:
         self.steps: list[Step] = []
-        self.context = TheoryContext()
+        self.context = ground.TheoryContext()
 
     def add(
         self,
@@ -64,7 +49,7 @@ class TheoryWriter:
         premises: Iterable[str] = (),
         fixed: bool = False,
         is_result: bool = False,
-        context: TheoryContext | None = None,
+        context: ground.TheoryContext | None = None,
         where: t.Node | None = None,
     ) -> None:
         """Adds a checked step; `fixed`: the body turns about a fixed point, V = ω × R.
@@ -89,23 +74,23 @@ class TheoryWriter:
 
 def _about_fixed_axis() -> dict[str, Any]:
     """The meanings that change when the origin is a fixed point of the body: V = ω × R, A = dV/dt."""
-    velocity = Space(z=OMEGA).cross(R)
-    acceleration = Space(z=ALPHA).cross(R) + Space(z=OMEGA).cross(velocity)
-    momentum, push = velocity * MASS, acceleration * MASS
+    velocity = Space(z=ground.OMEGA).cross(ground.R)
+    acceleration = Space(z=ground.ALPHA).cross(ground.R) + Space(z=ground.OMEGA).cross(velocity)
+    momentum, push = velocity * ground.MASS, acceleration * ground.MASS
     vectors = {
-        **VECTORS,
+        **ground.VECTORS,
         "V_cm": velocity,
         "A_cm": acceleration,
         "P_cm": momentum,
         "F_net": push,
-        "L": R.cross(momentum) + Space(z=MOMENT * OMEGA),
-        "tau_net": R.cross(push) + Space(z=MOMENT * ALPHA),
+        "L": ground.R.cross(momentum) + Space(z=ground.MOMENT * ground.OMEGA),
+        "tau_net": ground.R.cross(push) + Space(z=ground.MOMENT * ground.ALPHA),
     }
-    whole = push.dot(velocity) + MOMENT * ALPHA * OMEGA
-    works = {**POWERS, "cal_W_T": push.dot(velocity), "cal_W": whole, "cal_W_theta_O": vectors["tau_net"].z * OMEGA}
-    energy = (MASS * velocity.dot(velocity) + MOMENT * OMEGA * OMEGA) / 2
-    rates = {**RATES, **turning("X", "Y")}
-    return {"vectors": vectors, "works": works, "scalars": {**SCALARS, "E_K": energy}, "rates": rates}
+    whole = push.dot(velocity) + ground.MOMENT * ground.ALPHA * ground.OMEGA
+    works = {**ground.POWERS, "cal_W_T": push.dot(velocity), "cal_W": whole, "cal_W_theta_O": vectors["tau_net"].z * ground.OMEGA}
+    energy = (ground.MASS * velocity.dot(velocity) + ground.MOMENT * ground.OMEGA * ground.OMEGA) / 2
+    rates = {**ground.RATES, **ground.turning("X", "Y")}
+    return {"vectors": vectors, "works": works, "scalars": {**ground.SCALARS, "E_K": energy}, "rates": rates}
 
 
 def _half(*factors: t.Node) -> t.Node:
@@ -128,9 +113,9 @@ def _rigidity(w: TheoryWriter) -> None:
     arm, omega = t.Vec("r"), t.Vec("omega")
     turn = t.Cross(omega, arm)
     p, q, op, oq = t.Vec("r_p"), t.Vec("r_q"), t.Vec("omega_p"), t.Vec("omega_q")
-    together = replace(w.context, rates={**RATES, **turning("p_x", "p_y"), **turning("q_x", "q_y")})
+    together = replace(w.context, rates={**ground.RATES, **ground.turning("p_x", "p_y"), **ground.turning("q_x", "q_y")})
     distance = t.Abs(t.Add((p, t.Neg(q))))
-    begun = t.equation(t.Sym("C_p_q"), t.At(distance, AT_START))
+    begun = t.equation(t.Sym("C_p_q"), t.At(distance, ground.AT_START))
     w.add("distance", t.equation(distance, t.Sym("C_p_q")), "theory_rates", context=together, where=begun)
     w.add(
         "rigid",
@@ -205,7 +190,7 @@ def _torque(w: TheoryWriter) -> None:
             t.Add((t.Vec("tau_cm"), t.Cross(arm, t.Vec("F_net")))),
         ),
         premises=["velocity", "torque_split"],
-        where=forces(),
+        where=ground.forces(),
     )
     w.add(
         "euler",

@@ -17,41 +17,11 @@ from rbpsym.field.effort import remembered
 from rbpsym.field.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, size_of, tidy, times
 from rbpsym.field.roots import side_of, with_numbers_inside
 from rbpsym.field.scalar import Scalar
-from rbpsym.present.bars import (
-    Piece,
-    fraction,
-    is_half,
-    is_over_parameter,
-    over,
-    sums_before_functions,
-    with_joined_angles,
-    without_shared,
-    without_tall_roots,
-)
-from rbpsym.present.grouping import (
-    best_factors,
-    by_letters,
-    by_moving,
-    common_coefficient,
-    divisors,
-    gathered,
-    is_inertia,
-    is_worth_factoring,
-    joined_squares,
-    leads_backwards,
-    leads_negative,
-    perfect_power,
-    ratio_to,
-    shared_coefficient,
-    shared_powers,
-    splits_by_parameters,
-    starts_negative,
-    taken_out,
-)
+from rbpsym.present import bars, grouping
 from rbpsym.present.signs import is_upside_down, positive_first, turned, turned_below
 from rbpsym.present.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key, unsigned, varies
 
-Pieces = tuple[Coefficient, list[Piece]]
+Pieces = tuple[Coefficient, list[bars.Piece]]
 
 
 def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
@@ -63,7 +33,7 @@ def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.N
 def _presented(value: Scalar, style: Style, factor: bool) -> t.Node:
     value = with_numbers_inside(value)
     if value.den is ONE:
-        return present_poly(with_joined_angles(value.num), style, factor)
+        return present_poly(bars.with_joined_angles(value.num), style, factor)
     return _ratio(value.num, value.den, replace(style, whole=True), factor)
 
 
@@ -74,35 +44,35 @@ def _ratio(num: Poly, den: Poly, style: Style, factor: bool) -> t.Node:
     """
     if den.is_monomial():
         return present(Scalar(num) / Scalar(den), style, factor=factor)
-    num, den = with_joined_angles(num), with_joined_angles(den)
+    num, den = bars.with_joined_angles(num), bars.with_joined_angles(den)
     if is_upside_down(den, style):
         num, den = -num, -den
-    if below := divisors(den):
+    if below := grouping.divisors(den):
         num, den = num.scaled(1, below), den.scaled(1, below)
-    a, low, den = taken_out(den, style, fenced=True)
+    a, low, den = grouping.taken_out(den, style, fenced=True)
     content = den.content()[0]
     a, den = a * content, den.scaled(Fraction(1) / content)
-    b, high, num = taken_out(num, style, fenced=True)
-    same = ratio_to(num.terms, den) if num.terms.keys() == den.terms.keys() else None
+    b, high, num = grouping.taken_out(num, style, fenced=True)
+    same = grouping.ratio_to(num.terms, den) if num.terms.keys() == den.terms.keys() else None
     if same is not None:
         b, num, den = b * same, ONE, ONE
     more, lower = (1, []) if den == ONE else _groups(den, style, factor)
     further, upper = (1, []) if num == ONE else _groups(num, style, factor)
-    upper, lower = without_shared(upper, lower)
+    upper, lower = bars.without_shared(upper, lower)
     coefficient, upper = turned(Fraction(b) * further / (a * more), upper, style)
     coefficient, lower = turned_below(coefficient, lower, style)
     node = _quotient(size_of(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style)
     return t.neg(node) if coefficient < 0 else node
 
 
-def _quotient(size: Coefficient, common: Monomial, upper: list[Piece], lower: list[t.Node], style: Style) -> t.Node:
+def _quotient(size: Coefficient, common: Monomial, upper: list[bars.Piece], lower: list[t.Node], style: Style) -> t.Node:
     """size × common × sums over sums."""
     before, behind = split(common, style)
     behind, tangents = _tangents(behind, style)
     functions = [*_powers(behind, style), *tangents]
     above = [*_number(size.numerator), *_powers(before, style)]
     below = [*_number(size.denominator), *_powers(tuple((i, -e) for i, e in (*before, *behind) if e < 0), style)]
-    return fraction(above, below, upper, lower, functions)
+    return bars.fraction(above, below, upper, lower, functions)
 
 
 def _number(size: int) -> list[t.Node]:
@@ -116,9 +86,9 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
     if poly.is_monomial():
         [(m, c)] = poly.terms.items()
         return _signed(c, m, style)
-    if any(e < 0 and moves(i, style) for i, e in shared_powers(poly)):  # over sin β: no further bars in the sum
+    if any(e < 0 and moves(i, style) for i, e in grouping.shared_powers(poly)):  # over sin β: no further bars in the sum
         style = replace(style, whole=True)
-    coefficient, common, rest = taken_out(poly, style)
+    coefficient, common, rest = grouping.taken_out(poly, style)
     more, pieces = _groups(rest, style, factor)
     coefficient = coefficient * more
     if not common and coefficient == 1:
@@ -126,7 +96,7 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
     return _assembled(coefficient, common, pieces, style)
 
 
-def _assembled(coefficient: Coefficient, common: Monomial, pieces: list[Piece], style: Style) -> t.Node:
+def _assembled(coefficient: Coefficient, common: Monomial, pieces: list[bars.Piece], style: Style) -> t.Node:
     coefficient, pieces = turned(coefficient, pieces, style)
     before, behind = split(common, style)
     behind, tangents = _tangents(behind, style)
@@ -134,11 +104,11 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces: list[Piece], 
     moving = [*tangents, *(node for node, moves in pieces if moves)]
     low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
     head = _monomial_node(size_of(coefficient), before, style, is_quadratic(behind) and not low)
-    over_it = is_over_parameter(head) or (is_half(head, pieces) and not is_quadratic(behind))
+    over_it = bars.is_over_parameter(head) or (bars.is_half(head, pieces) and not is_quadratic(behind))
     if not low and over_it and isinstance(head, t.Div):
-        node = over(head, [*pieces, *((tangent, True) for tangent in tangents)], _powers(behind, style))
+        node = bars.over(head, [*pieces, *((tangent, True) for tangent in tangents)], _powers(behind, style))
         return t.neg(node) if coefficient < 0 else node
-    factors = sums_before_functions([*_powers(behind, style), *moving])
+    factors = bars.sums_before_functions([*_powers(behind, style), *moving])
     top, bottom = (head.num, head.den) if low and isinstance(head, t.Div) else (head, t.ONE)
     node = t.div(t.mul(top, *fixed, *factors), t.mul(bottom, *low))
     return t.neg(node) if coefficient < 0 else node
@@ -146,10 +116,10 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces: list[Piece], 
 
 def _groups(poly: Poly, style: Style, factor: bool) -> Pieces:
     """The rest as a number and one or more (tree, whether it moves) factors."""
-    parts = by_moving(poly, style)
-    shared = shared_coefficient(list(parts.values())) if len(parts) > 1 else None
+    parts = grouping.by_moving(poly, style)
+    shared = grouping.shared_coefficient(list(parts.values())) if len(parts) > 1 else None
     if shared is not None:
-        rest = Poly({m: ratio for m, fixed in parts.items() if (ratio := ratio_to(fixed, shared)) is not None})
+        rest = Poly({m: ratio for m, fixed in parts.items() if (ratio := grouping.ratio_to(fixed, shared)) is not None})
         return _product(_group(shared, style, factor), _group(rest, style, factor))
     return _group(poly, style, factor)
 
@@ -160,12 +130,12 @@ def _product(first: Pieces, second: Pieces) -> Pieces:
 
 def _group(poly: Poly, style: Style, factor: bool) -> Pieces:
     """One sum with its number and sign taken out, or its factors."""
-    found = best_factors(poly) if factor and is_worth_factoring(poly, style) else None
+    found = grouping.best_factors(poly) if factor and grouping.is_worth_factoring(poly, style) else None
     if found is not None:
         return _factor_pieces(*found, style)
-    if factor and splits_by_parameters(poly, style):
+    if factor and grouping.splits_by_parameters(poly, style):
         return 1, [(_sum_by_parameters(poly, style), True)]
-    number = common_coefficient(poly, style)
+    number = grouping.common_coefficient(poly, style)
     rest = poly.scaled(Fraction(1) / number) if number != 1 else poly
     return number, [(_sum(rest, style), any(varies(i, style) for i in poly.atoms()))]
 
@@ -180,10 +150,10 @@ def _sum_by_parameters(poly: Poly, style: Style) -> t.Node:
 
 def _factor_pieces(coefficient: Coefficient, found: Iterable[tuple[Poly, int]], style: Style) -> Pieces:
     pieces = []
-    for base, power in joined_squares([(with_joined_angles(base), power) for base, power in found]):
+    for base, power in grouping.joined_squares([(bars.with_joined_angles(base), power) for base, power in found]):
         content = base.content()[0]
         base, coefficient = base.scaled(Fraction(1) / content), coefficient * content**power
-        if leads_negative(base, style) or (power % 2 == 0 and starts_negative(base, style)):
+        if grouping.leads_negative(base, style) or (power % 2 == 0 and grouping.starts_negative(base, style)):
             base, coefficient = -base, coefficient * (-1) ** power
         pieces.append((t.power(_sum(base, style), power), any(varies(i, style) for i in base.atoms())))
     return tidy(coefficient), pieces
@@ -191,9 +161,9 @@ def _factor_pieces(coefficient: Coefficient, found: Iterable[tuple[Poly, int]], 
 
 def _sum(poly: Poly, style: Style) -> t.Node:
     """A sum, coefficients of the same moving part collected, a positive term first; a square or cube as such."""
-    if perfect_power(poly) is not None:
+    if grouping.perfect_power(poly) is not None:
         return _plain_sum(poly, style)
-    parts = by_moving(poly, style)
+    parts = grouping.by_moving(poly, style)
     if len(parts) == 1:
         return _plain_sum(poly, style)
     collected = sorted(parts.items(), key=lambda item: term_key(item[0], style))
@@ -202,15 +172,15 @@ def _sum(poly: Poly, style: Style) -> t.Node:
 
 
 def _plain_sum(poly: Poly, style: Style) -> t.Node:
-    found = perfect_power(poly)
+    found = grouping.perfect_power(poly)
     if found is not None:
         number, side, n = found
-        whole = t.power(_plain_sum(-side if n % 2 == 0 and leads_negative(side, style) else side, style), n)
+        whole = t.power(_plain_sum(-side if n % 2 == 0 and grouping.leads_negative(side, style) else side, style), n)
         size = t.mul(_monomial_node(size_of(number), UNIT, style), whole)
         return t.neg(size) if number < 0 else size
-    inner, parts = replace(style, gathered=True), gathered(poly, style)
+    inner, parts = replace(style, gathered=True), grouping.gathered(poly, style)
     plain = _of_parts(parts, inner) if len(parts) > 1 else _in_order(poly, style)
-    ways = [plain, *(_of_parts(parts, inner) for parts in by_letters(poly, style))]
+    ways = [plain, *(_of_parts(parts, inner) for parts in grouping.by_letters(poly, style))]
     return min(ways, key=lambda node: sum(1 for _ in t.walk(node)))
 
 
@@ -220,7 +190,7 @@ def _of_parts(parts: list[Poly], style: Style) -> t.Node:
 
 def _in_order(poly: Poly, style: Style) -> t.Node:
     ordered = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
-    if leads_backwards(poly, style):
+    if grouping.leads_backwards(poly, style):
         ordered = ordered[::-1]
     return t.add(*positive_first([_signed(c, m, style) for m, c in ordered]))
 
@@ -230,10 +200,10 @@ def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
         [(m, c)] = fixed.terms.items()
         both = tuple(sorted((dict(m) | dict(moving)).items()))
         return _signed(c, both, style)
-    if is_inertia(fixed, style) and is_quadratic(moving) and not style.whole:  # an energy: ½Iω²
+    if grouping.is_inertia(fixed, style) and is_quadratic(moving) and not style.whole:  # an energy: ½Iω²
         return _assembled(Fraction(1, 2), moving, [(_plain_sum(fixed.scaled(2), style), False)], style)
     style = replace(style, whole=True) if any(e < 0 for _, e in moving) else style
-    coefficient, common, rest = taken_out(fixed, style, fenced=True)
+    coefficient, common, rest = grouping.taken_out(fixed, style, fenced=True)
     both = tuple(sorted((dict(common) | dict(moving)).items()))
     return _assembled(coefficient, both, [(_plain_sum(rest, style), False)], style)
 
@@ -284,7 +254,7 @@ def _monomial_node(c: Coefficient, m: Monomial, style: Style, number_in_front: b
     if number_in_front and not below and c.denominator != 1:
         return t.mul(t.Div(t.Num(c.numerator), t.Num(c.denominator)), *above)
     low = t.mul(*([t.Num(c.denominator)] if c.denominator != 1 else []), *below)
-    above, tall = without_tall_roots(above) if low != t.ONE else (above, [])
+    above, tall = bars.without_tall_roots(above) if low != t.ONE else (above, [])
     top = t.mul(*([t.Num(c.numerator)] if c.numerator != 1 or not above else []), *above)
     return t.mul(t.div(top, low), *tall)
 
@@ -317,9 +287,9 @@ ODD = ("atan", "asin")
 
 def _radicand(value: Scalar, style: Style) -> t.Node:
     """Below a root, a sum has one fraction line at most."""
-    if value.den is not ONE or len(value.num) < 2 or not divisors(value.num):
+    if value.den is not ONE or len(value.num) < 2 or not grouping.divisors(value.num):
         return present(value, style, factor=True)
-    coefficient, common, rest = taken_out(value.num, replace(style, whole=True), fenced=True)
+    coefficient, common, rest = grouping.taken_out(value.num, replace(style, whole=True), fenced=True)
     more, pieces = _groups(rest, style, True)
     return _assembled(coefficient * more, common, pieces, style)
 
