@@ -8,7 +8,7 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from rbpsym.decide.bounds import of_angle
-from rbpsym.decide.factoring import cleared, reduced
+from rbpsym.decide.factoring import PARTS, cleared, reduced
 from rbpsym.decide.signs import sign
 from rbpsym.field import ONE, PI, UNITY, Monomial, Poly, Scalar, atoms, generator, lift, quotient, root
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 QUARTER = PI * Fraction(1, 2)
 Inverse = Callable[["CaseReading", Scalar], Poly]
-PARTS = 12  # exponentials are powers of exp(term/12)
 
 
 def turn_of_inverse(reading: CaseReading, m: Monomial, parts: int) -> Turn | None:

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
 from rbpsym.decide.signs import sign
-from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
+from rbpsym.decide.verdict import Verdict
+from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import Scalar, atoms
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import NOTHING, Scalar
 from rbpsym.statement.model import Problem
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading import judgement as j
-from rbpsym.teaching.grading.formula import Sought, judge_formula
+from rbpsym.teaching.grading.formula import Sought, determined, gap, judge_formula, linear_parts
 from rbpsym.teaching.grading.ground import GradingGround, bare_ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, invalid
 from rbpsym.teaching.grading.number import ExpectedNumber, judge_number
 from rbpsym.teaching.grading.reading import read_formula
-from rbpsym.teaching.grading.verdicts import are_equal, is_small
+from rbpsym.teaching.grading.verdicts import OUTSIDE, is_small
 from rbpsym.teaching.model import Tolerance
 
 # --- judging an equation against an equation: are they true together?
@@ -28,53 +29,35 @@ from rbpsym.teaching.model import Tolerance
 # determine that symbol too.
 
 
-OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
-
-
 def judge_equation(answer: t.Node, key: t.Chain, ground: GradingGround) -> Judgement:
     """The judgement on an equation that should say the same as the key, both of two sides."""
     if not isinstance(answer, t.Chain) or len(answer.items) != 2:
         return j.wrong("equation wanted")
-    if not is_small(_gap(answer), _gap(key)):
+    if not is_small(gap(answer), ground, gap(key)):
         return j.undecided("the answer is too large to be multiplied out")
     for name in sorted(t.names(key) - {"pi"}):
-        solved = _linear(key, name, ground)
+        solved = _solved(key, name, ground)
         if solved is not None:
             return _on_key(answer, name, solved, ground)
     return j.undecided("the key is linear in none of its symbols")
 
 
-def _gap(equation: t.Chain) -> t.Node:
-    return t.Add((equation.items[0], t.Neg(equation.items[1])))
-
-
-def _linear(equation: t.Chain, name: str, ground: GradingGround) -> Scalar | None:
+def _solved(equation: t.Chain, name: str, ground: GradingGround) -> Scalar | None:
     """What the equation makes of a symbol in which it is linear, with a factor that is never zero."""
-    try:
-        value = scalar(_gap(equation), ground.scope)
-        index = atoms.intern("symbol", name)
-        parts = value.num.by_power(index)
-        if set(parts) - {0, 1} or 1 not in parts or index in value.den.atoms():
-            return None
-        factor = Scalar(parts[1])
-        if not sign(factor, ground.assumptions).is_nonzero:
-            return None
-        return -Scalar(parts[0]) / factor if 0 in parts else factor - factor
-    except OUTSIDE:
-        return None
+    with suppress(*OUTSIDE):
+        factor, rest = linear_parts(equation, name, ground) or (NOTHING, NOTHING)
+        return -rest / factor if sign(factor, ground.assumptions).is_nonzero else None
+    return None
 
 
 def _on_key(answer: t.Chain, name: str, solved: Scalar, ground: GradingGround) -> Judgement:
     """Does the answer hold where the key does, and nowhere else?"""
-    there = replace(ground, scope=ground.scope.with_scalars({name: solved}))
-    left, right = answer.items
-    if are_equal(left, right, ground).is_proved:
-        return j.wrong("identity")
-    verdict = are_equal(left, right, there)
-    if verdict.is_refuted:
-        return replace(j.wrong("other equation"), witness=verdict.witness)
-    own = _linear(answer, name, ground)
-    if verdict.is_proved and own is not None:
+    found = determined(answer, name, solved, ground)
+    if not isinstance(found, Verdict):
+        return found
+    if found.is_refuted:
+        return replace(j.wrong("other equation"), witness=found.witness)
+    if found.is_proved and _solved(answer, name, ground) is not None:
         return j.RIGHT
     return j.undecided("it could not be shown that the equations are true together")
 

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
 
 from rbpsym.decide.dimensions import a, dimension_of
 from rbpsym.decide.equal import scalars_equal
-from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
+from rbpsym.decide.verdict import Verdict
+from rbpsym.errors import DimensionError, RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar
-from rbpsym.field.evaluate import scalar
+from rbpsym.field import NOTHING, Scalar, atoms
 from rbpsym.frozen import Frozen, replace
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.quantity import agrees, rounded, without_number
 from rbpsym.teaching.grading.reading import read_all, read_formula
-from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero, is_small
+from rbpsym.teaching.grading.verdicts import OUTSIDE, are_equal, divides_by_zero, value_of
 from rbpsym.teaching.model import Anticipated
 
 EARNING = (Status.RIGHT, Status.CARRIED, Status.UNFINISHED)
-T = TypeVar("T")
-OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
 
 
 class Sought(Frozen):
@@ -186,7 +183,7 @@ def _carried(answer: t.Node, sought: Sought) -> Judgement | None:
 
 def _is_worth_carrying(own: t.Node, sought: Sought) -> bool:
     """Guard: what follows from the own answer is not zero, has the right dimension, and holds what the key holds."""
-    value, key = _value(own, sought.ground), _value(sought.value, sought.ground)
+    value, key = (value_of(side, sought.ground) for side in (own, sought.value))
     if value is None or key is None or not value or (value.number() is not None and key.number() is None):
         return False
     return _dimension_remark(own, sought) is None
@@ -195,29 +192,23 @@ def _is_worth_carrying(own: t.Node, sought: Sought) -> bool:
 def _unfinished(answer: t.Node, sought: Sought) -> Judgement | None:
     """True on the motion, but with names that the result should not hold."""
     extra = sorted(t.names(answer) - sought.allowed - set(sought.ground.scope.scalars))
-    if not extra or not sought.ground.has_motion or not is_small(answer):
+    if not extra or not sought.ground.has_motion:
         return None
-    own, key = _value(answer, sought.ground), _value(sought.value, sought.ground)
+    own, key = (value_of(side, sought.ground) for side in (answer, sought.value))
     if own is None or key is None:
         return None
     for depth in (sought.ground.on_motion, sought.ground.along):
-        if _same(_tried(depth, own), _tried(depth, key), sought.ground):
+        if _is_same(depth, own, key, sought.ground):
             slots = {"names": tuple(t.Sym(name) for name in extra)}
             return Judgement(Status.UNFINISHED, j.HALF, (Remark("unfinished", slots),))
     return None
 
 
-def _tried(change: Callable[[T], Scalar], value: T) -> Scalar | None:
+def _is_same(change: Callable[[Scalar], Scalar], own: Scalar, key: Scalar, ground: GradingGround) -> bool:
     try:
-        return change(value)
+        return scalars_equal(change(own), change(key), ground.assumptions).is_proved
     except OUTSIDE:
-        return None
-
-
-def _same(first: Scalar | None, second: Scalar | None, ground: GradingGround) -> bool:
-    if first is None or second is None:
         return False
-    return scalars_equal(first, second, ground.assumptions).is_proved
 
 
 def _slip(answer: t.Node, sought: Sought) -> Judgement | None:
@@ -244,7 +235,7 @@ def _dimension_remark(answer: t.Node, sought: Sought) -> Remark | None:
         found = dimension_of(answer, known)
     except DimensionError as error:
         return Remark("dimensions", {"why": error.what})
-    value = _value(answer, sought.ground)
+    value = value_of(answer, sought.ground)
     is_zero = not value if value is not None else divides_by_zero(answer, sought.ground)
     return None if found == wanted or is_zero else Remark("dimension", {"found": a(found), "wanted": a(wanted)})
 
@@ -257,10 +248,6 @@ def _near_miss(answer: t.Node, sought: Sought) -> Judgement | None:
     if not are_equal(answer, t.Mul((t.Num(ratio), sought.value)), sought.ground).is_proved:
         return None
     return j.wrong("sign") if ratio == -1 else j.wrong("factor", factor=t.Num(ratio))
-
-
-def _value(node: t.Node, ground: GradingGround) -> Scalar | None:
-    return _tried(lambda known: scalar(known, ground.scope), node) if is_small(node) else None
 
 
 def _rounded(answer: t.Node, sought: Sought) -> Judgement | None:
@@ -279,30 +266,38 @@ def _equation(read: t.Chain, sought: Sought) -> Judgement:
         return Judgement(Status.INVALID, remarks=(Remark("equation"),))  # of what it is a result is not known
     if not sought.target or sought.target not in t.names(read) or len(read.items) != 2:
         return j.wrong("other side", left=sought.left) if sought.left is not None else j.wrong("equation")
-    left, right = read.items
-    solved = _with_meaning(sought.ground, sought.target, sought.value)
+    solved = value_of(sought.value, sought.ground)
+    unfinished = Judgement(Status.UNFINISHED, j.HALF, (Remark("unsolved", {"left": sought.left}),))
     if solved is None:
-        return j.undecided("the equation is not solved for what is asked")
-    if are_equal(left, right, sought.ground).is_proved:
+        return j.undecided(UNSOLVED)
+    found, is_linear = determined(read, sought.target, solved, sought.ground), linear_parts(read, sought.target, sought.ground)
+    if not isinstance(found, Verdict):
+        return found
+    if found.is_refuted:
+        return replace(j.wrong(), witness=found.witness)
+    return unfinished if found.is_proved and is_linear else j.undecided(UNSOLVED)
+
+
+UNSOLVED = "the equation is not solved for what is asked"
+
+
+def determined(equation: t.Chain, name: str, solved: Scalar, ground: GradingGround) -> Verdict | Judgement:
+    """Whether an equation of two sides holds where a symbol has this value; a judgement if it does for every value."""
+    left, right = equation.items
+    if are_equal(left, right, ground).is_proved:
         return j.wrong("identity")
-    verdict = are_equal(left, right, solved)
-    if verdict.is_proved and _is_linear(t.Add((left, t.Neg(right))), sought):
-        return Judgement(Status.UNFINISHED, j.HALF, (Remark("unsolved", {"left": sought.left}),))
-    if verdict.is_refuted:
-        return replace(j.wrong(), witness=verdict.witness)
-    return j.undecided("the equation is not solved for what is asked")
+    return are_equal(left, right, replace(ground, scope=ground.scope.with_scalars({name: solved})))
 
 
-def _with_meaning(ground: GradingGround, name: str, node: t.Node) -> GradingGround | None:
-    value = _value(node, ground)
-    return None if value is None else replace(ground, scope=ground.scope.with_scalars({name: value}))
+def gap(equation: t.Chain) -> t.Node:
+    """Left less right."""
+    return t.Add((equation.items[0], t.Neg(equation.items[1])))
 
 
-def _is_linear(gap: t.Node, sought: Sought) -> bool:
-    from rbpsym.field import atoms
-
-    value = _value(gap, sought.ground)
-    if value is None:
-        return False
-    index = atoms.intern("symbol", sought.target)
-    return set(value.num.by_power(index)) <= {0, 1} and index not in value.den.atoms()
+def linear_parts(equation: t.Chain, name: str, ground: GradingGround) -> tuple[Scalar, Scalar] | None:
+    """(a, b), where an equation says that a times a symbol plus b is zero; None where it is not linear in it."""
+    value, index = value_of(gap(equation), ground), atoms.intern("symbol", name)
+    parts = value.num.by_power(index) if value is not None and index not in value.den.atoms() else {}
+    if not {1} <= set(parts) <= {0, 1}:
+        return None
+    return Scalar(parts[1]), Scalar(parts[0]) if 0 in parts else NOTHING

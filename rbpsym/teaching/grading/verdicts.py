@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import comb
-from typing import Any
 
 from rbpsym.decide.domain import Condition, conditions, holds_at
 from rbpsym.decide.enclosure import sign_of
@@ -16,85 +14,31 @@ from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.tree import Node
-from rbpsym.field import Scalar
+from rbpsym.field import Scalar, at_most
 from rbpsym.field.evaluate import at_start, rate, scalar
-from rbpsym.teaching.grading.fractional_powers import equal_with_roots
 from rbpsym.teaching.grading.ground import GradingGround
 
-# --- how many terms a tree would have when multiplied out: the bound that keeps grading quick
-# It is counted, not timed, so that the verdict is the same on every machine.
+OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)  # what the algebra refuses
+LARGEST = 400_000  # that are counted of a key
+MOST = 5_000  # products of terms in which an answer must be multiplied out; beside a large key four times as many as that takes
 
 
-MOST = 450  # terms above and below the fraction bar
-MOST_INSIDE = 120  # of what stands under a root or in a function
-_CAP = 10**9
-Terms = tuple[int, int]
+def is_small(node: Node, ground: GradingGround, key: Node | None = None) -> bool:
+    """Whether it is soon multiplied out. It is counted, not timed, so that the verdict is the same on every machine."""
+    most = MOST if key is None else max(MOST, 4 * _products(key, ground, LARGEST))
+    return _products(node, ground, most) <= most
 
 
-def is_small(node: t.Node, key: t.Node | None = None) -> bool:
-    """Whether it can be multiplied out quickly; beside a large key it may be large too."""
-    most = MOST if key is None else max(MOST, 4 * max(terms(key)))
-    return max(terms(node)) <= most
-
-
-def terms(node: t.Node) -> Terms:
-    """(terms above, terms below the fraction bar), from above; parts of functions count by themselves."""
-    rule = _RULES.get(type(node))
-    above, below = rule(node) if rule else _apart(node)
-    return min(above, _CAP), min(below, _CAP)
-
-
-def _apart(node: t.Node) -> Terms:
-    """A function is one term; what stands in it must be small too."""
-    inner = [max(terms(child)) for child in t.children(node)]
-    return (1, 1) if max(inner, default=1) <= MOST_INSIDE else (_CAP, 1)
-
-
-def _sum(node: t.Add) -> Terms:
-    above, below = 0, 1
-    for n, d in map(terms, node.terms):
-        above, below = (above + n, below) if d == 1 else (above * d + n * below, below * d)
-    return above, below
-
-
-def _product(node: t.Mul) -> Terms:
-    above = below = 1
-    for n, d in map(terms, node.factors):
-        above, below = above * n, below * d
-    return above, below
-
-
-def _quotient(node: t.Div) -> Terms:
-    (a, b), (c, d) = terms(node.num), terms(node.den)
-    return a * d, b * c
-
-
-def _power(node: t.Pow) -> Terms:
-    exponent = number_of(node.exponent)
-    if exponent is None:
-        return _apart(node)
-    (above, below), n = terms(node.base), abs(int(exponent)) or 1
-    raised = _multichoose(above, n), _multichoose(below, n)
-    return raised if exponent >= 0 else raised[::-1]
-
-
-def _multichoose(count: int, power: int) -> int:
-    return 1 if count == 1 else comb(min(count, 10**4) + power - 1, power) if power <= 64 else _CAP
-
-
-_RULES: dict[type, Callable[[Any], Terms]] = {
-    t.Num: lambda node: (1, 1),
-    t.Sym: lambda node: (1, 1),
-    t.Add: _sum,
-    t.Mul: _product,
-    t.Div: _quotient,
-    t.Pow: _power,
-    t.Neg: lambda node: terms(node.arg),
-    t.Group: lambda node: terms(node.arg),
-}
-
-
-# ---
+def _products(node: Node, ground: GradingGround, most: int) -> int:
+    """How many products it takes; one more than `most` if there are more."""
+    with at_most(most) as left:
+        try:
+            scalar(_with_logarithms(node), ground.scope)
+        except LimitError:
+            return most + 1
+        except (Undecided, ReadError, ZeroDivisionError):
+            pass  # it has no value, which others tell
+        return most - int(left[0])
 
 
 TOO_LARGE = undecided("the answer is too large to be multiplied out")
@@ -110,8 +54,7 @@ def are_equal(answer: Node, key: Node, ground: GradingGround) -> Verdict:
     first = ground.sampling.differ(answer, key, most=1)
     if first.is_refuted:
         return first
-    is_short = is_small(answer, key)
-    found = _by_algebra(answer, key, ground) if is_short else TOO_LARGE
+    found = _by_algebra(answer, key, ground) if is_small(answer, ground, key) else TOO_LARGE
     if found.is_proved and found.open_obligations and has_other_domain(answer, key, ground):
         return undecided("equal where both have a value, but they have one at different places")
     if found.is_proved and _open_powers(answer, ground) != _open_powers(key, ground):
@@ -141,8 +84,16 @@ def _equal_along(answer: Node, key: Node, ground: GradingGround) -> Verdict:
 
 
 def _by_algebra(answer: Node, key: Node, ground: GradingGround) -> Verdict:
-    sides = answer, key, ground.assumptions, ground.scope
-    return _tried(lambda: equal_with_roots(*sides) or equal(*sides))
+    return _tried(lambda: equal(_with_logarithms(answer), _with_logarithms(key), ground.assumptions, ground.scope))
+
+
+def _with_logarithms(node: Node) -> Node:
+    """The tree with x^(2/3) as exp(2 ln x/3): roots but square ones are decided as exponentials."""
+    inner = t.mapped(node, _with_logarithms)
+    exponent = number_of(inner.exponent) if isinstance(inner, t.Pow) else None
+    if exponent is None or exponent.denominator <= 2:
+        return inner
+    return t.Fn("exp", t.Mul((t.Num(exponent), t.Fn("ln", inner.base))))
 
 
 def _tried(decide: Callable[[], Verdict]) -> Verdict:
@@ -166,7 +117,7 @@ def _open_powers(node: Node, ground: GradingGround) -> set[Node]:
 def _is_positive(base: Node, ground: GradingGround) -> bool:
     try:
         return sign(scalar(base, ground.scope), ground.assumptions).kind == "positive"
-    except (ReadError, LimitError, Undecided, ZeroDivisionError):
+    except OUTSIDE:
         return False
 
 
@@ -195,14 +146,21 @@ def _is_broken(condition: Condition, point: Point) -> bool:
         return False
 
 
+def value_of(node: Node, ground: GradingGround) -> Scalar | None:
+    """The value of a formula; None where it has none, or is not soon multiplied out."""
+    try:
+        return scalar(node, ground.scope) if is_small(node, ground) else None
+    except OUTSIDE:
+        return None
+
+
 def divides_by_zero(answer: Node, ground: GradingGround) -> bool:
     """Does the formula divide by what is identically zero? (Not asked of what is too large.)"""
-    if not is_small(answer):
-        return False
     try:
-        scalar(answer, ground.scope)
+        with at_most(MOST):
+            scalar(answer, ground.scope)
     except ZeroDivisionError:
         return True
-    except (LimitError, Undecided, ReadError):
+    except OUTSIDE:
         pass
     return False
