@@ -188,9 +188,9 @@ def find_witness(
             continue
         exact = all(isinstance(side, Fraction) for side in sides)
         if differ(*sides):
-            first = first or _witness(point, *sides)
+            first = first or witness_at(point, *sides)
             if exact:
-                return _witness(point, *sides)
+                return witness_at(point, *sides)
         inexact += not exact
         if inexact >= MOST_INEXACT:
             break
@@ -204,7 +204,8 @@ def _sides(point: Point, a: Scalar, b: Scalar) -> tuple[Number, Number] | None:
         return None
 
 
-def _witness(point: Point, left: Number, right: Number) -> Witness:
+def witness_at(point: Point, left: Number, right: Number) -> Witness:
+    """A point with the values of two sides there."""
     circle = tuple((_angle(name, point.parts[name]), *pair) for name, pair in point.angles.items())
     return Witness(tuple(point.numbers.items()), circle, left, right)
 

@@ -73,7 +73,7 @@ class Point(Frozen):
 
     def _part(self, m: Monomial, c: Fraction) -> Turn:
         name = angle_name(m)
-        if name is not None and name in self.angles:
+        if name is not None and name in self.angles and (c * self.parts[name]).denominator == 1:
             return turned(self.angles[name], int(c * self.parts[name]), QUARTERS[0])
         if m == PI_TERM and (2 * c).denominator == 1:
             return QUARTERS[int(2 * c) % 4]

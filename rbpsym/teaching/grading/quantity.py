@@ -14,7 +14,7 @@ from rbpsym.expr.infix import read_infix
 from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.units import UnitOf, read_unit
 from rbpsym.teaching.grading.ground import Book, GradingGround
-from rbpsym.teaching.grading.intervals import enclosed
+from rbpsym.teaching.grading.intervals import value_at
 from rbpsym.teaching.grading.judgement import Judgement, wrong
 from rbpsym.teaching.grading.reading import is_latex, unframed, with_decimal_points
 from rbpsym.teaching.grading.words import MADE, WORD, lookup, spelled
@@ -179,7 +179,7 @@ def _exact(told: str) -> Typed:
             number = _DEGREES.sub(lambda f: f"({f[2] or f[4]}*pi/180)", told[:end].rstrip(" *·"))
             node = read_infix(number, (), functions=MADE)
             unit = _unit(told[end:])
-            low, high = enclosure.ends(enclosed(node))
+            low, high = enclosure.ends(value_at(node))
             return Typed(float((low + high) / 2), unit)
         except RbpsymError as error:
             first = first or error
@@ -234,7 +234,7 @@ def agrees(number: Typed, key: t.Node, ground: GradingGround) -> bool:
         return False
     if t.names(key) - {"pi"}:
         return True
-    return abs(float(sum(ends(enclosed(key))) / 2) - number.si) <= number.place
+    return abs(float(sum(ends(value_at(key))) / 2) - number.si) <= number.place
 
 
 def rounded(answer: t.Node, key: t.Node, ground: GradingGround) -> Judgement | None:

@@ -12,11 +12,11 @@ from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.expr import tree as t
-from rbpsym.expr.limits import number_of
 from rbpsym.expr.tree import Node
 from rbpsym.field import Scalar, at_most
 from rbpsym.field.evaluate import at_start, rate, scalar
 from rbpsym.teaching.grading.ground import GradingGround
+from rbpsym.teaching.grading.intervals import with_logarithms
 
 OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)  # what the algebra refuses
 LARGEST = 400_000  # that are counted of a key
@@ -33,7 +33,7 @@ def _products(node: Node, ground: GradingGround, most: int) -> int:
     """How many products it takes; one more than `most` if there are more."""
     with at_most(most) as left:
         try:
-            scalar(_with_logarithms(node), ground.scope)
+            scalar(with_logarithms(node), ground.scope)
         except LimitError:
             return most + 1
         except (Undecided, ReadError, ZeroDivisionError):
@@ -84,16 +84,7 @@ def _equal_along(answer: Node, key: Node, ground: GradingGround) -> Verdict:
 
 
 def _by_algebra(answer: Node, key: Node, ground: GradingGround) -> Verdict:
-    return _tried(lambda: equal(_with_logarithms(answer), _with_logarithms(key), ground.assumptions, ground.scope))
-
-
-def _with_logarithms(node: Node) -> Node:
-    """The tree with x^(2/3) as exp(2 ln x/3): roots but square ones are decided as exponentials."""
-    inner = t.mapped(node, _with_logarithms)
-    exponent = number_of(inner.exponent) if isinstance(inner, t.Pow) else None
-    if exponent is None or exponent.denominator <= 2:
-        return inner
-    return t.Fn("exp", t.Mul((t.Num(exponent), t.Fn("ln", inner.base))))
+    return _tried(lambda: equal(with_logarithms(answer), with_logarithms(key), ground.assumptions, ground.scope))
 
 
 def _tried(decide: Callable[[], Verdict]) -> Verdict:
