@@ -7,11 +7,11 @@ from fractions import Fraction
 from functools import lru_cache
 
 from rbpsym.errors import LimitError
-from rbpsym.field import Poly, accumulate, atoms, factors, generator, reduce_roots, reduce_squares, root
+from rbpsym.field import Poly, Scalar, accumulate, atoms, factors, generator, reduce_roots, reduce_squares, root
 
 Factors = dict[Poly, int]
 MOST_TERMS = 400
-PARTS = 840  # exponentials are powers of exp(term/840), so that all roots up to the eighth are
+PARTS = 60  # powers of x are those of exp(ln x/60), so that roots up to the sixth are
 
 
 def divisor(poly: Poly, exponent: int) -> Poly:
@@ -38,15 +38,21 @@ def _without(poly: Poly, index: int, factor: Poly) -> tuple[Poly, int]:
 def reduced(poly: Poly) -> Poly:
     """Normal form modulo sin² + cos² = 1, √x² = x and exp(ln x/2) = √x (up to a non-zero factor)."""
     for index in poly.atoms():
-        found = atoms.atom(index)
-        [(m, part), *_] = found.arg.num.terms.items() if found.kind == "exp" else [((), 0)]
-        inner = atoms.atom(m[0][0]) if part * PARTS == 1 and len(m) == 1 else None
-        if inner is not None and inner.kind == "ln":
+        base = _base(index)
+        if base is not None:
             powers, half = poly.by_power(index), PARTS // 2
             least = min(0, *powers)
             taken = [(part, *divmod(power - least, half)) for power, part in powers.items()]
-            poly = accumulate((1, part * root(inner.arg).num ** n * generator(index) ** rest) for part, n, rest in taken)
+            poly = accumulate((1, part * root(base).num ** n * generator(index) ** rest) for part, n, rest in taken)
     return reduce_roots(reduce_squares(poly))
+
+
+def _base(index: int) -> Scalar | None:
+    """x of exp(ln x/60)."""
+    found = atoms.atom(index)
+    terms = found.arg.num.terms if found.kind == "exp" else {}
+    inner = [atoms.atom(m[0][0]) for m, c in terms.items() if len(terms) == len(m) == c * PARTS == 1]
+    return inner[0].arg if inner and inner[0].kind == "ln" else None
 
 
 def split(poly: Poly, deep: bool) -> tuple[Fraction, tuple[tuple[Poly, int], ...]]:

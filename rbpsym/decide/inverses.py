@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rbpsym.decide.reading import CaseReading, Turn
 
 QUARTER = PI * Fraction(1, 2)
+TERM_PARTS = 12  # other exponentials are powers of exp(term/12)
 Inverse = Callable[["CaseReading", Scalar], Poly]
 
 
@@ -152,13 +153,15 @@ def _exp(reading: CaseReading, arg: Scalar) -> Poly:
 
 def _exp_term(reading: CaseReading, m: Monomial, c: Fraction) -> Poly:
     found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == 1 else None
-    if found is not None and found.kind == "ln" and (2 * c).denominator == 1:
+    is_power = found is not None and found.kind == "ln"
+    if found is not None and is_power and (2 * c).denominator == 1:
         number = found.arg.number()
         if number is None:
             return reading.half_power(found.arg.num, int(2 * c))
         return (root(lift(number)) ** int(2 * c)).num
-    if (c * PARTS).denominator == 1:
-        return generator(atoms.intern("exp", Scalar(Poly({m: Fraction(1, PARTS)})))) ** int(c * PARTS)
+    parts = PARTS if is_power else TERM_PARTS
+    if (c * parts).denominator == 1:
+        return generator(atoms.intern("exp", Scalar(Poly({m: Fraction(1, parts)})))) ** int(c * parts)
     return generator(atoms.intern("exp", Scalar(Poly({m: c}))))
 
 

@@ -25,21 +25,33 @@ PART = 16  # papers that one process makes before it tells
 TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
 
 
-class Order(Frozen):
-    """What is to be made of each student's worksheet, and where.
+class Handout(Frozen):
+    """Papers of a worksheet: its source, the secret and the language of the papers.
 
-    `fingerprint` is that of the worksheet here: a worker elsewhere that has another file of that name must not make papers.
+    `fingerprint` is that of the worksheet here: a worker elsewhere that has another file of that name must do nothing.
     """
 
     source: str
     secret: str
     language: str
-    formats: tuple[str, ...]
-    folder: str
+    fingerprint: str = ""
+
+    def plan(self) -> WorksheetPlan:
+        """The plan, made once in each process. Raises RbpsymError where the worksheet is another one."""
+        plan = known_plan(self.source)
+        if self.fingerprint:
+            plan.require(self.fingerprint, self.source)
+        return plan
+
+
+class Order(Handout):
+    """What is to be made of each student's worksheet, and where."""
+
+    formats: tuple[str, ...] = ()
+    folder: str = ""
     key: bool = False
     solution: bool = False
     engine: str = "typst"
-    fingerprint: str = ""
 
     def options(self, plan: WorksheetPlan) -> Options:
         """What exporters are told: with solutions go keys."""
@@ -51,6 +63,11 @@ class StudentPaper(Frozen):
 
     order: Order
     student: Student | None
+
+    def made(self) -> tuple[Worksheet, WorksheetPlan]:
+        """The worksheet of the student, and the plan that it comes from."""
+        plan = self.order.plan()
+        return plan.worksheet(self.student, self.order.secret, self.order.language), plan
 
 
 @lru_cache(maxsize=4)
@@ -105,8 +122,7 @@ def write_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:
 
 
 def _written(job: StudentPaper) -> list[str]:
-    plan = known_plan(job.order.source)
-    return written(plan.worksheet(job.student, job.order.secret, job.order.language), plan, job.order)
+    return written(*job.made(), job.order)
 
 
 def send_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:
@@ -116,9 +132,7 @@ def send_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:
 
 
 def _files_of(job: StudentPaper) -> dict[str, bytes]:
-    plan = known_plan(job.order.source)
-    plan.require(job.order.fingerprint, job.order.source)
-    found = files_of(plan.worksheet(job.student, job.order.secret, job.order.language), plan, job.order)
+    found = files_of(*job.made(), job.order)
     return {name: content.encode() if isinstance(content, str) else content for name, content in found.items()}
 
 

@@ -21,7 +21,7 @@ from rbpsym.statement.model import Problem
 from rbpsym.statement.units import unit_of
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
-from rbpsym.teaching.distractors import Pool, shown, without_noise
+from rbpsym.teaching.distractors import Pool, once, shown, without_noise
 from rbpsym.teaching.model import AskedQuantity, Item, Measure
 from rbpsym.teaching.ranges import NumberRange, default_ranges, measure_text, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
@@ -48,10 +48,7 @@ class ProblemBench(Frozen):
 
     def once(self, key: Hashable, make: Callable[[], T]) -> T:
         """What does not depend on the student, made when it is first asked for."""
-        if key not in self.memo:
-            self.memo[key] = make()
-        found: T = self.memo[key]
-        return found
+        return once(self.memo, key, make)
 
     @property
     def study(self) -> Study:

@@ -8,9 +8,10 @@ differs at a student's printed numbers is seen to when these are drawn (`distinc
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
+from typing import Any, TypeVar
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.dimensions import dimension_of
@@ -40,6 +41,17 @@ MOST_PRODUCTS = 400_000  # products of terms for one wrong value; the library's 
 LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
 
 
+T = TypeVar("T")
+
+
+def once(memo: dict[Hashable, Any], key: Hashable, make: Callable[[], T]) -> T:
+    """What was made for this key, made when it is first asked for."""
+    if key not in memo:
+        memo[key] = make()
+    found: T = memo[key]
+    return found
+
+
 class Wrong(Frozen):
     """A study with a misconception at one site of a problem."""
 
@@ -63,36 +75,26 @@ class Pool(Frozen):
 
     derivation: Derivation
     wrongs: tuple[Wrong, ...]
-    found: dict[str, tuple[Distractor, ...]] = field(default_factory=dict)
-    spoiled: dict[int, str] = field(default_factory=dict)
-    told: dict[int, Retelling] = field(default_factory=dict)
+    memo: dict[Hashable, Any] = field(default_factory=dict)
     given_up: set[int] = field(default_factory=set)
 
     def of(self, target: Target) -> tuple[Distractor, ...]:
         """Accepted wrong values of a target, the best first."""
-        if target.id not in self.found:
-            self.found[target.id] = tuple(_accepted(self, target))
-        return self.found[target.id]
+        return once(self.memo, target.id, lambda: tuple(_accepted(self, target)))
 
     def retold(self, place: int) -> Retelling:
         """The derivation with a wrong study, each chapter written once."""
-        if place not in self.told:
-            self.told[place] = Retelling(self.wrongs[place].study)
-        return self.told[place]
+        return once(self.memo, ("retold", place), lambda: Retelling(self.wrongs[place].study))
 
     def slip(self, place: int) -> Slip:
         """The slip of a wrong study, with the first step that it spoils."""
-        wrong = self.wrongs[place]
-        if place not in self.spoiled:
-            later = wrong.misconception.about <= {*ANY}  # a blow spoils no step of the first phase
-            self.spoiled[place] = "" if later else first_wrong(self.derivation, wrong.study, wrong.misconception.about)
-        first = self.spoiled[place]
-        return Slip(
-            wrong.misconception.name,
-            wrong.site.slots,
-            first,
-            self.derivation.step(first).statement if first else None,
-        )
+        return once(self.memo, ("slip", place), lambda: self._slip(self.wrongs[place]))
+
+    def _slip(self, wrong: Wrong) -> Slip:
+        own = wrong.misconception
+        later = own.about <= {*ANY}  # a blow spoils no step of the first phase
+        first = "" if later else first_wrong(self.derivation, wrong.study, own.about)
+        return Slip(own.name, wrong.site.slots, first, self.derivation.step(first).statement if first else None)
 
 
 def pool(derivation: Derivation, names: Iterable[str] = ()) -> Pool:

@@ -4,33 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from importlib import import_module
 from typing import Any
 
-from rbpsym.document.model import Document
 from rbpsym.errors import RbpsymError
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.layout import file_stem, key_document, paper_document, printable, solution_document
 
-Write = Callable[[Document, Worksheet, bool], str | bytes]
+Made = Callable[[str], str | bytes]
 
 
 def export_pdf(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
     """One paper a student; with keys also a key and, if asked for, a solution each."""
-    write = ENGINES.get(options.engine)
-    if write is None:
+    if options.engine not in ENGINES:
         raise RbpsymError(f"unknown PDF engine “{options.engine}”", instead=f"known: {', '.join(ENGINES)}.")
-    return _papers(worksheets, options, "pdf", options.engine, write)
+    _, compiled = ENGINES[options.engine]
+    return _papers(worksheets, options, "pdf", options.engine, compiled)
 
 
 def export_latex(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
-    """The same as sources."""
-    return _papers(worksheets, options, "tex", "pdflatex", latex)
+    """The same as sources in the exam class."""
+    return _papers(worksheets, options, "tex", "pdflatex")
 
 
 def export_typst(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
     """The same as sources for Typst."""
-    return _papers(worksheets, options, "typ", "typst", typst_source)
+    return _papers(worksheets, options, "typ", "typst")
 
 
 def export_html(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
@@ -46,46 +46,35 @@ def export_html(worksheets: tuple[Worksheet, ...], options: Options) -> Exported
     return Exported(files)
 
 
-def _papers(worksheets: tuple[Worksheet, ...], options: Options, ending: str, engine: str, write: Write) -> Exported:
+def _papers(
+    worksheets: tuple[Worksheet, ...], options: Options, ending: str, engine: str, made: Made = lambda source: source
+) -> Exported:
     files: dict[str, str | bytes] = {}
+    module, _ = ENGINES[engine]
+    write = import_module(module).write_paper
     for worksheet in (printable(worksheet, engine) for worksheet in worksheets):
         stem = file_stem(worksheet)
-        files[f"{stem}.{ending}"] = write(paper_document(worksheet), worksheet, False)
+        files[f"{stem}.{ending}"] = made(write(paper_document(worksheet), worksheet))
         if options.key:
-            files[f"keys/{stem}-key.{ending}"] = write(key_document(worksheet), worksheet, True)
+            files[f"keys/{stem}-key.{ending}"] = made(write(key_document(worksheet), worksheet, is_key=True))
         if options.solution and options.derivations:
             document = solution_document(worksheet, options.derivations)
-            files[f"keys/{stem}-solution.{ending}"] = write(document, worksheet, True)
+            files[f"keys/{stem}-solution.{ending}"] = made(write(document, worksheet, is_key=True))
     return Exported(files)
 
 
-def latex(document: Document, worksheet: Worksheet, is_key: bool) -> str:
-    """The source in the exam class."""
-    from rbpsym.teaching.papers.latex_paper import write_paper
-
-    return write_paper(document, worksheet, is_key=is_key)
-
-
-def by_pdflatex(document: Document, worksheet: Worksheet, is_key: bool) -> bytes:
-    """PDF by pdflatex, of the same source."""
+def by_pdflatex(source: str) -> bytes:
+    """PDF by pdflatex."""
     from rbpsym.document.writers.pdf import compiled
 
-    return compiled(latex(document, worksheet, is_key))
+    return compiled(source)
 
 
-def typst_source(document: Document, worksheet: Worksheet, is_key: bool) -> str:
-    """The source for Typst."""
-    from rbpsym.teaching.papers.typst_paper import write_paper
-
-    return write_paper(document, worksheet, is_key=is_key)
-
-
-def by_typst(document: Document, worksheet: Worksheet, is_key: bool) -> bytes:
+def by_typst(source: str) -> bytes:
     """Tagged PDF by Typst."""
     import typst
 
-    source = typst_source(document, worksheet, is_key).encode()
-    return typst.compile(source, pdf_standards=["ua-1"], font_paths=_fonts())
+    return typst.compile(source.encode(), pdf_standards=["ua-1"], font_paths=_fonts())
 
 
 @cache
@@ -96,4 +85,8 @@ def _fonts() -> Any:
     return typst.Fonts(include_system_fonts=False)
 
 
-ENGINES: Mapping[str, Write] = {"typst": by_typst, "pdflatex": by_pdflatex}
+# engine -> what writes its sources, and what makes PDF of them
+ENGINES: Mapping[str, tuple[str, Made]] = {
+    "typst": ("rbpsym.teaching.papers.typst_paper", by_typst),
+    "pdflatex": ("rbpsym.teaching.papers.latex_paper", by_pdflatex),
+}

@@ -40,22 +40,12 @@ def known_unit(unit: str, dimension: Dimension, what: str) -> str:
 
 
 def measured(value: float, unit: str, digits: int) -> Measure:
-    """A value in SI units as it is printed: in `unit`, rounded half up to so many significant figures."""
-    return Measure(Fraction(rounded(value / scale_of(unit), digits)), unit, digits)
-
-
-def rounded(value: float, digits: int) -> Decimal:
-    """The value rounded half up to significant figures (ValueError for nan and infinity).
+    """A value in SI units as it is printed: in `unit`, rounded half up to so many significant figures.
 
     A value that is a tie but for the noise of floating point is taken for the tie, so that every machine rounds alike.
+    Raises ValueError for nan and infinity.
     """
-    if not math.isfinite(value):
-        raise ValueError("no number")
-    if not value:
-        return Decimal(0)
-    exact = Decimal(f"{value:.13e}")
-    place = exact.adjusted() - digits + 1
-    return exact.quantize(Decimal(1).scaleb(place), rounding=ROUND_HALF_UP)
+    return Measure(in_figures(Fraction(f"{value / scale_of(unit):.13e}"), digits), unit, digits)
 
 
 def digits_text(measure: Measure, mark: str = ".") -> str:

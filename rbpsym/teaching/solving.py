@@ -6,11 +6,9 @@ left as symbols in the mechanics, and the same engine makes the later quantity o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import combinations
-from operator import itemgetter
-from typing import Any
 
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref
 from rbpsym.errors import RbpsymError
@@ -32,44 +30,6 @@ from rbpsym.teaching.ranges import measured
 from rbpsym.teaching.situations import names_in
 from rbpsym.teaching.targets import REFUSALS, Target, axes
 from rbpsym.teaching.wording import spoken
-
-# --- formulas into which each student's numbers are put: looked through once, then filled quickly
-
-
-Fill = Callable[[Mapping[str, t.Node]], t.Node]
-
-
-def filler(node: t.Node, names: Container[str]) -> Fill | None:
-    """Puts a tree for each of these names into a formula; None if none of them is in it.
-
-    >>> from rbpsym.expr.tree import Num, Sym, Mul
-    >>> filler(Mul((Sym("m"), Sym("g"))), {"g"})({"g": Num(10)}) == Mul((Sym("m"), Num(10)))
-    True
-    """
-    if isinstance(node, t.Sym):
-        return itemgetter(node.name) if node.name in names else None
-    kind: Any = type(node)
-    parts = {name: _of_part(getattr(node, name), names) for name in t.parts(kind)}
-    changing = {name: fill for name, fill in parts.items() if fill is not None}
-    if not changing:
-        return None
-    kept = {name: getattr(node, name) for name in t.parts(kind) if name not in changing}
-    return lambda given: kind(**kept, **{name: fill(given) for name, fill in changing.items()})
-
-
-def _of_part(value: object, names: Container[str]) -> Callable[[Mapping[str, t.Node]], Any] | None:
-    if isinstance(value, t.Node):
-        return filler(value, names)
-    if not isinstance(value, tuple) or not value or not isinstance(value[0], t.Node):
-        return None
-    row = [(part, filler(part, names)) for part in value]
-    if all(fill is None for _, fill in row):
-        return None
-    return lambda given: tuple([part if fill is None else fill(given) for part, fill in row])
-
-
-# ---
-
 
 MOST_RELATIONS = 2
 CASES = (MASS, NUMBER, DIMENSIONS["speed"], LENGTH)  # dimensions of constants that a check lets vanish
@@ -143,18 +103,11 @@ def numeric_line(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, 
     formula = number_formula(bench, target)
     left = target.reading.left if target.reading else target.left
     result = b.word(measure_of(bench, target, value), setting.said.notation)
-    put_in = bench.once(("fill", target.id), lambda: _filler(bench, target, setting))
-    if put_in is None:
-        return t.equation(left, formula, result)
     given = b.numbers_at(setting.situation, number_names(bench, target))
+    if not given or length(formula) > LONGEST:
+        return t.equation(left, formula, result)
     numbers = {name: t.Group(b.word(measure, setting.said.notation)) for name, measure in given.items()}
-    return t.equation(left, formula, put_in(numbers), result)
-
-
-def _filler(bench: b.ProblemBench, target: Target, setting: b.ItemSetting) -> Fill | None:
-    formula = number_formula(bench, target)
-    known = b.numbers_at(setting.situation, number_names(bench, target))
-    return filler(formula, known) if length(formula) <= LONGEST else None
+    return t.equation(left, formula, t.renamed(formula, numbers), result)
 
 
 def number_names(bench: b.ProblemBench, target: Target) -> frozenset[str]:

@@ -94,10 +94,8 @@ def _choice(form: q.Choice, desk: ExportDesk) -> tuple[str, str]:
 
 def _number(form: q.Number, desk: ExportDesk) -> tuple[str, str]:
     lines = [f"={plain(form.exact)}:{plain(abs(form.exact) * form.reach)}#{escaped(desk.word('right'))}"]
-    for known in form.wrong:
-        value = known.exact
-        near = plain(abs(value) * form.reach / 4)
-        lines.append(f"=%0%{plain(value)}:{near}#{escaped(desk.feedback(known.slip))}")
+    for value, slip in form.wrong:
+        lines.append(f"=%0%{plain(value)}:{plain(abs(value) * form.reach / 4)}#{escaped(desk.feedback(slip))}")
     unit = f"<p>[{desk.word('unit')}: {form.unit}]</p>" if form.unit else ""
     return unit, "#" + _below_each_other(lines)
 

@@ -64,11 +64,12 @@ def stack(form: TypedFormulas, item: Item, desk: ExportDesk) -> Stack:
     return Stack(_assumptions(form.names, desk.worksheet.problems[item.asked.problem]) + values, trees, (right, *wrong))
 
 
-def _tree(entry: q.TypedFormula, names: Mapping[str, str], desk: ExportDesk) -> Tree:
+def _tree(entry: m.Blank, names: Mapping[str, str], desk: ExportDesk) -> Tree:
     """Right? else each misconception; a node that fails leads to the next."""
-    known = (ResponseNode(maxima(formula, names), 0, desk.feedback(slip)) for formula, slip in entry.wrong)
+    wrong = m.wrong_formulas(entry.anticipated)
+    known = (ResponseNode(maxima(formula, names), 0, desk.feedback(slip)) for formula, slip in wrong)
     first = ResponseNode(f"ta{entry.number}", 1, f"<p>{desk.word('right')}</p>")
-    return Tree(entry.number, maxima(entry.value, names), float(entry.share), (first, *known))
+    return Tree(entry.number, maxima(entry.value, names), float(entry.points), (first, *known))
 
 
 def _assumptions(names: Mapping[str, str], problem: Problem) -> str:

@@ -14,7 +14,7 @@ from markupsafe import escape
 
 from rbpsym.document.model import Math, Text
 from rbpsym.expr import tree as t
-from rbpsym.frozen import Frozen
+from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.units import read_unit, unit_text
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports.bench import Asking, ExportDesk, free_pairs, nearest_pairs
@@ -39,13 +39,6 @@ class Choice(Frozen):
         return tuple((place, option) for place, option in places if option.slip and place != self.right + 1)
 
 
-class WrongNumber(Frozen):
-    """A known wrong number in the unit of the right one."""
-
-    exact: float
-    slip: m.Slip
-
-
 class Number(Frozen):
     """A number: in its unit `exact` and `printed`, which may be off by the share `reach`, and known wrong ones."""
 
@@ -53,7 +46,7 @@ class Number(Frozen):
     exact: float
     printed: float
     unit: str
-    wrong: tuple[WrongNumber, ...]
+    wrong: tuple[tuple[float, m.Slip], ...]
 
     @property
     def reach(self) -> float:
@@ -80,24 +73,11 @@ class Fields(Frozen):
     fields: tuple[DropDown, ...]
 
 
-class TypedFormula(Frozen):
-    """A formula to be typed: its number, the right one, known wrong ones, and its share of the points."""
-
-    number: int
-    value: t.Node
-    anticipated: tuple[m.Anticipated, ...]
-    share: Fraction = Fraction(1)
-
-    @property
-    def wrong(self) -> tuple[tuple[t.Node, m.Slip], ...]:
-        """The known wrong formulas, each with its slip."""
-        return m.wrong_formulas(self.anticipated)
-
-
 class TypedFormulas(Frozen):
-    """Formulas to be typed, with the names that are typed for ours; `left` is what stands before a single one."""
+    """Formulas to be typed, their points as shares, with the names that are typed for ours; `left` is what stands before
+    a single one."""
 
-    entries: tuple[TypedFormula, ...]
+    entries: tuple[m.Blank, ...]
     names: Mapping[str, str]
     left: t.Node | None = None
 
@@ -119,7 +99,7 @@ def number(key: m.NumberKey, item: m.Item, desk: ExportDesk) -> Number:
         desk.lacks(item, "slips of numbers")
     if key.follows:
         desk.lacks(item, "carried")
-    wrong = tuple(WrongNumber(float(a.number.value), a.slip) for a in key.anticipated if a.number)
+    wrong = tuple((float(a.number.value), a.slip) for a in key.anticipated if a.number)
     unit = key.measure.unit
     return Number(key, key.exact / read_unit(unit).factor, float(key.measure.value), unit_text(unit), wrong)
 
@@ -233,23 +213,22 @@ def typed_formula(key: m.FormulaKey, item: m.Item, desk: ExportDesk) -> TypedFor
     """One formula."""
     if key.follows:
         desk.lacks(item, "carried")
-    return _formulas(key.names, item, desk, (TypedFormula(1, key.value, key.anticipated),), key.left)
+    return _formulas(key.names, item, desk, (m.Blank(1, key.value, anticipated=key.anticipated),), key.left)
 
 
 def typed_blanks(key: m.BlanksKey, item: m.Item, desk: ExportDesk) -> TypedFormulas:
     """A formula for each blank."""
     blanks = key.blanks
     whole = sum((blank.points for blank in blanks), Fraction(0)) or Fraction(1)
-    entries = (TypedFormula(b.number, b.value, b.anticipated, b.points / whole) for b in blanks)
-    return _formulas(key.names, item, desk, tuple(entries))
+    return _formulas(key.names, item, desk, tuple(replace(blank, points=blank.points / whole) for blank in blanks))
 
 
 def _formulas(
-    names: Iterable[str], item: m.Item, desk: ExportDesk, entries: tuple[TypedFormula, ...], left: t.Node | None = None
+    names: Iterable[str], item: m.Item, desk: ExportDesk, entries: tuple[m.Blank, ...], left: t.Node | None = None
 ) -> TypedFormulas:
     if any(entry.anticipated for entry in entries):
         desk.lacks(item, "slips of formulas")
-    formulas = [e.value for e in entries] + [formula for e in entries for formula, _ in e.wrong]
+    formulas = [e.value for e in entries] + [formula for e in entries for formula, _ in m.wrong_formulas(e.anticipated)]
     used = set(names).union(*map(t.names, formulas)) - {"pi"}
     return TypedFormulas(entries, exported_names(used, desk.worksheet.problems[item.asked.problem], RESERVED), left)
 

@@ -111,7 +111,6 @@ def value_at(node: Node, point: Point = NOWHERE, scope: Meanings = BARE) -> Numb
 def with_logarithms(node: Node) -> Node:
     """The tree with x^(2/3) as exp(2 ln x/3): roots but square ones are decided as exponentials."""
     inner = t.mapped(node, with_logarithms)
-    exponent = number_of(inner.exponent) if isinstance(inner, t.Pow) else None
-    if exponent is None or exponent.denominator <= 2:
-        return inner
-    return t.Fn("exp", t.Mul((t.Num(exponent), t.Fn("ln", inner.base))))
+    if isinstance(inner, t.Pow) and (exponent := number_of(inner.exponent)) is not None and exponent.denominator > 2:
+        return t.Fn("exp", t.Mul((t.Num(exponent), t.Fn("ln", inner.base))))
+    return inner

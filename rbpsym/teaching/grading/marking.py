@@ -15,7 +15,7 @@ from typing import Any
 from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.teaching.batch import SUFFIX, TURN, check, findable, known_plan, record_of
+from rbpsym.teaching.batch import SUFFIX, TURN, Handout, check, findable, known_plan, record_of
 from rbpsym.teaching.executor import Journal, crew, run
 from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
@@ -98,17 +98,10 @@ def _once(rows: tuple[AnswerRow, ...]) -> tuple[tuple[AnswerRow, ...], tuple[tup
 
 
 
-class GradingOrder(Frozen):
-    """What is to be graded: the worksheet (a name or a path), the secret of the papers, the language.
+class GradingOrder(Handout):
+    """Whose answers are to be graded, and whether pages of feedback are wanted."""
 
-    `fingerprint` is that of the worksheet here: a worker that has another file of that name must not grade.
-    """
-
-    source: str
-    secret: str
-    language: str
-    fingerprint: str
-    pages: bool
+    pages: bool = False
 
 
 class Graded(Frozen):
@@ -200,14 +193,10 @@ def mark_rows(jobs: tuple[tuple[GradingOrder, AnswerRow], ...]) -> list[str]:
 
 
 def _marked(order: GradingOrder, row: AnswerRow) -> dict[str, object]:
-    plan = known_plan(order.source)
-    plan.require(order.fingerprint, order.source)
+    plan = order.plan()
     try:
         sheet = _sheet(plan, order, row)
-    except RbpsymError as error:
-        return _refused(row, error.what)
-    marks = grade_worksheet(sheet, row.answers, _desk(sheet.language))
-    try:
+        marks = grade_worksheet(sheet, row.answers, _desk(sheet.language))
         marks = tuple(decided(mark, row.decided[mark.item]) if mark.item in row.decided else mark for mark in marks)
     except RbpsymError as error:
         return _refused(row, error.what)

@@ -10,7 +10,6 @@ from rbpsym.document.model import Document, FigureBlock, Section, Table, numbere
 from rbpsym.document.writers.latex import LATEX, babel, blocks, cell
 from rbpsym.document.writers.latex import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
-from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.expr.tree import Node
 from rbpsym.pictures.figures.tikz import tikz_styles
 from rbpsym.teaching.model import Worksheet
@@ -27,15 +26,9 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
     """The LaTeX source of a paper, a key or a solution."""
     document = numbered(document)
     page = page_for(document, PAPER, COLUMN)
-    return shell(
-        "worksheet.tex",
-        title=page.inlines(document.title),
-        plain_title=latex_text(bare(document.title, document.notation)),
-        language=babel(worksheet.language),
-        styles=f"{PREAMBLE}\n{tikz_styles()}",
-        body="\n\n".join(_sections(document, page)),
-        **head(worksheet, latex_text, is_key=is_key),
-    )
+    more = {"styles": f"{PREAMBLE}\n{tikz_styles()}", "language": babel(worksheet.language)}
+    return shell("worksheet.tex", body="\n\n".join(_sections(document, page)),
+                 **head(worksheet, document, page, latex_text, is_key=is_key) | more)  # fmt: skip
 
 
 def _sections(document: Document, page: Page) -> list[str]:

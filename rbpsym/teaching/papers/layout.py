@@ -13,6 +13,8 @@ from typing import Any
 
 from rbpsym.document import model as d
 from rbpsym.document.phrases import usual_notation
+from rbpsym.document.writers.page import Page
+from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.expr import tree as t
 from rbpsym.proof.step import Derivation
 from rbpsym.teaching import model as m
@@ -24,6 +26,9 @@ from rbpsym.teaching.wording import plain_text, say, say_slip
 SIGN_WORDS = {"+": "positive", "-": "negative", "0": "zero"}
 
 
+Escape = Callable[[str], str]
+
+
 def points_text(points: Fraction, language: str) -> str:
     """ "3 points"."""
     count = 1 if points == 1 else 2
@@ -31,8 +36,11 @@ def points_text(points: Fraction, language: str) -> str:
     return plain_text("paper.points", language, count=count, points=shown)
 
 
-def head(worksheet: m.Worksheet, escape: Callable[[str], str], *, is_key: bool) -> dict[str, Any]:
-    """What stands at the top and the foot of a paper or a key, written for a format by `escape`."""
+def head(
+    worksheet: m.Worksheet, document: d.Document, page: Page, escape: Escape, as_text: Escape | None = None, *, is_key: bool
+) -> dict[str, Any]:
+    """What stands at the top and the foot of a paper or a key, written for a format by `escape` (`as_text` where no markup
+    may stand)."""
 
     def said(key: str, **slots: str) -> str:
         return escape(plain_text(f"paper.{key}", worksheet.language, **slots))
@@ -40,6 +48,9 @@ def head(worksheet: m.Worksheet, escape: Callable[[str], str], *, is_key: bool) 
     student = worksheet.student
     shown = "" if student is None else (student.name or student.id) if is_key else student.name
     return {
+        "title": page.inlines(document.title),
+        "plain_title": (as_text or escape)(bare(document.title, document.notation)),
+        "language": worksheet.language,
         "is_key": is_key,
         "code": said("form", code=worksheet.code),
         "student": escape(shown),

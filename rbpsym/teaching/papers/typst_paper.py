@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from rbpsym.document import breaking
 from rbpsym.document.model import Document, Inlines, Section, numbered
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
-from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.document.writers.typst import TYPST, blocks, cell_content, spoken
 from rbpsym.document.writers.typst import section as titled_section
 from rbpsym.expr.tree import Node
@@ -24,14 +23,8 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
     """The Typst source of a paper, a key or a solution."""
     document = numbered(document)
     page = page_for(document, PAPER, COLUMN)
-    return shell(
-        "worksheet.typ",
-        title=page.inlines(document.title),
-        plain_title=typst_string(bare(document.title, document.notation)),
-        language=worksheet.language,
-        body=body(document, page),
-        **head(worksheet, typst_text, is_key=is_key),
-    )
+    told = head(worksheet, document, page, typst_text, typst_string, is_key=is_key)
+    return shell("worksheet.typ", body=body(document, page), **told)
 
 
 def section(part: Section, page: Page) -> str:
