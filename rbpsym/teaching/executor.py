@@ -11,9 +11,9 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Generator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from contextlib import suppress
+from collections.abc import Callable, Generator, Iterator, Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
+from contextlib import contextmanager, suppress
 from multiprocessing import get_context
 from pathlib import Path
 from types import TracebackType
@@ -189,13 +189,11 @@ Coming = Generator[tuple[tuple[int, ...], list[str]], None, None]
 
 def _done(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
     """(places, results) as they come."""
-    if who.address:
-        yield from _by_dask(work, jobs, parts, who)
-    elif sum(map(len, parts)) <= FEW or _count(who) == 1:
-        for part in parts:
-            yield part, work(tuple(jobs[place] for place in part))
-    else:
-        yield from _by_processes(work, jobs, parts, who)
+    if who.address or (sum(map(len, parts)) > FEW and _count(who) > 1):
+        yield from _by_executor(work, jobs, parts, who)
+        return
+    for part in parts:
+        yield part, work(tuple(jobs[place] for place in part))
 
 
 def _count(who: Crew) -> int:
@@ -204,22 +202,37 @@ def _count(who: Crew) -> int:
     return who.processes or usable or 1
 
 
-def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
-    """A pool of processes; where it is safe they are forked, and share what was worked out before."""
+def _by_executor(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
+    with _executor(who) as pool:
+        futures = {pool.submit(work, tuple(jobs[place] for place in part)): part for part in parts}
+        try:
+            for future in as_completed(list(futures)):
+                yield futures.pop(future), future.result()
+        except KeyboardInterrupt:
+            begun = [(part, future) for future, part in futures.items() if not future.cancel()]
+            yield from ((part, future.result()) for part, future in begun)
+            raise
+        finally:
+            for future in futures:
+                future.cancel()
+
+
+@contextmanager
+def _executor(who: Crew) -> Iterator[Executor]:
+    """A cluster, or a pool of processes; where it is safe they are forked, and share what was worked out before."""
+    if who.address:
+        client = _client(who.address)
+        try:
+            yield client.get_executor(pure=False)
+        finally:
+            with suppress(Exception):
+                client.close()
+        return
     threads = 1 if sys.version_info >= (3, 12) else 2  # the second is the clock of the progress bar
     forks = sys.platform == "linux" and threading.active_count() <= threads
     context = get_context("fork" if forks else "spawn")
-    pool = ProcessPoolExecutor(_count(who), mp_context=context, initializer=_begin_work)
-    try:
-        futures = {pool.submit(work, tuple(jobs[place] for place in part)): part for part in parts}
-        for future in as_completed(list(futures)):
-            yield futures.pop(future), future.result()
-    except KeyboardInterrupt:
-        pool.shutdown(wait=True, cancel_futures=True)
-        yield from ((part, future.result()) for future, part in futures.items() if not future.cancelled())
-        raise
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+    with ProcessPoolExecutor(_count(who), mp_context=context, initializer=_begin_work) as pool:
+        yield pool
 
 
 def _begin_work() -> None:
@@ -229,22 +242,6 @@ def _begin_work() -> None:
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.environ.setdefault("RAYON_NUM_THREADS", "1")
-
-
-def _by_dask(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
-    client = _client(who.address)
-    try:
-        from distributed import as_completed
-
-        finished: Any = as_completed  # it has no types
-
-        futures = [client.submit(work, tuple(jobs[place] for place in part), pure=False) for part in parts]
-        places = {future.key: part for future, part in zip(futures, parts, strict=True)}
-        for future, result in finished(futures, with_results=True):
-            yield places[future.key], result
-    finally:
-        with suppress(Exception):
-            client.close()
 
 
 def _client(address: str) -> Any:

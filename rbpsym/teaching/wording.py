@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 from rbpsym.document.model import Inlines, Math, Text
@@ -16,35 +16,6 @@ from rbpsym.proof.step import BodyRef
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.model import Item, Slip, Worksheet
 
-# What asserts something of a system or of an answer, and who decides that it is so; all other phrases ask, name or narrate.
-MARKED = {  # remarks on an answer, by the module that makes them when it has decided so
-    "answer": ("equation wanted", "other equation"),
-    "choices": (
-        "several options", "wrong option", "wrong order", "not an order", "rows", "cancelling", "not signs", "not an option",
-    ),
-    "desk": ("numbers put in", "wrong line", "right line", "wrong correction"),
-    "formula": (
-        "zero division", "circular", "chain", "number beside", "identity", "unsolved", "unfinished", "sign", "factor",
-        "dimension", "dimensions", "carried",
-    ),
-    "judgement": ("invalid", "undecided", "wrong", "slip", "first wrong", "empty"),
-    "number": (
-        "zero", "wrong value", "power of ten", "degrees", "unit missing", "unit wrong", "unit cycles", "too few figures",
-        "too many figures", "one figure fewer",
-    ),
-    "quantity": ("rounded",),
-}  # fmt: skip
-ASSERTIONS: Mapping[str, str] = {
-    **{f"ask.{task}.frequency": "targets.ASSERTED" for task in ("choose", "number", "formula", "compare")},
-    **{f"ask.{task}.loss": "targets.ASSERTED" for task in ("choose", "number", "formula")},
-    **{f"remark.{key}": f"grading.{module}" for module, keys in MARKED.items() for key in keys},
-    "compare.why": "tasks.compare._answer",
-    "misconception": "misconceptions.told.is_true",
-    "paper.also": "distractors.Pool",
-    "principle": "tasks.derivations",
-    "solution.case": "solving._special_case",
-    "solution.unit": "solving._check",
-}
 
 def say(key: str, language: str = "en", problem: Problem | None = None, **slots: Any) -> Inlines:
     """A phrase with its places filled; `problem` tells what its bodies are called.

@@ -14,9 +14,37 @@ from rbpsym.teaching.misconceptions.model import Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.misconceptions.told import TRUE_OF
 from rbpsym.teaching.targets import targets
-from rbpsym.teaching.wording import ASSERTIONS, MARKED
 from tests.library.derived import unsimulated
 
+# What asserts something of a system or of an answer, and who decides that it is so; all other phrases ask, name or narrate.
+MARKED = {  # remarks on an answer, by the module that makes them when it has decided so
+    "answer": ("equation wanted", "other equation"),
+    "choices": (
+        "several options", "wrong option", "wrong order", "not an order", "rows", "cancelling", "not signs", "not an option",
+    ),
+    "desk": ("numbers put in", "wrong line", "right line", "wrong correction"),
+    "formula": (
+        "zero division", "circular", "chain", "number beside", "identity", "unsolved", "unfinished", "sign", "factor",
+        "dimension", "dimensions", "carried",
+    ),
+    "judgement": ("invalid", "undecided", "wrong", "slip", "first wrong", "empty"),
+    "number": (
+        "zero", "wrong value", "power of ten", "degrees", "unit missing", "unit wrong", "unit cycles", "too few figures",
+        "too many figures", "one figure fewer",
+    ),
+    "quantity": ("rounded",),
+}  # fmt: skip
+ASSERTIONS = {
+    **{f"ask.{task}.frequency": "targets.ASSERTED" for task in ("choose", "number", "formula", "compare")},
+    **{f"ask.{task}.loss": "targets.ASSERTED" for task in ("choose", "number", "formula")},
+    **{f"remark.{key}": f"grading.{module}" for module, keys in MARKED.items() for key in keys},
+    "compare.why": "tasks.compare._answer",
+    "misconception": "misconceptions.told.is_true",
+    "paper.also": "distractors.Pool",
+    "principle": "tasks.derivations",
+    "solution.case": "solving._special_case",
+    "solution.unit": "solving._check",
+}
 NARRATION = """lead ask.choose ask.number ask.formula ask.compare ask.place ask.fill-in ask.order ask.find-the-slip ask.signs
 ask.explain hint compare.doubled compare.shape compare.welded compare.free compare.first compare.second compare.same
 compare.one compare.other shape signs rubric solution.from solution.derivation solution.answers solution.numbers paper
