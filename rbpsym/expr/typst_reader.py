@@ -16,7 +16,7 @@ from rbpsym.expr.typst_names import CALLS, NAMES, ROWS, SIGNS, UNBALANCED
 DEEPEST = 40
 _TOKEN = re.compile(
     r"(?P<space>\s+)|(?P<text>\"(?:[^\"\\]|\\.)*+\")|(?P<row>\\(?=\s|\Z))|(?P<escape>\\.)"
-    r"|(?P<gap>#h\([^()\n]*+\))|#<(?P<label>[\w:.-]{1,200})>"
+    r"|(?P<gap>#h\([^()\n]*+\))|(?P<code>#[A-Za-z][\w-]*+(?:\((?:[^()\n\"]|\"[^\"\n]*+\")*+\)|\[[^\[\]\n]*+\])+)|#<(?P<label>[\w:.-]{1,200})>"
     r"|(?P<name>(?:[A-Za-z]|#(?=[A-Za-z]+(?![\w.(\[-])))[A-Za-z]+(?:\.[A-Za-z]+)*)|(?P<number>\d+(?:\.\d+)?)"
     r"|(?P<sign><==>|<=>|==>|=>|-->|->|\|->|<--|<->|<==|<-|<=|>=|!=|::=|:=|=:|<<|>>|\|\||\.\.\.)|(?P<char>.)",
     re.S,
@@ -181,6 +181,8 @@ class _Reader:
 
 def _plain(kind: str, text: str) -> str:
     """A string, an escaped character, a gap, a label, the end of a row, or what stands for itself."""
+    if kind == "code":
+        return r"\drawn{" + re.sub(r"\W+", " ", text).strip() + "}"
     if kind == "gap":
         return r"\quad "
     if kind == "label":

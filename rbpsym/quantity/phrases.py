@@ -197,18 +197,17 @@ def _relative(world: ProblemWorld) -> Bound:
 
 
 def _stored(world: ProblemWorld, names: Iterable[str] | None = None) -> Scalar:
-    """The potential energies of these interactions, of all by default. Raises StatementError for one that has none."""
-    found, total = potentials(world.study.system), NOTHING
-    for name in found if names is None else names:
-        one = found.get(name)
-        if one is None:
+    """The potential energies of these interactions, by default of all that have one. Raises StatementError if there is none."""
+    found, total = {name: one for name, one in potentials(world.study.system).items() if one is not None}, NOTHING
+    for name in (found or ("",)) if names is None else names:
+        if name not in found:
             raise StatementError("there is no such potential energy", instead=did_you_mean(name, found, "interactions"))
-        total = total + one
+        total = total + found[name]
     return total
 
 
-def _potential(world: ProblemWorld, name: str | None) -> Bound:
-    return number(_stored(world, (name,) if name else None))
+def _potential(world: ProblemWorld, names: str | None) -> Bound:
+    return number(_stored(world, names and names.split(" and ")))
 
 
 def _elongation(world: ProblemWorld, sign: int, name: str) -> Bound:
@@ -226,9 +225,9 @@ def _energy(world: ProblemWorld) -> Bound:
     return Bound(world.study.first_integral)
 
 
-def _with_stored(sense: int) -> Callable[[ProblemWorld], Bound]:
-    """Kinetic energy and the potential energies that there are; -1: less these."""
-    return lambda world: number(_kinetic(world, None, None).number + _stored(world) * sense)
+def _with_stored(sense: int) -> Callable[..., Bound]:
+    """Kinetic energy and the potential energies that there are, or some of them; -1: less these."""
+    return lambda world, names=None: number(_kinetic(world, None, None).number + _potential(world, names).number * sense)
 
 
 OWN = ("gravity", "spring", "torsion-spring")
@@ -319,7 +318,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"(?:elongation|stretch|extension) of (\w+)", lambda world, name: _elongation(world, 1, name), "elongation of FORCE"),
     (r"compression of (\w+)", lambda world, name: _elongation(world, -1, name), "compression of FORCE"),
     (r"energy", _energy, "energy"),
-    (r"Lagrangian", _with_stored(-1), "Lagrangian"),
+    (rf"Lagrangian(?: of {_B})?", _with_stored(-1), "Lagrangian"),
     (r"(?:total )?mechanical energy", _with_stored(1), "mechanical energy"),
     (r"energy of motion, weights and springs", _own_energy, "energy of motion, weights and springs"),
     (r"dE/dt", lambda world: _rate(world, "mechanical energy"), "dE/dt"),

@@ -41,6 +41,8 @@ TEXTS = [
     ("a.typ", f"{TYP}\n= Head\n/* $a=b$ */ $ a &= b \\ c &= d $\n// rbpsym: claim a\n$ %s\n$ <a>", 7),
     ("a.typ", f"{TYP}\n// rbpsym: claim inline\nHere $x$ and $%s$.", 5),
     ("a.ipynb", cells(f"{MD}\n<!-- rbpsym: claim -->", "Then\n\n$$%s$$"), 0),
+    ("a.tex", f"{TEX}\n\\[ a = b \\]\n\\begin{{gather*}}\nV = V \\\\\n% rbpsym: claim\n%s \\end{{gather*}} \\[ c = d \\]", 5),
+    ("a.md", f"{MD}\n$$ a = b\n\nwhere $a$ is\n\n<!-- rbpsym: claim -->\n$$ %s $$\n", 9),
 ]  # fmt: skip
 
 
@@ -327,6 +329,12 @@ def test_what_typst_defines_and_imports_is_read(folder, capsys):
     text = f'#import "own/setup.typ": *\n#let lsq(#NO) = 3\n#let half = $1/2$\n{TYP}\n// rbpsym: claim\n' \
            "$ half sq(V) = sq(ell) sq(om)/2 $"
     code, found = checked(folder, capsys, "a.typ", text)
+    assert (code, [one["outcome"] for one in found]) == (0, ["PROVED"]), found
+
+
+def test_a_symbol_may_be_what_the_text_does_not_define_and_is_written_as_its_format_wants(folder, capsys):
+    said = "<!-- rbpsym: \\th is theta\nV\\_1 is the magnitude of velocity of ladder.cm\nclaim -->"
+    code, found = checked(folder, capsys, "a.md", f"{MD}\n{said}\n$$ V\\_1^2\\sin \\th = \\ell^2\\omega^2\\sin\\theta $$")
     assert (code, [one["outcome"] for one in found]) == (0, ["PROVED"]), found
 
 

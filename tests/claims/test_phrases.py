@@ -45,6 +45,7 @@ ROWS = [  # world, phase, {printed: meaning}, formula, outcome
     ("pendulum", "", {"k": "radius of gyration of rod about O"}, r"k^2=\frac{\ell^2}{3}", PROVED),
     ("pendulum", "", {"L": "Lagrangian"},
      r"L=\frac16m\ell^2\dot\theta^2+\frac12mg\ell\cos\theta", PROVED),
+    ("braked", "", {"V": "potential energy", "L": "Lagrangian of W"}, r"L=\frac16m\ell^2\dot\theta^2-V", PROVED),
     ("pendulum", "", {"L": "Lagrangian"},
      r"L=\frac16m\ell^2\omega^2-\frac12mg\ell\cos\theta", REFUTED),
     ("pendulum", "", {"P": "power of W on rod"}, r"P=-\frac12mg\ell\,\omega\sin\theta", PROVED),

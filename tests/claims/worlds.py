@@ -52,6 +52,17 @@ def _pendulum():
     )
 
 
+def _braked():
+    """The same rod with a dashpot, which has no energy."""
+    return stated(
+        "m: mass, ell: length, c: damping, h: length, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="theta_0", speed="0", range=("-pi", "pi"))},
+        bodies={"rod": rb.rod("ell", mass="m", start="O", angle="theta - pi/2")},
+        interactions={"D": {"type": "damper", "between": [["h", "0"], "rod.end"], "coefficient": "c"}},
+        constraints={"F": rb.pivot("rod.start")},
+    )
+
+
 def _falling():
     """A rod stands on its end and is let go, almost upright."""
     return stated(
@@ -113,5 +124,6 @@ MAKERS = {
     "struck": _struck,
     "pendulum": _pendulum,
     "falling": _falling,
+    "braked": _braked,
     "incline": _incline,
 }

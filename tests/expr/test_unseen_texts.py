@@ -29,6 +29,12 @@ def read(latex):
         (r"I' = x_k{}^2", "I′ = xₖ²"),
         (r"x|_{t=0} = a|_{t=0} + c|_{t=0}", "x|_(t = 0) = a|_(t = 0) + c|_(t = 0)"),
         (r"W = 5 E_{\mathrm{dr}} + 5\,\mathrm{dm}", "W = 5E_dr + 5dm"),
+        (r"a = -m \sin[2](\theta) \qc b = c \qand v \overset{!}{=} u", "a = −m sin² θ\nb = c\nv = u"),
+        (r"a &= 0 & \text{slackness} \\ -b &= 0", "a = 0\n−b = 0"),
+        (r"{\partial \over \partial x} f = (m\over 2) v", "∂f/∂x = (m/2) v"),
+        (r"a = I_{zz}^{C1} \frac{d^2\theta}{dt^2}", "a = I_(zz,C₁) d²θ/dt²"),
+        (r"\left\lbrace\begin{aligned} a &= b \end{aligned}\right. \& {\color{red} c = \underline{d + e}}", "a = b\nc = d + e"),
+        (r"a = x_{n+\frac12} + L_{y^\prime}, &\quad \text{(2D)}", "a = xₙₚₗᵤₛ₁ₚₑᵣ₂ + L′_y"),
     ],
 )
 def test_is_read_as_it_is_meant(latex, told):
@@ -49,6 +55,16 @@ def test_is_read_as_it_is_meant(latex, told):
         (r"\frac{\mathrm{d}^n f}{\mathrm{d} t^n} = 0", "differential"),
         (r"(\frac{a}{b})^+ - c = 0", "marked"),
         (r"a = \SI[per-mode=symbol]{0.03}{m}", "measured"),
+        (r"A^\top b = c", "transposed"),
+        (r"x^T S x = 0", "transposed"),
+        (r"A^{\mathrm T} b = W^\dagger", "transposed"),
+        (r"\frac{\partial L}{\partial \vec v} = p", "differential"),
+        (r"\pdv{L}{q^i} = \frac{\partial}{\partial x^\mu}", "differential"),
+        (r"x[n+1] = A x[n]", "value"),
+        (r"f\left(\frac{a+b}{2}\right) = f(a)", "value"),
+        (r"V = \cancel{m g} + b", "cancelled"),
+        (r"A = \mqty(a & b \\ c & d)", "matrix"),
+        (r"a = \unit[-2.3]{m}", "measured"),
     ],
 )
 def test_what_has_no_value_is_a_formal_part(latex, kind):

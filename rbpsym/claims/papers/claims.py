@@ -167,8 +167,11 @@ class _Reader:
         return [formula for formula in self.paper.formulas if label in formula.labels]
 
     def _next(self, note: Note, inline: bool) -> list[Formula]:
-        """The next relation; all of a display of several numbers that begins behind the comment."""
+        """The next relation, or that in which the comment stands; all of a display of several numbers that begins behind it."""
         start = bisect_left(self.offsets, note.offset)
+        around = self.paper.formulas[start - 1] if start and not inline else None
+        if around is not None and around.is_relation and around.displayed and note.offset < around.offset + len(around.latex):
+            return [around]
         behind = (f for f in islice(self.paper.formulas, start, None) if f.displayed is not inline and f.is_relation)
         first = next(behind, None)
         if first is None:

@@ -50,7 +50,8 @@ def _math(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:
         mark = rf"\\end\{{{re.escape(told['name'])}\}}" if told["name"] else rf"\\{_CLOSED[told['bracket'][1]]}"
         closed = text.closing(mark, start)
         return text.text[found.start() : closed[1] if closed else start], closed[1] if closed else start
-    if told["display"] and (closed := text.closing(r"\$\$", start)) and closed[0] > start:
+    closed = text.closing(r"\$\$", start) if told["display"] else None
+    if closed and closed[0] > start and not _BROKEN.search(text.text, start, closed[0]):
         label = _LABEL.match(text.text, closed[1])
         return display(text.text[start : closed[0]], label[1] if label else ""), label.end() if label else closed[1]
     if told["inline"] and (closed := text.closing(r"\$", start, SPAN)) and text.paragraph(start, closed[0]):
@@ -62,11 +63,13 @@ def _math(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:
     return "\\" + found[0][:1] + ("\\$" if told["display"] else found[0][1:]), start
 
 
+_BROKEN = re.compile(r"\n[ \t]*\n[^$]*\$[^$]")  # a paragraph with formulas: the display before it was never closed
 _CLOSED = {"[": r"\]", "(": r"\)"}
 
 
 def _of_markdown(text: str) -> str:
-    return re.sub(r"(?<!\\)%", r"\\%", Rewriting(_DATA.sub("", text)).rewritten(_MARKDOWN, _markdown_piece))
+    shown = re.sub(r"(?<!\\)\\([_*])", r" \1", _DATA.sub("", text))  # x\_p, written so for Markdown
+    return re.sub(r"(?<!\\)%", r"\\%", Rewriting(shown).rewritten(_MARKDOWN, _markdown_piece))
 
 
 def _markdown_piece(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:

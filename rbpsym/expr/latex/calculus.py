@@ -57,7 +57,14 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     if not order or not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
         reader.position = begin  # the fraction of a length d, or of a differential
         return None
-    parts = _below(reader, order)
+    place = reader.position
+    if (parts := _below(reader, order)) is None and of is None:  # ∂/∂x^μ in front of what it stands for
+        reader.position = place
+        below = argument(reader)
+        return formal(reader, start, "differential", operand(reader) if begins_factor(reader) else t.Word(""), below)
+    if parts is None:
+        reader.position = begin
+        return None
     if of is None:
         of = operand(reader) if begins_factor(reader) else t.Formal("operator", span=(start, reader.previous_end))
     for wrt, times in reversed(parts):
@@ -89,8 +96,8 @@ def _order(reader: LatexReader) -> int:
     return order.value if isinstance(order, t.Num) and isinstance(order.value, int) and 1 <= order.value <= 9 else 0
 
 
-def _below(reader: LatexReader, order: int) -> list[tuple[str, int]]:
-    """What stands in the denominator dx^m dy^n. Raises ReadError if it doesn't fit the numerator."""
+def _below(reader: LatexReader, order: int) -> list[tuple[str, int]] | None:
+    """What stands in the denominator dx^m dy^n; None for a vector or an index above. Raises ReadError if it doesn't fit above."""
     opening, found = reader.token, list[tuple[str, int]]()
     reader.expect("{")
     while not found or not reader.sees_sign("}"):
@@ -98,12 +105,22 @@ def _below(reader: LatexReader, order: int) -> list[tuple[str, int]]:
             raise reader.error("a d is expected here, as in the numerator")
         reader.take()
         token = reader.token
-        wrt = "t" if _is_time(reader, "}", "^") else read_symbol(reader)
-        found.append((wrt, _order(reader)))
+        wrt = "t" if _is_time(reader, "}", "^") else _variable(reader)
+        times = _order(reader)
+        if not wrt or not times:
+            return None
+        found.append((wrt, times))
     if sum(times for _, times in found) != order:
         raise reader.error("the orders above and below are different", "", token)
     reader.expect("}", opening)
     return found
+
+
+def _variable(reader: LatexReader) -> str:
+    """The name of a symbol; "" for a vector and what else nothing is derived by."""
+    braces = reader.pass_sign("{")
+    node = read_name(reader) if begins_name(reader.token) else None
+    return node.name if isinstance(node, t.Sym) and (not braces or reader.pass_sign("}")) else ""
 
 
 def _is_time(reader: LatexReader, *behind: str) -> bool:
@@ -328,6 +345,9 @@ def _taken_over(reader: LatexReader, inside: set[str], upper: t.Node) -> str | N
     return next((name for name in (reader.over, above, *sole) if name in inside | moves), None)
 
 
+_INDICES = set("ijklnNt")
+
+
 def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> str:
     """[T] alone is a unit, X[0] an element, S[q] and E[x²] a value (no factors stand in brackets); "" for what is multiplied."""
     last = before[-1] if before else None
@@ -339,6 +359,9 @@ def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> st
         return "element"
     if named and isinstance(node, (t.Pow, t.Mul)) and not (before[0] is not last and before[0].kind == "letter"):
         return "value"
+    if behind and last and isinstance(node, t.Add) and t.names(node) <= _INDICES:  # x[n + 1] beside x[n]
+        texts = [token.text for token in reader.tokens]
+        return "value" if list(zip(texts, texts[1:], strict=False)).count((last.text, "[")) > 1 else ""
     if not isinstance(node, (t.Sym, t.Vec)):
         return ""
     if behind and last and last.kind != "digit":

@@ -41,6 +41,7 @@ _SUMMED = {
 _ARGUED = {r"\forall": ("∀", 1), r"\exists": ("∃", 1), **dict.fromkeys((r"\binom", r"\dbinom", r"\tbinom"), ("binomial", 2))}
 _OPERATORS = (
     r"\det", r"\min", r"\max", r"\Re", r"\Im", r"\arg", r"\sup", r"\inf", r"\dim", r"\ker", r"\Tr", r"\tr", r"\sgn", r"\deg",
+    r"\argmin", r"\argmax",
 )  # fmt: skip
 _GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
 SENTENCES: Mapping[str, Sentence] = {
@@ -68,6 +69,8 @@ SENTENCES: Mapping[str, Sentence] = {
     "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),
     "binomial": ("a binomial coefficient can't be computed", "Write the number."),
     "factorial": ("a factorial can't be computed", "Write the number."),
+    "drawn": ("what does this code print?", "Write the symbol, or define it by #let with a formula."),
+    "cancelled": ("is what is crossed out still meant?", "Leave it out, or write it without the stroke."),
     "order": ("terms that are left out have no value", r"Leave them out, and write \approx."),
     "asked": ("what is asked here?", "Write the formula."),
 }  # fmt: skip
@@ -92,10 +95,13 @@ def formal(reader: LatexReader, start: int, kind: str, *parts: t.Node) -> t.Node
     return reader.spanned(t.Formal(kind, parts), start)
 
 
-@begins(*_DOTTED, r"\infty", r"\nabla", *_GRADIENTS)
+_SIGNS = {r"\infty": "∞", r"\nabla": "∇", r"\Box": "□", r"\square": "□"}
+
+
+@begins(*_DOTTED, *_SIGNS, *_GRADIENTS)
 def _sign(reader: LatexReader) -> t.Node:
     token = reader.take()
-    kind = "…" if token.text in _DOTTED else "∞" if token.text == r"\infty" else "∇"
+    kind = "…" if token.text in _DOTTED else _SIGNS.get(token.text, "∇")
     label = (t.Word(label_after(reader)),) if kind == "∇" and reader.sees_sign("_") else ()
     label = label or ((t.Word(token.text[1:]),) if token.text in _GRADIENTS else ())
     return formal(reader, token.start, kind, *label)
@@ -123,7 +129,9 @@ def _measured(reader: LatexReader) -> t.Node:
     head = reader.take()
     groups: list[t.Node] = []
     alone = head.text in (r"\si", r"\unit")
-    while reader.sees_sign("{") and len(groups) < (1 if alone else 3):
+    if alone and reader.sees_sign("["):  # \unit[9.8]{m} of units
+        groups.append(COMMANDS["["](reader))
+    while reader.sees_sign("{") and len(groups) < (1 + bool(groups) if alone else 3):
         begin = reader.position
         try:
             groups.append(numeral(reader))
@@ -208,6 +216,13 @@ def _state(reader: LatexReader) -> t.Node:
     return formal(reader, head.start, "state", *words)
 
 
+@begins(r"\drawn")
+def _drawn(reader: LatexReader) -> t.Node:
+    """What a Typst text draws by code of its own."""
+    start = reader.take().start
+    return formal(reader, start, "drawn", _word(reader, reader.position))
+
+
 @begins("⟨")
 def _mean(reader: LatexReader) -> t.Node:
     start = reader.token.start
@@ -235,9 +250,9 @@ def _written_state(reader: LatexReader) -> t.Node | None:
     return formal(reader, start.start, "state", t.Word(reader.source.text[start.start : reader.previous_end]))
 
 
-@begins(r"\cancel")
+@begins(r"\cancel", r"\bcancel", r"\xcancel")
 def _crossed_out(reader: LatexReader) -> t.Node:
-    raise reader.error(r"“\cancel”: what is crossed out can't be read", "Leave it out.")
+    return formal(reader, reader.take().start, "cancelled", argument(reader))
 
 
 @begins(r"\underbrace", r"\overbrace")

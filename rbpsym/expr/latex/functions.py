@@ -40,7 +40,8 @@ SIGNS = {
 
 LOOSE = {
     r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
-    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦",
+    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
+    r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯",
 }  # fmt: skip
 
 
@@ -137,6 +138,8 @@ def _is_value(reader: LatexReader, first: int) -> bool:
             break
     if all(token.kind == "digit" or token.text in _NUMERIC for token in inner):
         return True
+    if any(behind[2:3] == [")"] for behind in _others(reader, first, reader.position)):  # f(a), where f is a function of a
+        return True
     single = not any(token.text in ("+", "-", *SIGNS) for token in inner) and len(reader.met) < MOST_ASKED
     sign, other, behind = (reader.ahead(len(inner) + k) for k in range(3))
     begins = not first or reader.tokens[first - 1].kind == "row" or reader.tokens[first - 1].text in SIGNS
@@ -158,12 +161,18 @@ def _value(reader: LatexReader, name: t.Node) -> t.Node:
     return reader.spanned(t.Formal("value", (name, *found)), (name.span or (opening.start, 0))[0])
 
 
+def _others(reader: LatexReader, first: int, begin: int) -> list[list[str]]:
+    """What follows where the same name stands elsewhere in front of parentheses."""
+    texts = [token.text for token in reader.tokens]
+    name = texts[first : begin + 1]
+    starts = (k for k in range(len(texts)) if k != first and texts[k : k + len(name)] == name)
+    return [texts[k + len(name) - 1 :] for k in starts if texts[k - 1] not in ("_", *_DOTTED)]
+
+
 def _is_elsewhere(reader: LatexReader, first: int, begin: int, end: int) -> bool:
     """Does the same name stand with something else in its parentheses, so that its values differ: V(x) - V(y)?"""
-    texts = [token.text for token in reader.tokens]
-    name, given = texts[first : begin + 1], texts[begin:end]
-    starts = (k for k in range(len(texts)) if texts[k : k + len(name)] == name and texts[k - 1] not in ("_", *_DOTTED))
-    return any(texts[k + len(name) - 1 :][: len(given)] != given for k in starts)
+    given = [token.text for token in reader.tokens[begin:end]]
+    return any(behind[: len(given)] != given for behind in _others(reader, first, begin))
 
 
 _TIME = t.Sym("t")
@@ -236,6 +245,8 @@ def _function(reader: LatexReader) -> t.Node:
     name = FUNCTIONS[token.text]
     base = argument(reader) if token.text == r"\log" and reader.pass_sign("_") else None
     exponent = None
+    if [reader.ahead(k).text for k in (0, 2, 3)] == ["[", "]", "("]:  # \sin[2](x) of physics is sin² x
+        exponent = COMMANDS["["](reader)
     if reader.pass_sign("^"):
         exponent = argument(reader)
         if exponent == t.Neg(t.ONE) and f"a{name}" in FUNCTION_WORDS.values():

@@ -240,15 +240,15 @@ def factor(reader: LatexReader) -> t.Node:
         reader.take()
         base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
-        if not isinstance(base, (t.Sym, t.Vec)) and (mark := WORDS["mark"](reader)):
-            base = reader.spanned(t.Formal("marked", (base, t.Word(mark))), start)
+        if not isinstance(base, t.Num) and (mark := WORDS["mark"](reader, isinstance(base, (t.Sym, t.Vec)))):
+            whole = t.Formal("marked", (base, t.Word(mark))) if mark != "transposed" else t.Formal(mark, (base,))
+            base = reader.spanned(whole, start)
             continue
         reader.take()
         exponent = _exponent(reader)
-        transposed = exponent == t.Sym("T") and is_vector(base)
         if isinstance(base, (t.Sym, t.Vec)) and reader.sees_sign("("):  # r²(z)
             base = COMMANDS["applied"](reader, base, first, raised=True)
-        base = reader.spanned(t.Formal("transposed", (base,)), start) if transposed else reader.power(base, exponent, start)
+        base = reader.power(base, exponent, start)
     while reader.sees_sign("_", "'", "!", r"\prime"):
         label = (t.Word(WORDS["label"](reader)),) if reader.sees_sign("_") else ()
         kind = "marked" if label or reader.take().text != "!" else "factorial"
@@ -380,8 +380,6 @@ def between(reader: LatexReader, closing: str) -> t.Node:
     node = expression(reader)
     if reader.sees_sign(",", ";") and closing in _LISTS:
         node = _listed(reader, node, _LISTS[closing], opening.start)
-    if closing == "}" and reader.pass_sign(r"\over"):
-        node = t.Div(node, expression(reader))
     reader.integrals, reader.bars = waiting
     reader.expect(closing, opening)
     return reader.spanned(node, opening.start) if isinstance(node, t.Formal) and node.kind in _LISTS.values() else node

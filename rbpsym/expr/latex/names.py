@@ -21,10 +21,10 @@ _UNITS = {"ı": "x", "i": "x", "ȷ": "y", "j": "y", "k": "z"}
 _DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 _HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
 _LONGEST = 24
-_MARKED = frozenset("+-*=()/<>|;:.")  # what a label may hold beside letters and digits
+_MARKED = frozenset("+-*=()/<>|;:.^[]")  # what a label may hold beside letters and digits
 _NAMED = frozenset(rf"\{word}" for word in (
     "pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top", "ne",
-    "in", "dots",
+    "in", "dots", "sim", "Vert",
 ))  # fmt: skip
 
 
@@ -60,7 +60,10 @@ def _over_several(reader: LatexReader) -> t.Node:
     if head.text not in _HEADS or not reader.sees_sign("{"):
         reader.position -= 1
         _summed(reader)
-    return reader.spanned(t.Formal("accented", (t.Word(head.text[1:]), COMMANDS["{"](reader))), head.start)
+    inner = COMMANDS["{"](reader)
+    if head.text == r"\underline":  # a result, and no name
+        return inner
+    return reader.spanned(t.Formal("accented", (t.Word(head.text[1:]), inner)), head.start)
 
 
 def read_symbol(reader: LatexReader) -> str:
@@ -223,6 +226,8 @@ def _label_part(reader: LatexReader) -> str:
         return token.text.lstrip("\\")
     if token.kind == "command" and token.text in _HEADS:
         return f"{token.text[1:]}({label_after(reader, begun=True)})"
+    if token.text == r"\frac":
+        return f"{label_after(reader, begun=True)}/{label_after(reader, begun=True)}"
     if token.text[1:] in FUNCTION_WORDS and token.end - token.start > len(token.text):
         return token.text[1:]  # an upright word that is also a function: I_{\mathrm{sec}}
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
@@ -239,26 +244,33 @@ def _label_above(reader: LatexReader) -> str:
     bracketed = inner[0].text == "(" and inner[1].kind in ("letter", "digit") and inner[2].text == ")"
     marked = inner[0].text in ("*", "+", "-", *_NAMED)
     named = marked or (inner[0].kind == "text" and Drawn(inner[0].text) not in reader.table.names)
+    named = named and inner[0].text not in _TRANSPOSED
     leads = braces and inner[1].text == r"\to" and {inner[0].kind, inner[2].kind} <= {"letter", "digit"}  # W^{1→2}
-    length = 3 if leads or (bracketed and braces) else int(named)
+    digits = braces and inner[0].kind == "letter" and inner[0].text.isupper() and inner[1].kind == "digit"  # I^{C1}
+    length = 3 if leads or (bracketed and braces) else 2 if digits else int(named)
     if not length or (braces and inner[length].text != "}"):
         return ""
     reader.position += 1 + length + 2 * braces
     return "".join(token.text.lstrip("\\") for token in inner[:length])
 
 
-def mark_above(reader: LatexReader) -> str:
-    """Pass ^+, ^*, ^\\dagger behind what is no name; "" if the superscript is something else."""
-    tokens = reader.tokens[reader.position + 1 : reader.position + 4]
-    braces = tokens[0].text == "{"
-    if len(tokens) < braces + 2:
+_TRANSPOSED = ("T", r"\top", r"\intercal", r"\dagger")
+
+
+def mark_above(reader: LatexReader, named: bool) -> str:
+    r"""Pass ^T, ^\top, ^{\mathrm T} of what is transposed, and behind what is no name ^+, ^*; "" for another superscript."""
+    place = reader.position + 1
+    while reader.tokens[place].text in ("{", r"\mathrm", *_PLAIN):
+        place += 1
+    depth = sum(token.text == "{" for token in reader.tokens[reader.position : place])
+    mark, behind = reader.tokens[place].text, reader.tokens[place + 1 :][: max(depth, 1)]
+    closed = all(token.text == "}" if depth else token.kind not in ("digit", "letter") for token in behind)
+    if mark not in _TRANSPOSED and (named or not closed or mark not in ("*", "+", "-", *_NAMED)):
         return ""
-    mark, behind = tokens[braces : braces + 2]
-    alone = behind.text == "}" if braces else behind.kind not in ("digit", "letter")
-    if not alone or mark.text not in ("*", "+", "-", *_NAMED):
+    if depth and not closed:
         return ""
-    reader.position += 2 + 2 * braces
-    return mark.text.lstrip("\\")
+    reader.position = place + 1 + depth
+    return "transposed" if mark in _TRANSPOSED else mark.lstrip("\\")
 
 
 WORDS["mark"] = mark_above

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.formal import numeral
+from rbpsym.expr.latex.formal import formal, numeral, taken_at
 from rbpsym.expr.latex.functions import operand, whole_number
 from rbpsym.expr.latex.grammar import DEGREE, argument
-from rbpsym.expr.latex.names import read_symbol
 from rbpsym.expr.symbol_table import LatexReader, begins
 
 
@@ -18,14 +17,17 @@ def _derivative(reader: LatexReader) -> t.Node:
     order = _option(reader)
     begin = reader.position
     of = argument(reader)
-    parts: list[str] = []
+    parts: list[str | t.Node] = []
     while reader.sees_sign("{") and len(parts) < (1 if order > 1 or head.text == r"\dv" else 3):
         parts.append(_variable(reader))
     if not parts:
         reader.position = begin
         parts.append(_variable(reader))
         of = operand(reader)
-    for wrt in reversed(parts):
+    named = [wrt for wrt in parts if isinstance(wrt, str)]
+    if len(named) < len(parts):
+        return formal(reader, head.start, "differential", of, *(one for one in parts if not isinstance(one, str)))
+    for wrt in reversed(named):
         of = reader.spanned(t.Deriv(of, wrt, order, head.text == r"\pdv"), head.start)
     return of
 
@@ -37,10 +39,12 @@ def _option(reader: LatexReader) -> int:
     return whole_number(reader, "the order of a derivative", 1, 9)
 
 
-def _variable(reader: LatexReader) -> str:
+def _variable(reader: LatexReader) -> str | t.Node:
+    """The name of a symbol, or what else stands there, by which nothing is derived."""
     time = [reader.ahead(count).text for count in range(3)] == ["{", "t", "}"]
     reader.position += 3 * time
-    return "t" if time else read_symbol(reader)
+    node = t.Sym("t") if time else argument(reader)
+    return node.name if isinstance(node, t.Sym) else node
 
 
 @begins(r"\abs", r"\norm", r"\vqty")
@@ -48,6 +52,21 @@ def _magnitude(reader: LatexReader) -> t.Node:
     start = reader.take().start
     reader.pass_sign("*")
     return reader.spanned(t.Abs(argument(reader)), start)
+
+
+@begins(r"\eval")
+def _evaluated(reader: LatexReader) -> t.Node:
+    r"""\eval{f}_{x = 0}"""
+    start = reader.take().start
+    reader.pass_sign("*")
+    of = argument(reader)
+    return taken_at(reader, of, start) if reader.sees_sign("_") else of
+
+
+@begins(r"\var", r"\variation")
+def _varied(reader: LatexReader) -> t.Node:
+    start = reader.take().start
+    return formal(reader, start, "differential", argument(reader))
 
 
 @begins(r"\num", r"\ang")

@@ -153,7 +153,7 @@ def read_latex(
     if not isinstance(symbols, SymbolTable):
         symbols = symbol_table(symbols, notation, spellings)
     source = SourceText(text, place)
-    tokens = _formula_tokens(text, source)
+    tokens = _formula_tokens(text, source, symbols)
     found = source.bounded(best_reading(source, tokens, symbols, _rows))
     return found if whole else latex_formal.refuse(found, source)
 
@@ -161,7 +161,7 @@ def read_latex(
 def latex_ways(text: str, symbols: SymbolTable, *, whole: bool = False) -> Ways:
     """All readings of a formula that can be read in several ways. Raises as `read_latex`."""
     source = SourceText(text)
-    tokens = _formula_tokens(text, source)
+    tokens = _formula_tokens(text, source, symbols)
     readings = every_reading(source, tokens, symbols, _rows)
     met = [question for reading in readings for question in reading.met]
     what, instead, token = met[0] if met else ("", "", tokens[0])
@@ -178,7 +178,7 @@ def _parted(reading: Reading) -> tuple[bool, ...]:
     return tuple(chosen for question, chosen in pairs if question[0] == BELOW)
 
 
-_FRAME = re.compile(r"\\(?:A?boxed|fbox|shrunk)\s*\{")
+_FRAME = re.compile(r"\\(?:A?boxed|fbox|shrunk|small|large|underline)\s*\{|\{(?=\s*\\color(?![A-Za-z]))")
 _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 
 
@@ -204,7 +204,7 @@ def _closed_at(text: str, start: int) -> int:
     return -1
 
 
-def _formula_tokens(text: str, source: SourceText) -> tuple[Token, ...]:
+def _formula_tokens(text: str, source: SourceText, table: SymbolTable) -> tuple[Token, ...]:
     """The tokens of the relations; a frame round a relation, or round all, is made blank, so that places are kept."""
     text = _UPRIGHT_D.sub(lambda found: (r"\dd " + found[1]).ljust(len(found[0])), text)
     for frame in _FRAME.finditer(text[:MAX_LENGTH]):
@@ -215,7 +215,10 @@ def _formula_tokens(text: str, source: SourceText) -> tuple[Token, ...]:
         hint = "Write the number alone in the unit that the claim says, or * where a product is meant."
         group = 1 if measured[1] else 2
         raise source.error(f"is “{measured[group]}” a unit, or a product of symbols?", *measured.span(group), hint)
-    return laid_out(source, tokenize(SourceText(text, source.place), gaps=True))
+    own = {row[0] for row in table.spellings if len(row) == 1}  # commands that are names: \\th
+    tokens = tokenize(SourceText(text, source.place), gaps=True)
+    named = (replace(one, kind="letter") if one.kind == "command" and one.text in own else one for one in tokens)
+    return laid_out(source, tuple(named))
 
 
 def _rows(reader: LatexReader) -> t.Node:

@@ -21,6 +21,7 @@ RELATIONS = frozenset(("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\to"
 _JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which nothing begins
 _SIGNS = frozenset((*RELATIONS, *_JOINING, "-", r"\pm", r"\mp"))
 ARROW = r"\to"
+_LEAST = frozenset((r"\min", r"\max", r"\sup", r"\inf"))
 _CUT = (r"\left.", r"\right.")
 _HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
 _DEEPER, _HIGHER = frozenset("([{⟨") | {r"\{", COLUMN}, frozenset(")]}⟩") | {r"\}", END_COLUMN}
@@ -142,16 +143,16 @@ class _Layout:
             raise self._error(token, "does this go on with a product?", "Begin the row with the sign.")
         if _is_relation(behind):
             return replace(token, text="") if several else None  # which relation of the row above goes on here?
-        return self._minus(k, token) if behind.text == "-" else replace(token, text="")
+        return self._minus(k, token, several > 0) if behind.text == "-" else replace(token, text="")
 
-    def _minus(self, k: int, token: Token) -> Token | None:
+    def _minus(self, k: int, token: Token, beside: bool) -> Token | None:
         """A row that begins with a minus goes on where its first cell is empty or it is no relation."""
         row = self._row_behind(k)
         first = next((place for place in row if not _is_blank(self.all[place])), k)
         if any(self.all[place].text == "&" for place in row if place < first):
             return None
         sign = next((place for place in row if _is_relation(self.all[place])), None)
-        if sign is None or not self.related:
+        if sign is None or not (self.related or beside):
             return None
         aligned = "&" in (self.all[sign - 1].text, self.all[sign + 1].text)
         return replace(token, text="" if aligned else OPEN)
@@ -165,7 +166,7 @@ class _Layout:
             return None
         while self.all[last + 1].kind == "gap":
             last += 1
-        if self.all[last + 1].text == "&":
+        if self.all[last + 1].text == "&" or self._is_least(k):
             return None
         if self.depth:
             inner = token.text in _WIDE and self.open[-1] in ("[", "(")
@@ -194,10 +195,8 @@ class _Layout:
         near = [found.text for found in (before, behind) if found]
         if self.depth or RELATIONS.intersection(near):
             return token if self.depth else None
-        if near[0] in PUNCTUATION and self._relates(k):
+        if near[0] in PUNCTUATION or self._cell_before(k) or self._is_least(k):
             return None
-        if self._cell_before(k):
-            return None  # an empty cell
         remark = behind is not None and behind.kind == "text" and self.related and not self._relates(k)
         if remark and (end := self._remark_behind(k)):
             self.beside = end
@@ -216,6 +215,10 @@ class _Layout:
         goes_on = self._near(end, 1) if all(token.kind == "text" for token in words) else None
         said = any(CONDITIONS.search(token.text) for token in words)
         return end if goes_on is not None and _is_relation(goes_on) and not said else 0
+
+    def _is_least(self, k: int) -> bool:
+        """Does what follows stand behind “min” or “max”, which is of it?"""
+        return not self.related and bool(_LEAST.intersection(self.all[place].text for place in self._row_before(k)))
 
     def _cell_before(self, k: int) -> bool:
         """Is the cell empty that ends here?"""

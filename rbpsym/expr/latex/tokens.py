@@ -13,7 +13,7 @@ from rbpsym.errors import LimitError
 from rbpsym.expr.hyperbolic import HYPERBOLIC
 from rbpsym.expr.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.expr.source import SourceText, refused
-from rbpsym.frozen import Frozen
+from rbpsym.frozen import Frozen, replace
 
 MAX_LENGTH = 8000
 
@@ -30,10 +30,10 @@ _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|normalsize|large|Large|LARGE|huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
+    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
     r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))"
-    r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit))\s*\[[^\]]*\]"
+    r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
     r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
 )
 _SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
@@ -57,6 +57,7 @@ _GAP = (
     r"|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
     r"|\\hspace\*?\s*\{[^{}]*\}"
 )
+_QUICK = "and|or|if|for|where|when|with|then|so|let|given|assume|since|unless|otherwise|thus|at"  # \qand: and, between gaps
 _UPRIGHT = r"\\rm(?![A-Za-z])(?:\s*\\bf(?![A-Za-z]))?"  # all that follows in its group: {\rm kg}, 3\rm\ m
 PUNCTUATION = (",", ".", ";")
 CONDITION = "if"  # the text of a row token behind which a condition stands
@@ -66,7 +67,7 @@ _ARROWS = {
     **dict.fromkeys((r"\iff", r"\Leftrightarrow", r"\Longleftrightarrow"), EQUIVALENT),
 }  # fmt: skip
 _PATTERNS = (
-    rf"(?P<blank>\\left\s*\\\{{(?=\s*\\begin\s*\{{(?:{_SYSTEMS})\}})"
+    rf"(?P<blank>\\left\s*\\(?:\{{|lbrace)\s*(?=\s*\\begin\s*\{{(?:{_SYSTEMS})\}})"
     rf"|(?:{'|'.join(rf'(?<={name}}})' for name in _SYSTEMS.split('|'))})\s*\\right\s*\.|\s+)"
     r"|(?P<empty>\\(?:left|right)\s*\.)"
     r"|(?P<bar>\\(?:left|right|[bB]igg?[lrm]?)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
@@ -75,13 +76,15 @@ _PATTERNS = (
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
     r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
-    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq)\s*\{[^{}$]*\$(?:[^{}]|\{[^{}]*\})*\}"
-    r"|\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
+    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
+    rf"|\\q(?:c|comma|{_QUICK})\*?(?![A-Za-z])"
+    r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}"
     rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
     rf"|{_UPRIGHT}(?:\s|~|\\ )*+[A-Za-z]++(?:(?:\s|~|\\ |/)+[A-Za-z]++)*+(?!\())"
     r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"
     r"(?:(?<!split\})(?<!ed\})\s*\{(?:[lcr|\s\d]|[@!p]\{[^{}]*\})*\})?|\\(?:begin|end)\s*\{[^{}]*\})"
-    rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
+    r"|(?P<over>\\(?:overset|stackrel)\s*\{(?:[^{}]|\{[^{}]*\})*\}\s*\{\s*(?:[=<>]|\\[a-z]+)\s*\})"
+    rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|\\newline(?![A-Za-z])|\\&|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
     rf"|(?P<degree>{_DEGREE})"
     rf"|(?P<plain>(?<![a\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) > 2)})(?=\s*[(\[{{^\\]|\s+[A-Za-z\d])"
     rf"|(?<![A-Za-z\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) == 2)})(?=\s*(?:\(|\\left|\\[a-z])))"
@@ -99,6 +102,7 @@ _ALIASES = {
     r"\mathbf": r"\boldsymbol", r"\bm": r"\boldsymbol", r"\overline": r"\bar",
     r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat", r"\widetilde": r"\tilde", ">>": r"\gg", "<<": r"\ll",
     r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
+    "∇": r"\nabla",
     "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
     r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
     r"\va": r"\vec", r"\vu": r"\hat",
@@ -147,11 +151,51 @@ def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
             f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read",
             instead="Split it into smaller parts.",
         )
-    found = _unbraced([token for token in _tokens(source) if gaps or token.kind != "gap"])
+    found = _unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"])))
     return (*found, Token("end", "", len(source.text), len(source.text)))
 
 
+def _arrayed(tokens: list[Token]) -> list[Token]:
+    r"""The tokens with the brackets behind \\mqty as the signs round a matrix."""
+    for k, token in enumerate(tokens[:-1]):
+        if token.text not in (r"\mqty", r"\pmqty", r"\bmqty", r"\vmqty"):
+            continue
+        if (end := _closed(tokens, k + 1)) < len(tokens):
+            opening, closing = (replace(tokens[at], kind="sign", text=text) for at, text in ((k, COLUMN), (end, END_COLUMN)))
+            return _arrayed([*tokens[:k], opening, *tokens[k + 2 : end], closing, *tokens[end + 1 :]])
+    return tokens
+
+
+_OPENING, _CLOSING = ("(", "[", "{", r"\lvert"), (")", "]", "}", r"\rvert")
 _TAKING = ("command", "text", "begin", "differential")
+
+
+def _divided(tokens: list[Token]) -> list[Token]:
+    r"""The tokens with {a \\over b} as \\frac{a}{b}, and (a \\over b) as (\\frac{a}{b})."""
+    place = next((k for k, token in enumerate(tokens) if token.text == r"\over"), None)
+    if place is None:
+        return tokens
+    begin, depth = place, 0
+    while begin and depth >= 0:
+        begin -= 1
+        depth += (tokens[begin].text in _CLOSING) - (tokens[begin].text in _OPENING)
+    end = _closed(tokens, begin)
+    if depth >= 0 or end == len(tokens):
+        return tokens
+    over, inner = tokens[place], tokens[begin].text == "{"
+    opened, closed = (replace(over, kind="sign", text=text) for text in "{}")
+    made = [replace(over, text=r"\frac"), opened, *tokens[begin + 1 : place], closed, opened, *tokens[place + 1 : end], closed]
+    return _divided([*tokens[: begin + (not inner)], *made, *tokens[end + inner :]])
+
+
+def _closed(tokens: list[Token], k: int) -> int:
+    """Where the brackets are closed that open there; the last place, if nowhere."""
+    depth = 0
+    for end in range(k, len(tokens)):
+        depth += (tokens[end].text in _OPENING) - (tokens[end].text in _CLOSING)
+        if not depth:
+            return end
+    return len(tokens)
 
 
 def _unbraced(tokens: list[Token]) -> list[Token]:
@@ -162,6 +206,8 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
         for size in (2, 3):
             inner = tokens[k + 1 : k + size]
             alone = bool(inner) and inner[-1].kind == "letter" and (size == 2 or inner[0].kind == "command")
+            if token.text == r"\indices" and texts[1:2] == ["{"]:
+                dropped |= {k, k + 1, _closed(tokens, k + 1)}
             free = k == 0 or (tokens[k - 1].kind not in _TAKING and tokens[k - 1].text not in ("^", "_", "}", "]"))
             if token.text == "{" and alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"]):
                 dropped |= {k, k + size}
@@ -183,7 +229,7 @@ def _tokens(source: SourceText) -> Iterator[Token]:
             position += 1
             continue
         if found.lastgroup not in ("blank", "silent", "each"):
-            apart = found[0].startswith(r"\qq{")
+            apart = found.lastgroup == "text" and found[0].startswith(r"\q")
             yield from [Token("gap", r"\quad", found.start(), found.start())] * apart
             yield _token(source, found)
             yield from [Token("gap", r"\quad", found.end(), found.end())] * apart
@@ -210,7 +256,8 @@ def _token(source: SourceText, found: re.Match[str]) -> Token:
 
 def _text(text: str) -> tuple[str, str]:
     """Upright text; a word such as `and` between relations begins a new one."""
-    word = re.sub(r"\s+", " ", re.sub(r"^(?:\\[a-z]+\*?)?\s*\{?|\}$|\\(?:rm|bf)(?![A-Za-z])|~|\\[ ,]", " ", text)).strip()
+    bare = re.sub(r"^\\q(?!q)|^(?:\\[a-z]+\*?)?\s*\{?|\}$|\\(?:rm|bf)(?![A-Za-z])|~|\\[ ,]", " ", text)
+    word = re.sub(r"\s+", " ", bare).strip()
     if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
         return "command", rf"\{word}"
     if word == "d" and text[0] == "{":
@@ -218,6 +265,8 @@ def _text(text: str) -> tuple[str, str]:
     plain = "" if text.startswith((r"\mathrm", r"\operatorname")) else word.strip(" ,;:.")
     if plain in CONDITIONAL:
         return "row", CONDITION
+    if text.startswith(r"\qc"):
+        return "row", ""
     if word in PUNCTUATION:
         return "sign", word
     return "row" if plain in JOINING else "text", word
@@ -236,7 +285,8 @@ _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in seve
     "plain": lambda text: ("command", rf"\{text}"),  # sin(x) is no product of three letters
     "differential": lambda text: ("differential", "∂" if "partial" in text else "d"),
     "bar": lambda text: ("sign", r"\rvert" if text.startswith((r"\right", r"\bigr")) else r"\lvert"),
-    "row": lambda text: ("row", text if text.startswith("\\\\") else _ARROWS.get(text, "so")),  # or words between relations
+    "row": lambda text: ("row", "\\\\" if text == r"\newline" else text if text[1] == "\\" else _ARROWS.get(text, "so")),
+    "over": lambda text: _command(text[text.rindex("{") + 1 : -1].strip()),  # a word on a sign, which says why
     "zero": lambda _: ("digit", "0"),  # the vector zero is printed as a bold number
     "gradient": lambda _: ("command", r"\nabla"),
     "degree": lambda _: ("sign", "°"),
@@ -251,6 +301,7 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
     if text.startswith(r"\end"):
         start = whole.rfind(rf"\begin{{{name}}}", 0, start)
     before = whole[: max(start, 0)].rstrip().removesuffix(r"\displaystyle").rstrip(" &")
+    before = re.sub(r"(?<=[\[(|])\s*\{$", "", before)  # \left[ {\begin{array}
     cut = before.removesuffix(r"\{").rstrip().removesuffix(r"\left").rstrip(" &")
     return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
 
