@@ -9,7 +9,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.ask import critical, optima, yesno
-from rbpsym.ask.conditions import COEFFICIENT, wanted
+from rbpsym.ask.conditions import wanted
 from rbpsym.ask.critical import KEPT, region_of
 from rbpsym.ask.finding import Finding, together
 from rbpsym.ask.question import SUPERLATIVES
@@ -32,7 +32,7 @@ def which(world: AskedPhase, superlative: str | None, name: str, text: str) -> F
     """SYMBOL for which a condition is met (see `critical.which`), or one limit comes before another."""
     if same := NO_EFFECT.fullmatch(text):
         return optima.without_effect(world, name, *same.groups())
-    if superlative and name not in {*_free(world), *world.coordinates, COEFFICIENT} and _is_quantity(world, name):
+    if superlative and name not in {*_free(world), *world.coordinates} and _is_quantity(world, name):
         return bounded(world, superlative, name, text)
     first = _first_of_two(world, name, text)
     if first is None:

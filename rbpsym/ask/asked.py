@@ -137,7 +137,7 @@ class Asked(Frozen):
         known = {"first": 0} | {name: k for k, name in enumerate(self.names)} | blows
         before = (self.problem, *(phase.problem for phase in self.problem.phases))
         struck = {k for k, phase in enumerate(self.problem.phases, 1) if _is_struck(phase, before[k - 1])}
-        known |= dict.fromkeys(("blow", "collision", "impact", "impulse"), *struck) if len(struck) == 1 else {}
+        known |= dict.fromkeys(("blow", "bounce", "collision", "impact", "impulse"), *struck) if len(struck) == 1 else {}
         if name not in known:
             hint = did_you_mean(name, list(known), "phases") if self.problem.phases else "the problem has no [[phases]]."
             raise StatementError(f"there is no phase or blow “{name}”", instead=hint)

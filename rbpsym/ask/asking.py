@@ -17,7 +17,7 @@ from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import under, whichever
-from rbpsym.ask.special import special_problem
+from rbpsym.ask.special import special_problem, with_coefficient
 from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
 from rbpsym.field import granted
@@ -92,7 +92,7 @@ def _stem(text: str, study: Study) -> str:
 
 def found_in(study: Study, text: str) -> Found | Finding:
     """What is found in a study for a question of its problem, without steps. Raises RbpsymError."""
-    asked = Asked(study.problem, study)
+    asked = with_coefficient(Asked(study.problem, study), text)
     plain = _plain(asked, text)
     about = finding(asked, plain)
     return about[1] if about else found_of(asked, read_question(plain))
@@ -139,7 +139,7 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     """The answer to one question, called by the letter. Raises as `ask`, and WorkSpent where it takes too much work."""
     try:
         with granted(MOST_PRODUCTS):
-            other, plain, given = in_letters(asked, text)
+            other, plain, given = in_letters(with_coefficient(asked, text), text)
             found = _whole(other, plain, letter)
             return found if plain == text else replace(found, question=replace(found.question, text=text), given=given)
     except WorkSpent as error:

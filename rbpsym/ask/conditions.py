@@ -24,7 +24,7 @@ from rbpsym.decide.signs import sign
 from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError, there
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, Scalar, derivative, is_zero, lift, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, derivative, is_zero, lift, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import replace
 from rbpsym.mechanics.demands import Demand, settle
@@ -85,13 +85,10 @@ def _keeps(world: AskedPhase, phrase: str, until: str | None, text: str | None) 
     return _stays(world, phrase, "positive", until, text)
 
 
-COEFFICIENT = "mu"  # may be asked for where the problem declares none
-
-
 def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | None, name: str = "", then: str = "") -> Wanted:
     """Static friction stays below its limit, at one contact or at all (“it”), on the way or at one moment (`then`)."""
     needs = {need.constraint: need for need in world.study.friction_needs}
-    found = None if then else _held_then(world, contact, None, name)
+    found = None if then else _held_then(world, contact, None)
     if found and contact not in needs and (contact != "it" or not needs):
         return found
     if not needs:
@@ -102,13 +99,11 @@ def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | 
     if contact not in ("it", "nothing", *needs):
         raise StatementError(f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts"))
     held, given = [need for place, need in needs.items() if contact in ("it", "nothing", place)], world.motion.assumptions
-    if name == COEFFICIENT and name not in given.signs:
-        held, given = [replace(need, limit=symbol(name)) for need in held], given.with_signs({name: "positive"})
     without, held = held[0].constraint, [need for need in held if need.limit is not None]  # the others hold as much as is needed
     if not held:
         raise StatementError(
             f"the contact “{without}” has no coefficient of static friction",
-            instead=f'ask for “{COEFFICIENT} for which …”, or write limit = "mu" in [constraints.{without}].',
+            instead=f'ask for “mu for which …”, or write limit = "mu" in [constraints.{without}].',
         )
     if left_open(world.study) and not then:
         values, given, asked = bearable(world.study, held, given, name)
@@ -130,24 +125,23 @@ def _holds_there(world: AskedPhase, contact: str, there: str, name: str = "") ->
     return _holds_fast(world, contact, None, None, name, there)
 
 
-def _held_then(world: AskedPhase, contact: str, phase: str | None, name: str = "") -> Wanted | None:
+def _held_then(world: AskedPhase, contact: str, phase: str | None) -> Wanted | None:
     """The impulse of friction stays below its limit in a blow (when a phase begins); None where friction holds in none."""
-    given, values = world.motion.assumptions, list[Scalar]()
+    values = list[Scalar]()
     for number in range(1, len(world.asked.names)):
         began = world.asked.began(number)
         for element in (*began.phase.impulses, *began.phase.problem.constraints):
             limit = element.values.get("coefficient" if is_holding(element) else "limit")
             is_meant = contact in ("it", "nothing", element.name) and phase in (None, began.phase.name)
-            if is_meant and element.values.get("friction") in began.impulses and (limit is not None or name == COEFFICIENT):
+            if is_meant and element.values.get("friction") in began.impulses and limit is not None:
                 names = (element.name, element["friction"])
                 most, grip = (seen(world, f"impulse of {n} when {began.phase.name} begins") for n in names)
-                given = given if limit is not None else given.with_signs({name: "positive"})
-                values += [most * (symbol(name) if limit is None else scalar(limit)) + grip * side for side in (-1, 1)]
-    return Wanted(tuple(values), given) if values else None
+                values += [most * scalar(limit) + grip * side for side in (-1, 1)]
+    return Wanted(tuple(values), world.motion.assumptions) if values else None
 
 
-def _holds_then(world: AskedPhase, contact: str, phase: str, name: str = "") -> Wanted:
-    found = _held_then(world, contact, phase, name)
+def _holds_then(world: AskedPhase, contact: str, phase: str) -> Wanted:
+    found = _held_then(world, contact, phase)
     if found is None:
         raise StatementError(
             f"friction holds nothing when “{phase}” begins", instead='what does not slip there is a bounce with slip = "none".'
@@ -189,7 +183,7 @@ def _at_rest(world: AskedPhase, name: str = "") -> Wanted:
     return _stays_put(world, name)
 
 
-OF_FRICTION = (_holds_fast, _holds_then, _holds_there, _stays_put, _at_rest)
+OF_FRICTION = (_holds_fast, _holds_there, _stays_put, _at_rest)
 
 
 def rest_at(world: AskedPhase, name: str, text: str | None) -> tuple[int, Equilibrium]:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
-from rbpsym.decide.rooted import root_of
+from rbpsym.decide.rooted import root_of, rooted
 from rbpsym.decide.signs import sign
 from rbpsym.errors import LimitError, Undecided, all_there
 from rbpsym.field import ONE, Coefficient, Monomial, Poly, apart, at_most, atoms, depends_on, generator, is_zero, names_in, short
@@ -160,7 +160,7 @@ def _of_atom(index: int, given: Assumptions) -> Series | None:
         return _constant(NOTHING)  # it vanishes faster than any power
     terms, value, factorial = [], Scalar(generator(index)), 1
     for k in range(LENGTH):
-        terms.append(substitute(value, {SMALL: NOTHING}) / factorial)
+        terms.append(rooted(substitute(value, {SMALL: NOTHING}), given) / factorial)
         value, factorial = derivative(value, SMALL), factorial * (k + 1)
     return Series(0, tuple(terms))
 

@@ -23,7 +23,19 @@ def _times(world: AskedPhase, factor: str, text: str) -> t.Node:
     return t.mul(read_infix(factor, world.names), form_of(world, text))
 
 
-def _ratio(world: AskedPhase, above: str, below: str) -> t.Node:
+def _ratio(world: AskedPhase, text: str) -> t.Node:
+    """The quotient of two quantities, “A to B”, cut at the last “to” that leaves two."""
+    used, words, refused = len(world.used), text.split(" to "), None
+    for cut in range(len(words) - 1, 0, -1):
+        try:
+            return _quotient(world, " to ".join(words[:cut]), " to ".join(words[cut:]).removeprefix("the "))
+        except RbpsymError as error:
+            refused = refused or error
+            del world.used[used:]
+    raise refused or StatementError("a ratio has two parts", instead="write “ratio of QUANTITY to QUANTITY”.")
+
+
+def _quotient(world: AskedPhase, above: str, below: str) -> t.Node:
     if above == below:
         raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     place = PLACE.fullmatch(below)
@@ -55,14 +67,14 @@ def _magnitude(world: AskedPhase, force: str, when: str) -> t.Node:
 TURN = t.mul(t.TWO, t.Sym("pi"))
 MADE: tuple[tuple[str, Callable[..., t.Node]], ...] = (
     (r"damped period of (\w+)", lambda world, name: t.Div(TURN, _leaf(world, f"damped frequency of {name}"))),
-    (r"damping ratio of (\w+)", lambda world, name: _ratio(world, f"decay rate of {name}", f"undamped frequency of {name}")),
+    (r"damping ratio of (\w+)", lambda world, name: _quotient(world, f"decay rate of {name}", f"undamped frequency of {name}")),
     (r"logarithmic decrement of (\w+)",
-     lambda world, name: t.mul(TURN, _ratio(world, f"decay rate of {name}", f"damped frequency of {name}"))),
+     lambda world, name: t.mul(TURN, _quotient(world, f"decay rate of {name}", f"damped frequency of {name}"))),
     (r"(?:length of the simple pendulum with (?:the )?(?:equal|same) period|equivalent length)(?: of (\w+))?", _pendulum),
     (r"magnitude of impulse of (\w+)((?: when \w+ begins)?)", _magnitude),
     (r"twice (?:the )?(.+)", lambda world, text: _times(world, "2", text)),
     (r"([\w./^]+?) ?(?:\*|times) ?(?:the )?((?!.* [+-] ).+ .+)", _times),
-    (r"ratio of (.+) to (?:the )?((?!.* mode$).+)", _ratio),
+    (r"ratio of (?!.* mode$)(.+ to .+)", _ratio),
 )  # fmt: skip
 
 

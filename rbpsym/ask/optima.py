@@ -106,7 +106,7 @@ def _subject(
     is_open = over == "t" or len(free) > 1 or {*free} - {*world.motion.squares, "t"}
     last = world.number + 1 == len(world.asked.names)
     for other in (*(world.motion.squares if over is None else ()), *(("t",) if last else ())):  # by what else it can be told
-        if over in (None, "t") and is_whole and is_open and other not in free:
+        if over in (None, "t") and is_whole and is_open and free != [other]:
             with suppress(RbpsymError):
                 phrase, value = sized(world, f"{phrase} as a function of {other}")
                 free = moving(world, (value,))

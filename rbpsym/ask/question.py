@@ -50,7 +50,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
     ("of", rf"(?:as (?:a )?functions? of|in terms of) (?:the )?{_N}", "speed of rod.end as a function of theta"),
     ("start", r"(?:at (?:the )?(?:start|beginning|moment of release)|initially|at t = 0)", "F_y at the start"),
     ("start", r"(?:just|right|immediately) after (?:the )?release", "F_y right after release"),
-    ("begins", rf"(?:when|once) {_W} begins", "velocity of ball.cm when rolling begins"),
+    ("begins", rf"(?:where|when|once|as soon as) {_W} (?:begins|starts)", "velocity of ball.cm when rolling begins"),
     ("begins", rf"(?:just|right|immediately) after (?:the )?{_W}(?: begins)?", "angular velocity of rod right after struck"),
     ("before", rf"(?:just|right|immediately) before (?:the )?{_W}(?: begins)?", "kinetic energy just before rolling"),
     ("end", rf"at the end of (?:the )?(?:phase )?{_W}", "speed of x at the end of phase bowling"),

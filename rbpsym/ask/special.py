@@ -21,11 +21,13 @@ from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import all_of, undecided
 from rbpsym.errors import ReadError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.expr.tree import Node
+from rbpsym.expr.tree import ZERO, Node, Sym
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, root, substitute, symbol
 from rbpsym.mechanics.demands import Demand, possible
+from rbpsym.mechanics.impulse import is_holding
 from rbpsym.present.forms import present
-from rbpsym.statement.model import Problem
+from rbpsym.quantities import NUMBER, Quantity
+from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.solids import put_into
 from rbpsym.statement.source import did_you_mean
 
@@ -72,6 +74,31 @@ def special_problem(world: AskedPhase, text: str) -> Problem:
     for name, to in pairs.items():
         place_in(world, name, to)
     return _with(world.asked.problem, {name: read_infix(to, world.names) for name, to in pairs.items()})
+
+
+COEFFICIENT = "mu"
+
+
+def with_coefficient(asked: Asked, text: str) -> Asked:
+    """For a question about the coefficient mu, of which the problem says nothing: asked of the problem in which all that holds
+    by as much friction as is needed has it as its limit."""
+    problem = asked.problem
+    if not re.search(rf"\b{COEFFICIENT}\b", text) or put_into(problem, {COEFFICIENT: ZERO}) != put_into(problem, {}):
+        return asked
+
+    def rough(part: Problem) -> Problem:
+        return replace(part, parameters=known, constraints=tuple(map(_limited, part.constraints)))
+
+    others = tuple(one for one in problem.parameters if one.name != COEFFICIENT)
+    known = (*others, Quantity(COEFFICIENT, NUMBER, "coefficient of friction"))
+    phases = (replace(p, problem=rough(p.problem), impulses=tuple(map(_limited, p.impulses))) for p in problem.phases)
+    return Asked(replace(rough(problem), phases=tuple(phases)))
+
+
+def _limited(element: Element) -> Element:
+    key = "coefficient" if is_holding(element) else "limit"
+    is_open = key in element.values and element.values[key] is None
+    return element.with_values(**{key: Sym(COEFFICIENT)}) if is_open else element
 
 
 def _with(problem: Problem, image: Mapping[str, Node]) -> Problem:

@@ -235,8 +235,10 @@ def _equations(statement: t.Node, scope: Meanings) -> list[Scalar]:
 def _lost(draft: Draft, blow: Blow) -> None:
     """The kinetic energy before less that after."""
     value, before = blow.began.energy_lost, kinetic(draft, blow.state.places, blow.state.speeds)
-    first = draft.define(draft.free("K"), before)
-    second = draft.define(draft.free("K_prime"), new_value(draft, blow, sum(kinetic_energy(blow.after), NOTHING)))
+    taken = draft.study.letters.forces | blow.began.impulses.keys()  # an impulse may be called K
+    first = draft.define(draft.free("K", taken=taken), before)
+    after = new_value(draft, blow, sum(kinetic_energy(blow.after), NOTHING))
+    second = draft.define(draft.free("K_prime", taken=taken), after)
     states = ((blow.before, blow.state.places, blow.state.speeds), (blow.after, blow.state.places, blow.began.speeds))
     gained = sign(value, draft.study.assumptions).kind == "negative"
     draft.add(

@@ -9,7 +9,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.signs import sign
 from rbpsym.field import ONE, Poly, Scalar, atoms, factors, generator, inverse, quotient, symbol, with_exponentials_joined
-from rbpsym.field.calculus import atom_depends, depends_on, derivative, root, substitute
+from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, root, substitute
 from rbpsym.field.normal import has_roots, in_one_angle, normal, short, shorten
 from rbpsym.field.roots import is_root, side_of, simplified_root, tidied, with_image, without_even_roots
 from rbpsym.frozen import Frozen
@@ -32,12 +32,12 @@ def shorter(value: Scalar) -> Scalar:
 
 
 def rooted(value: Scalar, given: Assumptions) -> Scalar:
-    """The value with √(x²) = x for what is positive."""
+    """The value with √(x²) = x for what is positive, and √x √(1/x) = 1 within sines and cosines."""
     for index in sorted(value.atoms()):
         found = atoms.atom(index)
-        if found.kind == "root":
+        if found.kind == "root" or (found.kind in ("cos", "sin") and sum(map(is_root, found.arg.atoms())) > 1):
             inner = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
-            image = root_of(inner, given)
+            image = root_of(inner, given) if found.kind == "root" else function(found.kind, neat(inner, given))
             value = with_image(value.num, index, image) / with_image(value.den, index, image)
     return shorter(without_even_roots(value))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from rbpsym.errors import RbpsymError, StatementError, Undecided
+from rbpsym.errors import StatementError, Undecided, there
 from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
@@ -36,28 +36,17 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     inertias = {body.name: inertia(body) for body in problem.bodies}
     given = poses(problem, inertias)
     names = (*_by_preference(problem), *open_names(given))
-    tied = tie(problem, inertias, given, names)
     try:
+        tied = tie(problem, inertias, given, names)
         system = _assembled(problem, inertias, given, tied, free=free)
-    except Undecided as error:
-        raise _led_by_another(problem, tied.solved, error) from None
+    except Undecided:  # an angle that others lead may hold a sum in its denominator: it leads them
+        tied = tie(problem, inertias, given, names, is_whole=True)
+        system = _assembled(problem, inertias, given, tied, free=free)
     while not (tied.implicit or tied.speeds) and (balanced := _balanced(system)):
         solved = {name: substitute(value, balanced) for name, value in tied.solved.items()} | balanced
         tied = replace(tied, solved=solved)
         system = _assembled(problem, inertias, given, tied, free=free)
     return system
-
-
-def _led_by_another(problem: Problem, solved: Mapping[str, Scalar], error: Undecided) -> RbpsymError:
-    """What to state where an angle that others lead holds a sum in its denominator: it may lead them."""
-    led = [c for c in problem.coordinates if c.start is None and c.name in solved and len(solved[c.name].den) > 1]
-    leads = [c for c in problem.coordinates if c.name not in solved and any(depends_on(solved[o.name], c.name) for o in led)]
-    if not (led and leads):
-        return error
-    first, last = led[0], leads[0].name
-    what = f"{error.what}: “{first.name}” is {to_machine(present(solved[first.name]))}"
-    instead = f"let it lead: give “{first.name}” a start, and leave that of “{last}” out."
-    return StatementError(what, instead=instead, place=first.place)
 
 
 def _assembled(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, Pose], tied: Tied, *, free: bool) -> System:
@@ -183,6 +172,9 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in names}
     start |= _tied_starts(names, tied, problem, start)
+    led = [c for c in problem.coordinates if c.name in tied.solved and c.speed is not None]
+    leads = [(n, c) for c in led for n in independent if names_in(tied.solved[c.name]) & {*names} == {n}]
+    start |= {f"{n}_dot": scalar(there(c.speed)) / derivative(tied.solved[c.name], n) for n, c in leads}
     start |= {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent}
     return Meanings(rates=rates, start=start), independent
 
@@ -194,7 +186,9 @@ def _tied_starts(names: tuple[str, ...], tied: Tied, problem: Problem, start: di
     for c in problem.coordinates:
         if c.start is None and c.lower and c.upper:
             given = given.with_range(c.name, scalar(c.lower), scalar(c.upper))
-    return placed_by(tied.implicit, names, {**start, CLOCK: NOTHING}, given)
+    led = [c for c in problem.coordinates if c.name in tied.solved and c.start is not None]
+    told = (ConstraintCondition("", tied.solved[c.name] - scalar(there(c.start)), "") for c in led)
+    return placed_by((*tied.implicit, *told), names, {**start, CLOCK: NOTHING}, given)
 
 
 def _dependent_speeds(free: Sequence[str], tied: Tied, problem: Problem) -> dict[str, Scalar]:

@@ -21,6 +21,7 @@ from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.system import ConstraintCondition, Force, Pose
+from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Coordinate, Element, PointRef, Problem
 from rbpsym.statement.premises import declared
 
@@ -131,15 +132,17 @@ def _turned(join: AngleJoin, placed: Mapping[str, Pose], problem: Problem) -> Sc
 
 
 def solve_explicitly(
-    conditions: tuple[ConstraintCondition, ...], names: tuple[str, ...], problem: Problem
+    conditions: tuple[ConstraintCondition, ...], names: tuple[str, ...], problem: Problem, *, is_whole: bool = False
 ) -> tuple[dict[str, Scalar], tuple[ConstraintCondition, ...]]:
     """(dependent coordinates in terms of the others, conditions that stay implicit).
 
     A condition is solved for the last-named coordinate in which it is linear with a coefficient
-    that does not depend on coordinates. A condition on one coordinate alone, such as
+    that does not depend on coordinates; with `is_whole` in no angle that is a quotient with a sum below, of which there is no
+    sine. A condition on one coordinate alone, such as
     L sin φ = 0, holds that one where it is.
     """
     solved: dict[str, Scalar] = {}
+    angles = {c.name for c in problem.coordinates if is_whole and c.quantity.dimension == NUMBER}
     waiting, before = list(conditions), None
     while waiting and len(waiting) != before:  # what is solved may leave one coordinate in a condition that stood before it
         before, left = len(waiting), []
@@ -147,7 +150,8 @@ def solve_explicitly(
             value = substitute(condition.value, solved)
             if is_zero(value):
                 continue
-            name = next((n for n in reversed(names) if n not in solved and _is_linear(value, n, names)), None)
+            linear = (n for n in reversed(names) if n not in solved and _is_linear(value, n, names))
+            name = next((n for n in linear if n not in angles or _linear_zero(value, n).den is ONE), None)
             image = _held(value, names, problem) if name is None else _linear_zero(value, name)
             if image is None:
                 left.append(ConstraintCondition(condition.constraint, value, condition.what))

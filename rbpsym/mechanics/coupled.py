@@ -7,10 +7,11 @@ has s = 0. About a place of rest the accelerations are those to first order. Gol
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 
 from rbpsym.decide.rooted import neat, root_of
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable
+from rbpsym.errors import NotApplicable, Undecided
 from rbpsym.field import NOTHING, UNITY, Scalar, derivative, is_zero, names_in, short, substitute, symbol, total
 from rbpsym.field.integration import definite
 from rbpsym.frozen import Frozen, replace
@@ -112,9 +113,12 @@ def courses_of(study: Study, manner: str = "") -> dict[str, InTime]:
 def _led(study: Study, known: Mapping[str, InTime], solved: Callable[[Given], InTime | None]) -> dict[str, InTime]:
     """The coordinates whose accelerations are functions of the time where those of which the motion is known are put in."""
     at = {name: one.whole for name, one in known.items()} | {f"{name}_dot": one.speed for name, one in known.items()}
-    left = [name for name in study.system.independent if name not in known] if known else []
-    given = ((name, solutions.given(study, name, others=at)) for name in left)
-    return {name: one for name, of in given if of is not None and (one := solved(of)) is not None}
+    found = dict[str, InTime]()
+    for name in [name for name in study.system.independent if name not in known] if known else []:
+        with suppress(Undecided):  # an angle that grows by a sum in its denominator has no sine
+            if (of := solutions.given(study, name, others=at)) and (one := solved(of)):
+                found[name] = one
+    return found
 
 
 def _separated(study: Study, name: str) -> InTime | None:

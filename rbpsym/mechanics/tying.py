@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.field import Meanings, Scalar, depends_on, is_zero, substitute, time_derivative
+from rbpsym.field import Meanings, Scalar, depends_on, derivative, is_zero, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, integrated, rate_conditions, solve_explicitly
@@ -34,16 +34,19 @@ class Tied(Frozen):
     conditions: Ties
 
 
-def tie(problem: Problem, inertias: Inertias, given: Mapping[str, Pose], names: tuple[str, ...]) -> Tied:
-    """Conditions on the position first; then those on the speeds, integrated one after the other."""
+def tie(
+    problem: Problem, inertias: Inertias, given: Mapping[str, Pose], names: tuple[str, ...], *, is_whole: bool = False
+) -> Tied:
+    """Conditions on the position first; then those on the speeds, integrated one after the other (`is_whole`: see
+    `conditions.solve_explicitly`)."""
     conditions = all_conditions(problem, _geometry(problem, inertias, given))
-    solved, implicit = solve_explicitly(conditions, names, problem)
+    solved, implicit = solve_explicitly(conditions, names, problem, is_whole=is_whole)
     waiting, done = _rates(problem, inertias, given, solved, names), set()
     while (step := _first_integral(waiting, names, problem)) is not None:
         place, found = step
         done.add(place)  # also where the place that follows has no closed form: its rate says nothing new
         conditions = (*conditions, found)
-        solved, implicit = solve_explicitly(conditions, names, problem)
+        solved, implicit = solve_explicitly(conditions, names, problem, is_whole=is_whole)
         try:
             rates = _rates(problem, inertias, given, solved, names)
         except StatementError as error:  # what was drawn well before is not with the constant that was taken
@@ -122,11 +125,14 @@ def placed_by(ties: Ties, names: Sequence[str], known: Mapping[str, Scalar], giv
         value = substitute(tie.value, {**known, **found})
         name, *others = [name for name in names if depends_on(value, name)] or [""]
         low, high = given.range_of(name)
+        if (low, high) == (None, None) and name and not others and not depends_on(derivative(value, name), name):
+            [found[name]] = zeros(value, name)  # a line has one
         if low is None or high is None or others:
             continue
         places = zeros(value, name)
         beyond = [any(sign(gap, given).is_nonnegative for gap in (low - place, place - high)) for place in places]
         left = [place for place, is_beyond in zip(places, beyond, strict=True) if not is_beyond]
+        left = left or [p for p in places if "positive" not in {sign(gap, given).kind for gap in (low - p, p - high)}]
         if len(left) == 1 and all(sign(gap, given).is_nonnegative for gap in (left[0] - low, high - left[0])):
             found[name] = left[0]
     return found

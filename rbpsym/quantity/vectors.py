@@ -132,6 +132,10 @@ def _moves(noun: str, world: ProblemWorld) -> Iterator[str]:
     yield from (f"{noun} of {name}" for name in found or points or [*(one.name for one in free), *world.study.system.bodies])
 
 
+def _springs(noun: str, world: ProblemWorld) -> Iterator[str]:
+    yield from (f"{noun} of {element.name}" for element in world.study.problem.of_kind("spring"))
+
+
 def _turns(noun: str, world: ProblemWorld) -> Iterator[str]:
     yield from (f"{noun} of {name}" for name, state in world.study.system.bodies.items() if not is_zero(state.omega))
 
@@ -141,7 +145,8 @@ NOUNS: Mapping[str, Callable[[ProblemWorld], Iterator[str]]] = {
     "friction": _rubs,
     "friction force": _rubs,
     **{noun: partial(_moves, noun) for noun in ("speed", "velocity", "acceleration")},
-    **{noun: partial(_turns, noun) for noun in ("angular velocity", "angular acceleration")},
+    **{noun: partial(_turns, noun) for noun in ("angular velocity", "angular acceleration", "number of turns")},
+    **{noun: partial(_springs, noun) for noun in ("elongation", "extension", "compression")},
     **{noun: partial(_coordinates, noun) for noun in ("period", "frequency", "amplitude", "decay rate", "damped frequency")},
 }
 

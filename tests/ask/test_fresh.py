@@ -17,6 +17,15 @@ from tests.ask.test_unseen import HERE, asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 
 ANSWERS = (
+    ("rod-drawn-from-wall", "angular velocity of rod where theta = pi/3", "2*v/(sqrt(3)*L)"),
+    ("rod-drawn-from-wall", "speed of rod.center where theta = pi/6", "v"),
+    ("planet-led-by-sun", "angular velocity of arm", "Omega*R/(2*(R+r))"),
+    ("planet-led-by-sun", "number of turns of planet until t = 2*pi/Omega", "R/(2*r)"),
+    ("spring-off-wall", "largest elongation in phase free", "d*sqrt(m_1/(m_1+m_2))"),
+    ("hoop-with-backspin", "ratio of kinetic energy at the start to kinetic energy where x comes to rest",
+     "(v_0**2 + R**2*w_0**2)/(R*w_0 - v_0)**2"),
+    ("hoop-with-backspin", "number of turns where rolling begins", "sqrt((3*R*w_0 - v_0)**2)*(R*w_0 + v_0)/(16*pi*mu*g*R)"),
+    ("pulled-plank", "largest F for which it does not slip with mu = 1/2", "g/2*(m + 3*M)"),
     ("bullet-into-rod", "d for which impulse of F vanishes", "2*ell/3"),
     ("bullet-into-rod", "largest theta after the blow", "acos(1 - 3*m**2*d**2*v_0**2/(g*(M*ell+2*m*d)*(M*ell**2+3*m*d**2)))"),
     ("bullet-into-rod", "energy lost when stuck begins", "M*m*ell**2*v_0**2/(2*(M*ell**2+3*m*d**2))"),
@@ -156,36 +165,10 @@ point = "bead.center"
 circle = "O"
 radius = "R"
 """
-PLANET = """
-coordinates = { phi = { start = "0" }, theta = {} }
-parameters = { m = "mass: planet", a = "length: sun", b = "length: planet" }
-[bodies.sun]
-shape = "disk"
-mass = "m"
-radius = "a"
-center = "O"
-angle = "phi"
-[bodies.planet]
-shape = "disk"
-mass = "m"
-radius = "b"
-center = ["(a + b)*cos(theta)", "(a + b)*sin(theta)"]
-angle = "2*theta"
-[constraints.P]
-type = "pivot"
-point = "sun.center"
-[constraints.F]
-type = "gear"
-body = "planet"
-circle = "sun.center"
-"""
 
-
-@pytest.mark.parametrize(("text", "said"), [(GROOVE, "would have to pull as soon as it moves"), (PLANET, "let it lead")])
-def test_a_statement_that_cannot_be_meant_says_what_can(text: str, said: str) -> None:
-    with pytest.raises(StatementError) as refused:
-        ask(load_text(text), "acceleration of theta at the start")
-    assert said in f"{refused.value.what} {refused.value.instead}"
+def test_a_statement_that_cannot_be_meant_says_what_can() -> None:
+    with pytest.raises(StatementError, match="would have to pull as soon as it moves"):
+        ask(load_text(GROOVE), "acceleration of theta at the start")
 
 
 def test_what_is_driven_may_tell_a_quantity() -> None:
