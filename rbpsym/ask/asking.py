@@ -76,12 +76,15 @@ STEMS: Mapping[str, tuple[str, str]] = {
     "angular velocity": ("omega", "omega"), "angular acceleration": ("alpha", "alpha"), "time": ("t", "t"),
     "decay rate": ("gamma", "gamma"),
 }  # fmt: skip
+BEST = re.compile(r"(?:the )?(?:(largest|greatest|maximum|highest)|(smallest|least|minimum|lowest)) (\w+)")
 ASKED = re.compile(rf"(?:the )?(?:(?:lowest|highest|damped) )?({'|'.join(STEMS)})\b(?: of (?:the )?(\w+)\b)?")
 
 
 def _stem(text: str, study: Study) -> str:
     """The letter of a question's answer: the usual one of its quantity, with what it is of, if the problem has another use for
     the letter alone."""
+    if (best := BEST.fullmatch(text)) and best[3] in (*study.system.coordinates, *study.system.unknowns):
+        return study.letters.free(f"{best[3]}_{'max' if best[1] else 'min'}")
     if not (said := ASKED.match(text)):
         return LETTER
     turns = any(said[2] == c.name and c.quantity.dimension == NUMBER for c in study.problem.coordinates)

@@ -37,6 +37,7 @@ MOST = 100_000
 @click.option("--lang", "language", metavar="LANGUAGE", default="", help="Its code, as en; else that of the worksheet.")
 @formats_option((*PAPERS, *PLATFORMS), "pdf")
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
+@click.option("--studio", metavar="ADDRESS", default="", help="A QR code on PDF and LaTeX papers leads to its tutor.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes (0: one a core).")
 @click.option(
     "--executor", metavar="WHERE", default="", help="Who makes pdf, tex and html: local, or dask://HOST:PORT."

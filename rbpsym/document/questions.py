@@ -10,6 +10,7 @@ from rbpsym.document.model import Inline, Inlines, Math, Text
 from rbpsym.document.phrases import merged, plain
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import RELATION_SIGNS, read_infix, read_relation
+from rbpsym.frozen import replace
 from rbpsym.languages import worded
 from rbpsym.statement.letters import letters_of
 
@@ -24,7 +25,9 @@ def question(text: str, said: Words) -> Inlines:
     """The question in the language of the page if the file tells it so, else as it is asked."""
     told = said.problem.questions.get(text, {}).get(said.language) if said.problem else None
     told = told or worded(f"asked.{text}", said.language)
-    return merged(_marked(told, said)) if told != f"asked.{text}" else spoken(_with_articles(text, said), said)
+    if told != f"asked.{text}":
+        return merged(_marked(told, said))
+    return spoken(_with_articles(text, said), replace(said, language="en"))  # as it is asked, the bodies in its language
 
 
 BEFORE = r"(?:^|(?<=^does )|(?<=^is )|(?<=which )|(?<=where )|(?<=when )|(?<=until )|(?<= of ))"

@@ -29,14 +29,16 @@ def address(site: str, live: Live) -> str:
 
 def with_twins(document: Document, site: str) -> Document:
     """The document with the codes of its problems at its end. Raises RbpsymError."""
-    if not site.startswith(("http://", "https://")):
-        raise RbpsymError(f"“{site}” is no address of a studio", instead="write where it is served: https://…/index.html")
-    codes = tuple(_code(live, address(site, live), document.language) for live in document.live)
+    codes = tuple(code(live, site, document.language) for live in document.live)
     title = words(plain("twin.title", document.language))
     return replace(document, sections=(*document.sections, Section(title, codes))) if codes else document
 
 
-def _code(live: Live, goal: str, language: str) -> FigureBlock:
+def code(live: Live, site: str, language: str, panel: str = "") -> FigureBlock:
+    """The code of a problem, or of one panel of the studio alone. Raises RbpsymError."""
+    if not site.startswith(("http://", "https://")):
+        raise RbpsymError(f"“{site}” is no address of a studio", instead="write where it is served: https://…/index.html")
+    goal = address(site, live) + (f"&only={panel}" if panel else "")
     try:
         from segno import make_qr
     except ImportError:
@@ -44,7 +46,7 @@ def _code(live: Live, goal: str, language: str) -> FigureBlock:
     if len(goal) > LONGEST:
         raise RbpsymError(f"the statement of “{live.name}” is too long for a QR code", instead="leave --studio out.")
     shown = goal if "#n=" in goal else ""
-    caption = plain("twin.caption", language, name=live.name, address=shown)
+    caption = plain("twin.caption", language, name=live.name, address=shown, variant=panel or "whole")
     scene = Scene(tuple(_bars([list(map(bool, row)) for row in make_qr(goal, error="l").matrix_iter(border=QUIET)])))
     return FigureBlock((scene,), words(caption.strip()), plain("twin.alt", language, address=goal))
 

@@ -1,4 +1,5 @@
-"""Languages: each folder here is one, a file for the texts of notes, of worksheets, of the studio and of the library.
+"""Languages: each folder here is one, a file for the texts of notes, of worksheets, of the studio and of the library, and one
+for the words with which answers are typed.
 
 Nothing else lists them. A text is known by its dotted key, but for those of the library and of worded files, which are in
 English: as in gettext, the English text is the key.
@@ -49,6 +50,11 @@ def part_of(table: str, language: str, part: str = "notes") -> dict[str, str]:
     """The entries of one table of a file."""
     prefix = f"{table}."
     return {key.removeprefix(prefix): text for key, text in phrases(language, part).items() if key.startswith(prefix)}
+
+
+def in_any(key: str, part: str = "answers") -> str:
+    """What stands under a key in all languages, as alternatives of a pattern."""
+    return "|".join(phrases(language, part)[key] for language in languages() if key in phrases(language, part))
 
 
 def worded(text: str, language: str) -> str:

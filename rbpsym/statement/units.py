@@ -15,6 +15,7 @@ from types import MappingProxyType
 
 from rbpsym.errors import Place, ReadError
 from rbpsym.frozen import Frozen
+from rbpsym.languages import languages, part_of
 from rbpsym.quantities import Dimension
 
 # --- units in words, as siunitx has them, and written close together: metres per second squared, \per\second, ms^-1
@@ -131,30 +132,26 @@ _PREFIXES: Mapping[str, float] = MappingProxyType({
     "p": 1e-12, "n": 1e-9, "µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1, "da": 1e1,
     "h": 1e2, "k": 1e3, "M": 1e6, "G": 1e9,
 })  # fmt: skip
-_WORDS: Mapping[str, str] = MappingProxyType({
-    "degree": "°", "degrees": "°", "grado": "°", "grados": "°", "radian": "rad", "radians": "rad",
-    "radián": "rad", "radianes": "rad", "rads": "rad", "meter": "m", "meters": "m", "metre": "m", "metres": "m",
-    "metro": "m", "metros": "m", "second": "s", "seconds": "s", "sec": "s", "secs": "s", "segundo": "s",
-    "segundos": "s", "seg": "s", "newton": "N", "newtons": "N", "joule": "J", "joules": "J", "julios": "J",
-    "julio": "J", "watt": "W", "watts": "W", "vatios": "W", "hertz": "Hz", "hercios": "Hz", "kilogram": "kg",
-    "kilograms": "kg", "kilogramo": "kg", "kilogramos": "kg", "kgs": "kg", "gram": "g", "grams": "g", "gramos": "g",
-    "minute": "min", "minutes": "min", "minutos": "min", "hour": "h", "hours": "h", "hr": "h", "horas": "h",
-    "revolution": "rev", "revolutions": "rev", "turn": "rev", "turns": "rev", "vueltas": "rev", "ohm": "Ω",
-    "ohms": "Ω", "Ohm": "Ω", "volt": "V", "volts": "V", "kph": "km/h", "centimeters": "cm", "kilometers": "km",
-})  # fmt: skip
 _POWER = r"[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+|(?:\^|\*\*)\s*\(\s*[-−]?\s*\d+\s*\)|(?:\^|\*\*)?\s*[-−]?\s*\d+"
 _TOKEN = re.compile(rf"\s*(?:(?P<name>[A-Za-zµμΩΩáéíóú°%]+)|(?P<power>{_POWER})|(?P<sign>\*\*|[*/^()·⋅×.\-−+]))")
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺−", "0123456789-+-")
 
 
+@cache
+def _words() -> Mapping[str, str]:
+    """The words for units, in all languages: "Sekunden" is "s"."""
+    tables = (part_of("units", language, "answers") for language in languages())
+    return {word: unit for table in tables for unit, words in table.items() for word in words.split()}
+
+
 def _single(name: str) -> UnitOf | None:
     """The unit of a symbol or word, with its prefix; None if there is none."""
     name = "Ω" if name == "\u2126" else name
-    word = _WORDS.get(name) or _WORDS.get(name.lower())
+    word = _words().get(name) or _words().get(name.lower())
     if word and name not in _METRIC:
         return read_unit(word)
     spelled = unprefixed(name)
-    if not _signed(name) and spelled and (stem := _WORDS.get(spelled[1].lower(), "")) in _METRIC:
+    if not _signed(name) and spelled and (stem := _words().get(spelled[1].lower(), "")) in _METRIC:
         return _single(spelled[0] + stem)
     return _signed(name)
 
@@ -212,7 +209,7 @@ def _tokens(text: str) -> Iterator[tuple[str, str]]:
 
 
 def _refused(text: str, what: str) -> ReadError:
-    known = [*_METRIC, *_OTHER, *_WORDS, "kg", "km", "cm", "mm"]
+    known = [*_METRIC, *_OTHER, *_words(), "kg", "km", "cm", "mm"]
     near = get_close_matches(what, known, n=1)
     hint = f"Did you mean “{near[0]}”?" if near else "Write the unit as in m/s^2, rad/s, N m."
     place = Place(text=text[:200], column=max(text.find(what), 0) + 1, width=max(len(what), 1))

@@ -52,10 +52,11 @@ class Order(Handout):
     key: bool = False
     solution: bool = False
     engine: str = "typst"
+    studio: str = ""
 
     def options(self, plan: WorksheetPlan) -> Options:
         """What exporters are told: with solutions go keys."""
-        return Options(self.key or self.solution, self.engine, self.solution, plan.derivations)
+        return Options(self.key or self.solution, self.engine, self.solution, plan.derivations, self.studio)
 
 
 class StudentPaper(Frozen):

@@ -16,12 +16,13 @@ from rbpsym.teaching.model import Worksheet
 
 class Options(Frozen):
     """key: write keys too; solution: and the worked solutions, from `derivations` (by problem);
-    engine: what makes PDF ("typst" or "pdflatex")."""
+    engine: what makes PDF ("typst" or "pdflatex"); studio: the address to which the codes on papers lead."""
 
     key: bool = False
     engine: str = "typst"
     solution: bool = False
     derivations: Mapping[str, Derivation] = field(default_factory=dict)
+    studio: str = ""
 
 
 class Exported(Frozen):

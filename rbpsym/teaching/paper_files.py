@@ -54,7 +54,7 @@ def _papers(
     write = import_module(module).write_paper
     for worksheet in (printable(worksheet, engine) for worksheet in worksheets):
         stem = file_stem(worksheet)
-        files[f"{stem}.{ending}"] = made(write(paper_document(worksheet), worksheet))
+        files[f"{stem}.{ending}"] = made(write(paper_document(worksheet, options.studio), worksheet))
         if options.key:
             files[f"keys/{stem}-key.{ending}"] = made(write(key_document(worksheet), worksheet, is_key=True))
         if options.solution and options.derivations:

@@ -5,9 +5,11 @@ import pytest
 from rbpsym.derive import derive
 from rbpsym.document.model import Display, Math, Paragraph, Ref, Text, numbered, parts
 from rbpsym.document.notes import DETAILS, notes
+from rbpsym.document.questions import question
+from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
 from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_text
+from rbpsym.statement.loader import load_problem, load_text
 from tests.library.derived import unsimulated
 
 ASKED = find_problem("rod-pendulum").read_text(encoding="utf-8").partition("[[ask]]")[0]
@@ -92,6 +94,11 @@ def test_of_a_last_phase_only_the_beginning_is_told_if_no_more_is_asked():
 def test_what_is_not_asked_of_a_given_motion_is_left_out():
     names = {found.label for found in parts(notes(unsimulated("slider-crank"))) if isinstance(found, Display)}
     assert "tied_speed.psi" in names and not any(name.startswith(("reaction.", "work.", "theorem.")) for name in names)
+
+
+def test_a_question_that_no_language_knows_is_quoted_as_it_is_asked():
+    words = Words("de", load_problem(find_problem("sliding-ladder")))
+    assert text(question("speed of ladder where theta = 0", words)).startswith("the speed of the ladder where")
 
 
 def test_why_there_is_no_answer_is_said_in_the_language_of_the_page():

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.expr import tree as t
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.answer import grade_number
@@ -149,6 +149,7 @@ ABOUT = [
     "1.42 s (approx.)",
     "ca. 1,42 s",
     "aprox. 1,42 s",
+    "etwa 1,42 Sekunden",
     "(1.42 s)",
     "$1.42$ s",
 ]
@@ -157,6 +158,17 @@ ABOUT = [
 @pytest.mark.parametrize("text", [*ABOUT, r"2\pi\sqrt{0.5/9.81}\,\mathrm{s}"])
 def test_words_and_uncertainties_beside_a_number(text: str) -> None:
     assert grade_number(text, 1.4185, "s").credit == 1
+
+
+@pytest.mark.parametrize("text", ["30 Grad", "ungefähr 30 grad", "30 degrees", "30 grados", "0,5236 Radiant"])
+def test_angles_in_the_words_of_each_language(text: str) -> None:
+    assert grade_number(text, 0.5236, "rad").credit == 1
+
+
+@pytest.mark.parametrize("text", ["2 m/s nach oben", "2 rad/s im Uhrzeigersinn", "2 m/s hacia arriba", "2 rad/s clockwise"])
+def test_a_sense_in_words_is_not_read(text: str) -> None:
+    with pytest.raises(ReadError, match="a direction in words is not read"):
+        read_quantity(text)
 
 
 @pytest.mark.parametrize("text", ["1 1/2 s", "1½ s", "-1 1/2 s"])

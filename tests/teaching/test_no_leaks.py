@@ -7,6 +7,7 @@ from functools import cache
 
 import pytest
 
+from rbpsym.document.model import FigureBlock
 from rbpsym.expr import tree as t
 from rbpsym.teaching import model as m
 from rbpsym.teaching.formats import Options, exporter
@@ -69,6 +70,13 @@ PAPERS = {
     "tex": lambda sheet: latex_paper.write_paper(paper_document(sheet), sheet),
     "typst": lambda sheet: typst_paper.write_paper(paper_document(sheet), sheet, is_key=False),
 }
+
+
+def test_a_paper_leads_to_the_tutor_of_a_studio() -> None:
+    pytest.importorskip("segno", reason="needs segno (pip install 'rbpsym[qr]')")
+    paper = paper_document(sheet("sliding-ladder"), "https://example.org/studio/")
+    alts = [block.alt for section in paper.sections for block in section.blocks if isinstance(block, FigureBlock)]
+    assert any(alt.endswith("#n=sliding-ladder&only=tutor") for alt in alts)
 
 
 def test_every_kind_of_task_is_looked_at() -> None:

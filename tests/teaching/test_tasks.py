@@ -13,13 +13,13 @@ from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_problem
+from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import apart, without_noise
-from rbpsym.teaching.lines import gaps
+from rbpsym.teaching.lines import gaps, lines_to
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
 from rbpsym.teaching.plan import WorksheetPlan, bench_of, plan_of
-from rbpsym.teaching.ranges import si
+from rbpsym.teaching.ranges import default_ranges, si
 from rbpsym.teaching.sheet import sheet_of_text
 from rbpsym.teaching.tasks.compare import variants
 from rbpsym.teaching.tasks.registry import TASKS
@@ -276,3 +276,33 @@ def test_a_period_and_its_frequency_are_one_answer(name: str) -> None:
     assert any(quantity.startswith("question.") for _, quantity in tasks)
     assert not [kind for kind, quantity in tasks if quantity.startswith("frequency.") and kind != "compare"]
     assert name != "rod-with-spring" or not {"fill-in", "order"} & {kind for kind, _ in tasks}
+
+
+def test_a_derivation_is_the_lines_of_its_argument_about_what_is_asked() -> None:
+    """Of a crate on a truck: forces on the crate, of which the questions are, and no torque about a point of no use."""
+    [part] = plan("crate-on-truck").parts
+    about = {target.id for wish, _ in part.wishes for id in wish.about if (target := part.bench.targets.get(id))}
+    assert about & {"reaction.N_r", "reaction.f"} and not about & {"reaction.B", "reaction.D", "reaction.tau_B"}
+    lines = lines_to(part.bench, "reaction.N_r", 6)
+    assert lines and all(step.chapter != "forces" for step in lines)
+
+
+def test_nothing_comes_before_what_does_not_need_it() -> None:
+    """N = m g of a wheel that rolls needs neither its energy nor its acceleration."""
+    bench = bench_of(load_problem(find_problem("wheel-pulled-by-axle")))
+    assert not {"energy", "square.x", "motion.x"} & {step.id for step in lines_to(bench, "along.N", 9)}
+
+
+def test_a_couple_is_in_newton_metres_and_an_angle_in_degrees() -> None:
+    found = default_ranges(load_text(TURNED, "turned"))
+    assert found["C"].unit == "N*m" and found["beta"].unit == "deg" and found["mu"].unit == ""
+
+
+TURNED = """
+parameters = { m = "mass", C = "torque", beta = "angle, acute", mu = "number", d = "length", g = "acceleration" }
+coordinates.s = { dimension = "length", start = "0" }
+bodies.block = { shape = "particle", mass = "m", center = ["s*cos(beta)", "s*sin(beta)"] }
+interactions.W = { type = "gravity" }
+interactions.K = { type = "force", on = "block.center", force = ["C/d", "0"] }
+constraints.N = { type = "contact", point = "block.center", line = "y*cos(beta) - x*sin(beta) = 0", coefficient = "mu" }
+"""

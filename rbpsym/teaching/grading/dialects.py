@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable
 from types import MappingProxyType
 
+from rbpsym.languages import in_any
 from rbpsym.teaching.grading.ground import Book
 from rbpsym.teaching.grading.words import CALLED, OTHER_FUNCTIONS, WORD, lookup
 
@@ -160,8 +161,8 @@ def powers_of_ten(text: str, book: Book) -> str:
 
 def degrees(text: str, book: Book) -> str:
     """60° and 60 degrees are angles."""
-    word = r"|\s*deg(?:rees?)?\b|\s*grados?\b" if not lookup("deg", book) else ""
-    return re.sub(rf"(?<![\d.])({NUMBER})(?:\s*°{word})", r"(\1*pi/180)", text)
+    word = rf"|\s*(?:{in_any('degrees')})\b" if not lookup("deg", book) else ""
+    return re.sub(rf"(?<![\d.])({NUMBER})(?:\s*°{word})", r"(\1*pi/180)", text, flags=re.IGNORECASE)
 
 
 def inverses(text: str, book: Book) -> str:

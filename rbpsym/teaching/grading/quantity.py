@@ -12,6 +12,7 @@ from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.frozen import Frozen, replace
+from rbpsym.languages import in_any
 from rbpsym.statement.units import UnitOf, read_unit
 from rbpsym.teaching.grading.ground import Book, GradingGround
 from rbpsym.teaching.grading.intervals import value_at
@@ -53,9 +54,8 @@ _FACTOR = re.compile(r"\s*(?:[*·]\s*)?(?:\(\s*)*(?:pi|sin|cos|tan|sen|sqrt|\d)"
 
 
 _SENSE = re.compile(
-    r"\b(?:(?:counter|anti)-?\s?)?clockwise\b|\b(?:c?cw|(?:anti)?horari[oa])\b"
-    r"|\b(?:to\s+the|a\s+la|hacia\s+\w+)\s+\w+|\b(?:(?:up|down|left|right)(?:wards?)?|hacia\s+\w+)\s*$", re.IGNORECASE
-)  # fmt: skip
+    rf"\b(?:{in_any('sense')})\b|\b(?:{in_any('way')})\s*$", re.IGNORECASE
+)
 
 
 def read_quantity(text: str, language: str = "en") -> Typed:
@@ -96,7 +96,7 @@ def _bracketed(found: re.Match[str] | None, rest: str) -> Typed | None:
         return None
 
 
-_ABOUT = r"about|approx(?:imately)?|circa|ca|roughly|aprox(?:imadamente)?|unos"
+_ABOUT = in_any("about")
 _BESIDE = (
     (re.compile(rf"^\s*(?:{_ABOUT})\b\.?\s*", re.IGNORECASE), ""),
     (re.compile(rf"\s*\(?\b(?:{_ABOUT})\b\.?\)?\s*$", re.IGNORECASE), ""),
@@ -167,8 +167,8 @@ def significant_figures(digits: str) -> tuple[int, int]:
     return len(significant.rstrip("0")), len(significant)
 
 
-_DEG = r"(\d+(?:\.\d+)?)\s*(?:°|deg(?:rees?)?\b)"
-_DEGREES = re.compile(rf"(?<=sin|cos|tan|sen)(\s*){_DEG}|(\b){_DEG}(?=\s*\))")  # of a function, or in parentheses
+_DEG = rf"(\d+(?:\.\d+)?)\s*(?:°|(?:{in_any('degrees')})\b)"
+_DEGREES = re.compile(rf"(?<=sin|cos|tan|sen)(\s*){_DEG}|(\b){_DEG}(?=\s*\))", re.IGNORECASE)  # of a function, or in parentheses
 
 
 def _exact(told: str) -> Typed:

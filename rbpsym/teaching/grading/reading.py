@@ -13,6 +13,7 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.infix import Ways, read_infix, read_relation, read_ways
 from rbpsym.expr.infix_names import MAX_LENGTH
 from rbpsym.expr.latex.reader import latex_ways, read_latex
+from rbpsym.languages import in_any
 from rbpsym.teaching.grading import dialects as d
 from rbpsym.teaching.grading.dialects import NUMBER, arguments_from, is_label, latex, without_unit
 from rbpsym.teaching.grading.ground import Book
@@ -209,7 +210,7 @@ def read_all(text: str, book: Book) -> Ways:
     return replace(ways, trees=tuple(_made(tree, told, book) for tree in ways.trees))
 
 
-_RADIANS = re.compile(r"(?<=[)\]}\s])\s*\b(?:rad|radians?|radianes)\s*$")  # a unit behind a formula of an angle
+_RADIANS = re.compile(rf"(?<=[)\]}}\s])\s*\b(?:{in_any('radians')})\s*$", re.IGNORECASE)  # a unit behind a formula of an angle
 
 
 def _told(text: str, book: Book, labels: bool) -> str:

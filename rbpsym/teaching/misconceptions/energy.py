@@ -20,7 +20,7 @@ from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconcept
 
 KINETIC = ENERGY | {"kinetic"}
 SUMS = frozenset({"momentum", "kinetic"})
-DAMPERS = ("damper", "rotary-damper")
+DAMPERS = ("damper", "rotary-damper", "resistance", "resisting-couple")
 
 
 # --- energies
@@ -81,9 +81,10 @@ def _energy_kept(study: Study) -> Iterator[Site]:
 
 
 def _damping_left_out(study: Study) -> Iterator[Site]:
-    """It moves as if a damper were not there."""
+    """It moves as if a damper, or what resists from outside in a bearing, were not there."""
     for element in study.problem.of_kind(*DAMPERS):
-        yield Site({"force": t.Vec(element.name)}, partial(change.with_element, study, element, None))
+        letter = t.Vec if any(force.vector for force in study.system.named(element.name)) else t.Sym
+        yield Site({"force": letter(element.name)}, partial(change.with_element, study, element, None))
 
 
 def _lossless(element: Element) -> Element | None:
@@ -274,8 +275,8 @@ def _torque_about_axis(study: Study) -> Iterator[Site]:
 
 MISCONCEPTIONS = (
     Misconception("rotational-energy-left-out", _times(1, 0), KINETIC, WELL),
-    Misconception("energy-kept", _energy_kept, ENERGY),
     Misconception("damping-left-out", _damping_left_out, frozenset({"acceleration", "reaction", "frequency"})),
+    Misconception("energy-kept", _energy_kept, ENERGY),
     Misconception("start-speed-forgotten", _start_forgotten, ENERGY, WELL),
     Misconception("speed-of-end-for-center", _speed_of_end, SUMS | {"speed"}),
     Misconception("orbital-part-dropped", of_bodies(_orbital_dropped), SUMS, WELL),

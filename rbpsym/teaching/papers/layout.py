@@ -13,6 +13,7 @@ from typing import Any
 
 from rbpsym.document import model as d
 from rbpsym.document.phrases import usual_notation
+from rbpsym.document.twin import code
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.expr import tree as t
@@ -62,14 +63,16 @@ def head(
 # --- the paper
 
 
-def paper_document(worksheet: m.Worksheet) -> d.Document:
-    """The paper: statements, numbers, tasks with room for answers."""
+def paper_document(worksheet: m.Worksheet, studio: str = "") -> d.Document:
+    """The paper: statements, numbers, tasks with room for answers; codes that lead to the tutor of a studio, if one is named."""
     sections: list[d.Section] = []
     if worksheet.introduction:
         sections.append(d.Section((), worksheet.introduction, level=3))
     for part in worksheet.parts:
         heading = part.title if len(worksheet.parts) > 1 else ()
-        sections.append(d.Section(heading, part.statement, level=1 if heading else 3))
+        live = d.Live(part.problem, worksheet.problems[part.problem].text)
+        codes = (code(live, studio, worksheet.language, "tutor"),) if studio else ()
+        sections.append(d.Section(heading, (*part.statement, *codes), level=1 if heading else 3))
         sections += [d.Section((), tuple(task_blocks(item, worksheet)), level=3) for item in part.items]
     return d.Document(worksheet.title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
 

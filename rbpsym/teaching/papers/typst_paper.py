@@ -17,6 +17,7 @@ from rbpsym.typeset.escaping import typst_string, typst_text
 from rbpsym.typeset.typst import render, to_typst
 
 COLUMN = 38.0
+LEAST = 0.6  # of the room for an answer, where the page has no more to share out
 
 
 def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = False) -> str:
@@ -34,7 +35,7 @@ def section(part: Section, page: Page) -> str:
     text = blocks(part.blocks, page)
     is_kept = bool(part.blocks) and isinstance(part.blocks[0], Lead) and fits_a_page(part.blocks)
     room = 1 + sum(block.height for block in part.blocks if isinstance(block, EmptySpace))  # a share of what the page leaves
-    return f"#block(breakable: false, width: 100%, above: 1.5em)[\n{text}\n]\n#v({room}fr)" if is_kept else text
+    return f"#block(breakable: false, width: 100%, above: 1em)[\n{text}\n]\n#v(1em)\n#v({room}fr)" if is_kept else text
 
 
 def lead(block: Lead, page: Page) -> str:
@@ -95,5 +96,5 @@ PAPER: Mapping[type, Print] = {
     Form: form,
     Marked: marked,
     WritingRules: rules,
-    EmptySpace: lambda block, page: f"#v({block.height}cm)" if block.height else "",
+    EmptySpace: lambda block, page: f"#v({LEAST * block.height:g}cm)" if block.height else "",
 }
