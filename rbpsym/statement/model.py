@@ -282,7 +282,8 @@ class Problem(Shown):
         """What names are called in a language where that differs: its [names], else meanings of bodies that are one word."""
         meant = self.meanings.get(language, {})
         own = {body.name: body.meaning for body in self.bodies}
-        said = {name: worded(name, language) for name in (*own, *(element.name for element in self.elements))}
+        named = (*own, *(element.name for element in self.elements), *(phase.name for phase in self.phases))
+        said = {name: worded(name, language) for name in named}
         for name, meaning in own.items():
             word = meant.get(name) or worded(meaning, language)
             said |= {name: word} if word.isalpha() and word != meaning else {}

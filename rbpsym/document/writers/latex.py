@@ -35,6 +35,7 @@ def source_of(name: str, document: d.Document, page: Page, inner: str, **more: A
         source=page.inlines(document.source),
         is_book=document.is_book,
         language=babel(document.language),
+        captions=captions(document.language),
         styles=f"{PREAMBLE}\n{tikz_styles()}",
         body=inner,
         **more,
@@ -45,6 +46,12 @@ def source_of(name: str, document: d.Document, page: Page, inner: str, **more: A
 def babel(language: str) -> str:
     """The options of the package babel for a language."""
     return plain("latex.babel", language)
+
+
+def captions(language: str) -> str:
+    """What figures and tables are called where babel does not know the language."""
+    words = {key: plain(f"block.{key}", language, number="").strip() for key in ("figure", "table")}
+    return "".join(rf"\AtBeginDocument{{\renewcommand\{key}name{{{latex_text(word)}}}}}" for key, word in words.items())
 
 
 HEADINGS = {0: r"\part*", 1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rbpsym.document import breaking
 from rbpsym.document.model import Document, FigureBlock, Section, Table, numbered
-from rbpsym.document.writers.latex import LATEX, babel, blocks, cell
+from rbpsym.document.writers.latex import LATEX, babel, blocks, captions, cell
 from rbpsym.document.writers.latex import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
 from rbpsym.expr.tree import Node
@@ -26,7 +26,8 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
     """The LaTeX source of a paper, a key or a solution."""
     document = numbered(document)
     page = page_for(document, PAPER, COLUMN)
-    more = {"styles": f"{PREAMBLE}\n{tikz_styles()}", "language": babel(worksheet.language)}
+    language = worksheet.language
+    more = {"styles": f"{PREAMBLE}\n{tikz_styles()}", "language": babel(language), "captions": captions(language)}
     return shell("worksheet.tex", body="\n\n".join(_sections(document, page)),
                  **head(worksheet, document, page, latex_text, is_key=is_key) | more)  # fmt: skip
 
