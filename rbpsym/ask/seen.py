@@ -259,6 +259,8 @@ def ways_to(
         )
     if end is not None and is_zero(end - begin):
         raise StatementError(f"“{name}” starts there")
+    if end is not None and name in study.resting:
+        raise NeverThere(f"“{name}” stays where it starts")
     found = ways(study.system, study.dynamics, name, square, given)
     if not found:
         raise StatementError(f"in which sense “{name}” sets out is not known", instead="ask for its acceleration at the start.")
