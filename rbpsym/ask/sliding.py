@@ -21,8 +21,11 @@ OF_BODY = re.compile(rf"(?:the )?(\w+)(?: \w+)??(?={DOES} (?:{VERBS})s?\b)")
 
 def of_contact(world: AskedPhase, text: str) -> str:
     """The condition with “it”, or the name of a contact, for a body: “the ladder does not slip” where nothing else holds."""
-    said = OF_BODY.match(text)
-    if said is None or said[1] not in (body.name for body in world.study.problem.bodies):
+    said, problem = OF_BODY.match(text), world.study.problem
+    touching = [e.name for e in problem.constraints if said and getattr(e.values.get("point"), "point", None) == said[1]]
+    if said and len(touching) == 1:  # “the front wheel lifts”, where a contact holds the point “front”
+        return touching[0] + text[said.end() :]
+    if said is None or said[1] not in (body.name for body in problem.bodies):
         return text
     held = {need.constraint for need in world.study.friction_needs} or {*slips(world.study.system)}
     own = {name for name in held if _is_of(world.study.system.element(name), said[1])}

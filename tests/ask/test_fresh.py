@@ -104,6 +104,7 @@ ANSWERS = (
     ("clutch", "time until one and two have the same angular velocity", "omega_0*I_1*I_2/(tau*(I_1+I_2))"),
     ("free-wedge", "direction of velocity of block", "-atan((M+m)/M*tan(beta))"),
     ("bullet-from-afar", "smallest v_0 for which theta reaches pi", "sqrt(2*g*(M*ell+2*m*d)*(M*ell**2+3*m*d**2)/3)/(m*d)"),
+    ("wheelie", "smallest T for which the front wheel lifts", "m*g*b/h"),
     ("lift-with-drum", "tau for which the cabin rises steadily", "(M-m)*g*R"),
     ("crate-pushed-high", "largest P for which the crate does not tip", "m*g*(w-mu*H)/(2*h-H)"),
     ("struck-rod", "rotational kinetic energy right after struck", "3*J**2/(8*m)"),
