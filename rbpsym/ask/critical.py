@@ -100,11 +100,9 @@ def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense:
         world.doubts.append("whether the contacts and the friction last so far is not decided")
     beside = [one for _, one in pairs]
     found = _first(regions, beside, given, sense)
-    if found is None and (case := _case(world, name, (*values, *condition.beside), premise)):
-        told_ = region_of(world, name, replace(condition, asked=(*condition.asked, *case)), text, sense, opposite)
-        return replace(told_, valid=(*told_.valid, *case))
     if found is None:
-        return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)
+        case = _case(world, name, (*values, *condition.beside), premise)
+        return _under(case, world, name, condition, text, sense, opposite)
     parts = (*values, *(value for value, _ in pairs)), [*regions, *beside]
     if found.cases:
         return _in_cases(name, found, parts, given, along, sense)
@@ -134,6 +132,16 @@ def _case(world: AskedPhase, name: str, values: Sequence[Scalar], given: Assumpt
             way = 1 if floating(slope, sample(problem, problem.example)) > 0 else -1
             found.append(Demand(slope * way))
     return list(dict.fromkeys(found))
+
+
+def _under(
+    case: list[Demand], world: AskedPhase, name: str, condition: Wanted, text: str, sense: int, opposite: str
+) -> Finding:
+    """What is found in a case, with its conditions."""
+    if not case:
+        return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)
+    told_ = region_of(world, name, replace(condition, asked=(*condition.asked, *case)), text, sense, opposite)
+    return replace(told_, valid=(*told_.valid, *case))
 
 
 def _never(
