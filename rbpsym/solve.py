@@ -163,16 +163,18 @@ def _equations_of_motion(study: Study) -> dict[str, Any]:
 def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
     """Coordinates as functions of the time, each in the cases that the declared signs leave open."""
     known = ((name, given(study, name)) for name in study.system.independent)
-    return {name: [_course(one, study) for one in courses(item)] for name, item in known if item is not None}
+    return {name: [told for one in courses(item) for told in _course(one, study)] for name, item in known if item is not None}
 
 
-def _course(one: InTime, study: Study) -> dict[str, Any]:
+def _course(one: InTime, study: Study) -> Iterator[dict[str, Any]]:
+    """What is told of a course, if its conditions do not exclude each other."""
     exists = (item for item in existence(one.whole) if not sign(item.value, study.assumptions).is_nonnegative)
     asked = (*one.valid, *lasting(study.sides, study.friction_needs, study.assumptions), *exists)
     left = settle((demand for demand in asked if not depends_on(demand.value, "t")), study.assumptions)  # times stay
-    valid = asked if left is None else (*left, *(demand for demand in asked if depends_on(demand.value, "t")))
-    told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
-    return {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(valid, study)}
+    if left is not None:
+        valid = (*left, *(demand for demand in asked if depends_on(demand.value, "t")))
+        told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
+        yield {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(valid, study)}
 
 
 def symbols(study: Study) -> dict[str, dict[str, str]]:
@@ -195,17 +197,15 @@ def _accelerations(study: Study) -> dict[str, str] | None:
         return None
     values: dict[str, Scalar] = {}
     for coordinate in study.problem.coordinates:
-        speed = scope.rates.get(coordinate.name)
-        if speed is None:
-            speed = time_derivative(study.system.dependent[coordinate.name], scope)
+        own = scope.rates.get(coordinate.name)
+        speed = time_derivative(study.system.dependent[coordinate.name], scope) if own is None else own
         values[coordinate.name] = substitute(time_derivative(speed, scope), found)
     return _table(values, study)
 
 
 def _kinetic(study: Study) -> dict[str, Any] | None:
     translational, rotational = study.kinetic
-    parts = {"translational": translational, "rotational": rotational, "total": translational + rotational}
-    return _table(parts, study)
+    return _table({"translational": translational, "rotational": rotational, "total": translational + rotational}, study)
 
 
 def _momenta(study: Study) -> dict[str, Any]:

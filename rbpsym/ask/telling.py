@@ -15,7 +15,7 @@ from rbpsym.ask.question import Question
 from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
-from rbpsym.field import NOTHING, names_in, substitute
+from rbpsym.field import NOTHING, depends_on, derivative, names_in, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.sympy_bridge import plain_names
 from rbpsym.frozen import replace
@@ -40,11 +40,21 @@ def record(found: Answer, given: GivenNumbers | None = None) -> dict[str, Any]:
         "verdict": str(found.verdict.kind),
         "reason": found.verdict.reason or None,
         "function_of": found.holds or None,
+        "valid_for": valid_for(found) or None,
         "valid_where": [to_machine(node) for node in found.valid],
         "steps": [_step(step, notation) for step in found.steps],
         "symbols": {name: {"sympy": plain} for name, plain in plain_names(map(machine_name, names)).items()},
         **(numbers(found, given) if given and is_number(found, given) else {}),
     }
+
+
+def valid_for(found: Answer) -> str:
+    """For what an answer holds that rests on a relation that only holds nearly, as the motion is not linear; else nothing."""
+    ops = {op for step in found.steps for _, op, _ in t.relations(step.statement)}
+    rates = found.study.system.scope.rates if "~" in ops else {}
+    pulls = (found.study.dynamics.accelerations or {}).values() if rates else ()
+    is_linear = not any(depends_on(derivative(pull, name), other) for pull in pulls for name in rates for other in rates)
+    return "" if is_linear else "small oscillations"
 
 
 YES_OR_NO = re.compile(r"(yes|no) where this is met(, else (?:yes|no))?")
@@ -93,7 +103,7 @@ def record_integrated(asked: Asked, question: Question, given: GivenNumbers) -> 
 def unanswered(question: str, reason: str) -> dict[str, Any]:
     """The record of a question without an answer, and why there is none."""
     told = {"question": question, "answer": None, "latex": None, "verdict": "UNDECIDED", "reason": reason}
-    return {**told, "function_of": None, "valid_where": [], "steps": [], "symbols": {}}
+    return {**told, "function_of": None, "valid_for": None, "valid_where": [], "steps": [], "symbols": {}}
 
 
 def latex_of(found: Answer) -> str:

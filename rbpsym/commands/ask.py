@@ -146,6 +146,7 @@ def _values(found: Answer, notation: Notation) -> Iterator[str]:
 
 def _beside(found: Answer, notation: Notation) -> Iterator[str]:
     """What else is said: a sentence, the equation that is solved, the place of an extremum."""
+    from rbpsym.ask.telling import valid_for
     from rbpsym.expr import tree as t
     from rbpsym.typeset.text import to_text
 
@@ -157,3 +158,5 @@ def _beside(found: Answer, notation: Notation) -> Iterator[str]:
         yield f"at {to_text(t.equation(t.Sym(found.at[0]), found.at[1]), notation)}"
     if found.says and (found.holds_so is None or found.says not in ("yes", "no")):
         yield found.says
+    if nearly := valid_for(found):
+        yield f"for {nearly}"

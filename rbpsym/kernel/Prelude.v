@@ -62,6 +62,8 @@ Lemma C_mult : forall (f g : R -> R) t, continuous f t -> continuous g t -> cont
 Proof. intros; apply @continuous_mult; assumption. Qed.
 Lemma C_div : forall (f : R -> R) c t, continuous f t -> continuous (fun u => f u / c) t.
 Proof. intros; unfold Rdiv; apply C_mult; [assumption | apply continuous_const]. Qed.
+Lemma C_quot : forall (f g : R -> R) t, continuous f t -> continuous g t -> g t <> 0 -> continuous (fun u => f u / g u) t.
+Proof. intros; unfold Rdiv; apply C_mult; [assumption | apply continuous_Rinv_comp; assumption]. Qed.
 Lemma C_pow : forall (f : R -> R) n t, continuous f t -> continuous (fun u => f u ^ n) t.
 Proof.
   intros f n t H. induction n; [apply continuous_const | apply (C_mult f (fun u => f u ^ n)); assumption].
@@ -72,27 +74,6 @@ Lemma C_cos : forall (f : R -> R) t, continuous f t -> continuous (fun u => cos 
 Proof. intros; apply (continuous_comp f cos); [assumption | apply (C_der cos _ (- sin (f t))), is_derive_cos]. Qed.
 Lemma C_exp : forall (f : R -> R) t, continuous f t -> continuous (fun u => exp (f u)) t.
 Proof. intros; apply (continuous_comp f exp); [assumption | apply (C_der exp _ (exp (f t))), is_derive_exp]. Qed.
-Ltac letter_continuous f t :=
-  match goal with
-  | C : forall t, _ -> continuous f t, H : _ < t < _ |- _ => exact (C t H)
-  | D : forall t, _ -> is_derive f t _, H : _ < t < _ |- _ => exact (C_der f t _ (D t H))
-  end.
-Ltac cont := repeat (
-  lazymatch goal with
-  | |- continuous (fun _ => ?c) _ => apply continuous_const
-  | |- continuous (fun u => u) _ => apply continuous_id
-  | |- continuous (fun u => @?f u + @?g u) _ => apply (C_plus f g)
-  | |- continuous (fun u => @?f u - @?g u) _ => apply (C_minus f g)
-  | |- continuous (fun u => - @?f u) _ => apply (C_opp f)
-  | |- continuous (fun u => @?f u * @?g u) _ => apply (C_mult f g)
-  | |- continuous (fun u => @?f u / ?c) _ => apply (C_div f c)
-  | |- continuous (fun u => @?f u ^ ?n) _ => apply (C_pow f n)
-  | |- continuous (fun u => sin (@?f u)) _ => apply (C_sin f)
-  | |- continuous (fun u => cos (@?f u)) _ => apply (C_cos f)
-  | |- continuous (fun u => exp (@?f u)) _ => apply (C_exp f)
-  | |- continuous (fun u => ?f u) ?t => letter_continuous f t
-  end; cbv beta).
-
 (* Integrals: along time from the start, along a coordinate, between two numbers. *)
 Lemma rate_time : forall (a b : R) (g : R -> R) (t : R), a < 0 < b -> a < t < b ->
   (forall u, a < u < b -> continuous g u) -> is_derive (fun t => RInt g 0 t) t (g t).
@@ -110,7 +91,7 @@ Proof.
   - apply Rlt_le_trans with (2 := Z1). apply Rmin_glb_lt; lra.
   - apply Rle_lt_trans with (1 := Z2). apply Rmax_lub_lt; lra.
 Qed.
-Lemma rate_path : forall (f q : R -> R) (c t v : R), is_derive q t v -> (forall x, continuous f x) ->
+Lemma rate_path : forall (f q : R -> R) (c t v : R), is_derive q t v -> (forall x : R, continuous f x) ->
   is_derive (fun t => RInt f c (q t)) t (v * f (q t)).
 Proof.
   intros f q c t v Hq C. apply (is_derive_comp (fun x => RInt f c x) q); [| assumption].
@@ -119,7 +100,7 @@ Proof.
   apply (RInt_correct (V:=R_CompleteNormedModule) f c y), (ex_RInt_continuous (V:=R_CompleteNormedModule) f). auto.
 Qed.
 Lemma RInt_by : forall (F f : R -> R) (a b v : R),
-  (forall x, is_derive F x (f x)) -> (forall x, continuous f x) -> F b - F a = v -> RInt f a b = v.
+  (forall x : R, is_derive F x (f x)) -> (forall x : R, continuous f x) -> F b - F a = v -> RInt f a b = v.
 Proof.
   intros F f a b v D C E. rewrite <- E. apply is_RInt_unique.
   apply (@is_RInt_derive R_CompleteNormedModule F f); auto.
@@ -186,6 +167,8 @@ Lemma cancel : forall k l r, k <> 0 -> k * (l - r) = 0 -> l = r.
 Proof. intros k l r K E. apply Rmult_integral in E. destruct E; [contradiction | lra]. Qed.
 Lemma above : forall l r s n, l - r = s + n -> 0 < s -> 0 <= n -> r < l.
 Proof. intros; lra. Qed.
+Lemma at_least : forall l r s n, l - r = s + n -> 0 <= s -> 0 <= n -> r <= l.
+Proof. intros; lra. Qed.
 Lemma beyond : forall d s n, d = s + n -> 0 < s -> 0 <= n -> d <> 0.
 Proof. intros; lra. Qed.
 Lemma below : forall d s n, - d = s + n -> 0 < s -> 0 <= n -> d <> 0.
@@ -207,8 +190,11 @@ Ltac known_sign := match goal with
 Ltac pos1 := first [assumption | known_sign | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
   | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat
   | apply sqrt_lt_R0 | apply exp_pos].
-Ltac nng := repeat first [exact (Rlt_le _ _ PI_RGT_0) | apply up1 | apply up2 | apply up3 | apply up4
+Ltac least := first [exact (Rlt_le _ _ PI_RGT_0) | apply up1 | apply up2 | apply up3 | apply up4
   | apply pow2_ge_0 | apply sqrt_pos | apply Rplus_le_le_0_compat | apply Rmult_le_pos | apply Rdiv_le_0_compat; [| solve [repeat pos1]] | apply pow_le | lra | (apply Rlt_le; solve [repeat pos1])].
+Ltac signs := repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>
+  let N := fresh in pose proof (Q s H) as N; cbv beta in N; clear Q end.
+Ltac nng := first [solve [repeat least] | signs; solve [repeat first [lra | least]]].
 Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.
 (* An identity of polynomials: by the reader of lra, which is ten times as fast as that of ring. *)
 Ltac poly := clear; lra.
@@ -242,8 +228,6 @@ Proof.
 Qed.
 Ltac ends := try match goal with _ : asin ?x < _ |- _ => assert (0 < asin x) by (apply asin_gt_0; solve [repeat pos1]) end; lra.
 Ltac over0 := first [solve [repeat pos1] | apply over; [nng | nonzero]].
-Ltac signs := repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>
-  let N := fresh in pose proof (Q s H) as N; cbv beta in N; clear Q end.
 Ltac pos := repeat split; try assumption; match goal with
   | |- _ <> 0 => nonzero
   | |- _ => first [solve [repeat pos1] | signs; solve [repeat pos1] | signs; nra]
@@ -255,7 +239,7 @@ Proof. intros x P. nra. Qed.
 Ltac inside_known := match goal with W : forall t, ?a < t < ?b -> 0 < 1 + - ?x ^ 2, H : ?a < ?s < ?b |- -1 <= ?y <= 1 =>
   first [constr_eq x y | replace y with x by (first [poly | field; pos])]; exact (inside x (W s H)) end.
 Ltac within := first [lra | inside_known | apply part_of; [solve [repeat pos1] | split; nra]].
-Ltac ang := rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
+Ltac ang := rewrite ?Rmult_0_l, ?Rmult_0_r, ?Ropp_0, ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
   ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a, ?sin_atan, ?cos_atan, ?exp_0, ?ln_1;
   rewrite ?cos_acos, ?sin_acos, ?sin_asin, ?cos_asin by within; unfold Rsqr.
 Ltac is_quotient := match goal with
@@ -287,8 +271,80 @@ Ltac fld := cbn [INR pred]; first [rational | ang; rational | repeat one_root; r
   | repeat one_angle; first [rational | ang; repeat one_angle; rational] | solve [field; pos]
   | repeat one_inverse; ang; repeat one_root; rational].
 
+(* A solution of a linear system with continuous coefficients that is 0 at the start is 0. *)
+Lemma falls : forall (a b : R) (h dh : R -> R), a <= b -> (forall t, a <= t <= b -> is_derive h t (dh t)) ->
+  (forall t, a <= t <= b -> dh t <= 0) -> h b <= h a.
+Proof.
+  intros a b h dh L D N. destruct (MVT_gen h a b dh) as [c [Hc E]];
+    rewrite ?Rmin_left, ?Rmax_right in * by lra.
+  - intros x Hx. apply D. lra.
+  - intros x Hx. apply continuity_pt_filterlim, (C_der h x (dh x)), D. lra.
+  - specialize (N c Hc). nra.
+Qed.
+Lemma only_one : forall (a b : R) (f g p q r s : R -> R), a < 0 < b ->
+  (forall t, a < t < b -> is_derive f t (p t * f t + q t * g t)) ->
+  (forall t, a < t < b -> is_derive g t (r t * f t + s t * g t)) ->
+  (forall t, a < t < b -> continuous p t) -> (forall t, a < t < b -> continuous q t) ->
+  (forall t, a < t < b -> continuous r t) -> (forall t, a < t < b -> continuous s t) ->
+  f 0 = 0 -> g 0 = 0 -> forall t, a < t < b -> f t = 0.
+Proof.
+  intros a b f g p q r s H0 Df Dg Cp Cq Cr Cs Zf Zg t Ht.
+  pose (K := fun u => 3 + (p u ^ 2 + q u ^ 2 + (r u ^ 2 + s u ^ 2))).
+  pose (A := fun u => RInt K 0 u).
+  assert (DA : forall u, a < u < b -> is_derive A u (K u)).
+  { intros u Hu. apply (rate_time a b K u H0 Hu). intros v Hv. unfold K.
+    apply C_plus; [apply continuous_const |].
+    apply (C_plus (fun u => p u ^ 2 + q u ^ 2)); apply C_plus; apply C_pow; auto. }
+  assert (DE : forall u, a < u < b -> is_derive (fun u => f u ^ 2 + g u ^ 2) u
+    (2 * (p u * f u + q u * g u) * f u + 2 * (r u * f u + s u * g u) * g u)).
+  { intros u Hu. eapply D_eq; [apply D_plus; apply D_pow; [apply Df | apply Dg]; exact Hu | simpl; ring]. }
+  assert (B : forall u, let e := 2 * (p u * f u + q u * g u) * f u + 2 * (r u * f u + s u * g u) * g u in
+    0 <= K u * (f u ^ 2 + g u ^ 2) + e /\ 0 <= K u * (f u ^ 2 + g u ^ 2) - e).
+  { intros u. unfold K. cbv zeta. generalize (p u) (q u) (r u) (s u) (f u) (g u). clear. intros p q r s f g. split.
+    - replace (_ + _) with ((f^2 + g^2) + (1 + p) ^ 2 * f ^ 2 + p ^ 2 * g ^ 2 + (1 + s) ^ 2 * g ^ 2 + s ^ 2 * f ^ 2
+        + (q * g + f) ^ 2 + (r * f + g) ^ 2 + q ^ 2 * f ^ 2 + r ^ 2 * g ^ 2) by ring. nng.
+    - replace (_ - _) with ((f^2 + g^2) + (1 - p) ^ 2 * f ^ 2 + p ^ 2 * g ^ 2 + (1 - s) ^ 2 * g ^ 2 + s ^ 2 * f ^ 2
+        + (q * g - f) ^ 2 + (r * f - g) ^ 2 + q ^ 2 * f ^ 2 + r ^ 2 * g ^ 2) by ring. nng. }
+  assert (Z : f t ^ 2 + g t ^ 2 <= 0).
+  { assert (E0 : f 0 ^ 2 + g 0 ^ 2 = 0) by (rewrite Zf, Zg; ring). destruct (Rle_dec 0 t) as [P | P].
+    - assert (M : (f t ^ 2 + g t ^ 2) * exp (- A t) <= (f 0 ^ 2 + g 0 ^ 2) * exp (- A 0)).
+      { eapply (falls 0 t (fun u => (f u ^ 2 + g u ^ 2) * exp (- A u))); [exact P | |].
+        - intros u Hu. eapply D_mult; [apply DE; lra | apply D_exp, D_opp, DA; lra].
+        - intros u Hu. destruct (B u) as [_ Q]. pose proof (exp_pos (- A u)). nra. }
+      rewrite E0, Rmult_0_l in M. pose proof (exp_pos (- A t)). nra.
+    - assert (M : - ((f t ^ 2 + g t ^ 2) * exp (A t)) >= - ((f 0 ^ 2 + g 0 ^ 2) * exp (A 0))).
+      { apply Rle_ge. eapply (falls t 0 (fun u => - ((f u ^ 2 + g u ^ 2) * exp (A u)))); [lra | |].
+        - intros u Hu. eapply D_opp, D_mult; [apply DE; lra | apply D_exp, DA; lra].
+        - intros u Hu. destruct (B u) as [Q _]. pose proof (exp_pos (A u)). nra. }
+      rewrite E0, Rmult_0_l in M. pose proof (exp_pos (A t)). nra. }
+  nra.
+Qed.
+
 Ltac nonzero_here := cbv beta; first [nonzero | ang; repeat apply Rmult_integral_contrapositive_currified;
   first [nonzero | apply Rgt_not_eq; lra | apply Rlt_not_eq; lra]].
+Ltac letter_continuous f t :=
+  match goal with
+  | C : forall t, _ -> continuous f t, H : _ < t < _ |- _ => exact (C t H)
+  | D : forall t, _ -> is_derive f t _, H : _ < t < _ |- _ => exact (C_der f t _ (D t H))
+  end.
+Ltac cont := repeat (
+  lazymatch goal with
+  | |- continuous (fun _ => ?c) _ => apply continuous_const
+  | |- continuous (fun u => u) _ => apply continuous_id
+  | |- continuous (fun u => @?f u + @?g u) _ => apply (C_plus f g)
+  | |- continuous (fun u => @?f u - @?g u) _ => apply (C_minus f g)
+  | |- continuous (fun u => - @?f u) _ => apply (C_opp f)
+  | |- continuous (fun u => @?f u * @?g u) _ => apply (C_mult f g)
+  | |- continuous (fun u => @?f u / @?g u) _ =>
+    lazymatch g with fun _ => ?c => apply (C_div f c) | _ => apply (C_quot f g); [| | nonzero_here] end
+  | |- continuous (fun u => / @?g u) _ => apply (continuous_Rinv_comp g); [| nonzero_here]
+  | |- continuous (fun u => sqrt (@?f u)) _ => apply (continuous_sqrt_comp f)
+  | |- continuous (fun u => @?f u ^ ?n) _ => apply (C_pow f n)
+  | |- continuous (fun u => sin (@?f u)) _ => apply (C_sin f)
+  | |- continuous (fun u => cos (@?f u)) _ => apply (C_cos f)
+  | |- continuous (fun u => exp (@?f u)) _ => apply (C_exp f)
+  | |- continuous (fun u => ?f u) ?t => letter_continuous f t
+  end; cbv beta).
 Ltac der := repeat (
   lazymatch goal with
   | |- is_derive (fun _ => ?c) _ _ => apply D_const

@@ -36,11 +36,12 @@ class Multiples(Frozen):
 
 
 class Have(Frozen):
-    """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral",
+    """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "course" (it and its
+    rate, what `inner` is of, are rates of each other by constant `parts`, and 0 at the start), "integral",
     "sum" (sine and cosine of a sum of angles), "sign" and "gap" (a sine, a difference that ranges keep positive), "nonzero"
     and "positive" (± left is a positive formula and one that is not negative).
 
-    multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0, and
+    multiples: for "still" those that show what vanishes (`of`), for "flat" and "course" those that show what its rate is, and
     `begin` that it is 0 at the start; source: the premises that it rests on; parts: the two formulas of "nonzero", the
     integrand without roots of "integral".
     """
@@ -54,6 +55,11 @@ class Have(Frozen):
     source: str = ""
     inner: Have | None = None
     parts: tuple[t.Node, ...] = ()
+
+    @property
+    def accounts(self) -> tuple[Multiples, ...]:
+        """All multiples of known equations by which it is shown."""
+        return (self.multiples, self.begin, *(self.inner.accounts if self.inner else ()))
 
 
 class Proof(Frozen):
@@ -217,4 +223,4 @@ def formulas(proof: Proof) -> Iterator[t.Node]:
     yield from (node for node in (proof.factor, *proof.parts) if node is not None)
     for have in proof.steps:
         if have.how not in ("sign", "gap"):
-            yield from (have.of, *sides(have.claim), *_multiplied(have.multiples), *_multiplied(have.begin))
+            yield from (have.of, *sides(have.claim), *(node for by in have.accounts for node in _multiplied(by)))

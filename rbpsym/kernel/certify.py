@@ -125,13 +125,13 @@ def _proved(
 
 def _used(search: Search, claim: Proposition, proof: Proof, claims: Mapping[str, Proposition]) -> set[str]:
     """Names of premises in a proof; rates and starts of letters are used where derivatives are taken."""
-    parts = [proof.multiples, *(proof.like or ())[1:], *(p for have in proof.steps for p in (have.multiples, have.begin))]
+    parts = [proof.multiples, *(proof.like or ())[1:], *(by for have in proof.steps for by in have.accounts)]
     names = {known.name for part in parts for _, known in part.known}
     names |= {name for have in proof.steps for name in have.source.split()}
     derived = [node for have in proof.steps for node in (have.of, have.claim.left)] + list((proof.like or ())[:1])
     rated = _letters(search.source, derived)
     early = [claims[known.name] for part in parts for _, known in part.known if known.when == "0" and known.name in claims]
-    flat = [have.claim.left for have in proof.steps if have.how == "flat"]
+    flat = [each.claim.left for have in proof.steps if have.how in ("flat", "course") for each in (have, have.inner) if each]
     begun = _letters(search.source, [*flat, *(side for each in early for side in (each.left, each.right))])
     begun |= {n.removesuffix(START) for side in (claim.left, claim.right) for n in t.names(side) if n.endswith(START)}
     needs = {"rate": rated, "start": begun}

@@ -9,6 +9,7 @@ from functools import cached_property
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import Vector, names_in, short, symbol
+from rbpsym.field.roots import without_roots_below
 from rbpsym.kernel.begins import event, letters_then
 from rbpsym.kernel.claim import Proposition, SaidByStep, letter, tree_of
 from rbpsym.kernel.components import Components, started
@@ -67,7 +68,7 @@ class ClaimSource:
     # --- steps
 
     def _said(self, step: Step) -> SaidByStep:
-        own = [row for row in t.chains(step.statement) if self._introduces(row)]
+        own = [row for row in t.chains(step.statement) if self._introduces(step, row)]
         self._introduced |= {part for part in t.walk(step.statement) if isinstance(part, t.Sym | t.Vec)}
         try:
             definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
@@ -100,10 +101,11 @@ class ClaimSource:
             self.unsaid[step.id] = str(error) if isinstance(error, RbpsymError) else "its data are not read yet"
             return []
 
-    def _introduces(self, row: t.Chain) -> bool:
+    def _introduces(self, step: Step, row: t.Chain) -> bool:
         """Whether the letter that stands first is met here for the first time."""
         name = getattr(row.items[0], "name", "")
-        is_told = name in self.then or self.letters.introduced.get(name) == ("", None)  # by the event, by laws
+        by, _ = self.letters.introduced.get(name, (step.id, None))
+        is_told = name in self.then or by != step.id  # by the event, by laws, by a fact
         return name in self.known and row.items[0] not in self._introduced and "@" not in name and not is_told
 
     @cached_property
@@ -130,9 +132,9 @@ class ClaimSource:
         """One relation by components."""
         if op == "!=":
             yield Proposition(self.components.plain(left), self.components.plain(right), "differ")
-        elif op in ("<", ">"):
-            low, high = (left, right) if op == "<" else (right, left)
-            yield Proposition(self.components.plain(high), self.components.plain(low), "more")
+        elif op in ("<", ">", "<=", ">="):
+            low, high = (left, right) if op[0] == "<" else (right, left)
+            yield Proposition(self.components.plain(high), self.components.plain(low), "more" if op in "<>" else "least")
         elif op != "=":
             return
         else:
@@ -357,7 +359,7 @@ def _asked(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[P
     force, shown = t.Sym(step.data["force"]), t.add(left, t.neg(right)) if op == ">=" else t.add(right, t.neg(left))
     if shown == force:
         return [Proposition(force, force)]
-    ratio = tree_of(short(source.letters.along(symbol(force.name)) / source.letters.value(shown)))
+    ratio = tree_of(short(without_roots_below(source.letters.along(symbol(force.name)) / source.letters.value(shown))))
     return [Proposition(force, t.Mul((ratio, shown))), Proposition(ratio, t.ZERO, "more")]
 
 

@@ -15,6 +15,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import bases_of, in_bases, is_zero
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, parted, reduced, wound
 from rbpsym.kernel.claim import Proposition, tree_of
+from rbpsym.kernel.integrals import by_rates
 from rbpsym.kernel.positive import PositiveSum, is_wave
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import shown, signed
@@ -34,7 +35,7 @@ def combined(search: Search, goal: Scalar, rows: Sequence[Scalar]) -> list[Scala
     """
     order = search.order()
     letters = {i for value in (goal, *rows) for i in value.num.atoms() if order(i)} - search.nonzero
-    linear = {i for i in letters if all(max(value.num.by_power(i)) <= 1 for value in (goal, *rows))}
+    linear = {i for i in letters if all(max(value.num.by_power(i), default=0) <= 1 for value in (goal, *rows))}
     speeds = {i for i in letters if (atoms.symbol_name(i) or "") in search.source.rates}
     every = {i for value in (goal, *rows) for i in value.num.atoms()}
     constants = {i for i in every if not search.moving(atoms.symbol_name(i) or "") and not is_wave(i)}
@@ -42,9 +43,15 @@ def combined(search: Search, goal: Scalar, rows: Sequence[Scalar]) -> list[Scala
     for unknown in dict.fromkeys(map(frozenset, kinds)):
         if any(value.den.atoms() & unknown for value in (goal, *rows)):
             continue
-        factors = [_whole(search, value) for value in _factors_of(search, goal, rows, unknown) or ()]
-        if factors and all(stays(search, part) for value in factors for part in _under(value)):
-            return factors
+        ways = [[*range(len(rows))]]
+        for kept in ways:  # then without a row whose factor is over what may vanish
+            found = _factors_of(search, goal, [rows[place] for place in kept], unknown)
+            factors = dict(zip(kept, (_whole(search, value) for value in found or ()), strict=False))
+            bad = [place for place, value in factors.items() if not all(stays(search, part) for part in _under(value))]
+            if factors and not bad:
+                return [factors.get(place, NOTHING) for place in range(len(rows))]
+            fewer = ([p for p in kept if p != place] for place in bad if len(ways) < 2 * MOST * search.wide)
+            ways += [left for left in fewer if left not in ways]
     return None
 
 
@@ -63,7 +70,7 @@ def _under(value: Scalar) -> Iterator[Scalar]:
 def _factors_of(search: Search, goal: Scalar, rows: Sequence[Scalar], letters: Collection[int]) -> list[Scalar] | None:
     names = [f"factor {place}" for place in range(len(rows))]
     equations: dict[Monomial, Scalar] = {}
-    for factor, value in zip([*map(symbol, names), UNITY * -1], [*rows, goal], strict=True):
+    for factor, value in zip([*map(symbol, names), UNITY * -1], [based(search, value) for value in (*rows, goal)], strict=True):
         for key, part in by_letters(value.num, letters).items():
             whole = scalar(search.tree(Scalar(part) / Scalar(value.den)))
             equations[key] = equations.get(key, NOTHING) + factor * whole
@@ -136,16 +143,17 @@ def gathered(search: Search) -> Iterator[KnownEquation]:
 
 def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[KnownEquation]) -> Iterator[Have]:
     """Why what is divided by in some formulas does not vanish, where it takes more than signs of letters."""
-    seen: set[Poly] = set()
+    seen: set[tuple[Poly, str]] = set()
     bound = {item.var for item in search.integrals.values()} - search.source.rates.keys()
-    for factor in (factor for node in nodes for part in t.walk(node) for factor in _below(part)):
+    every = [part for node in nodes for part in t.walk(node)]
+    for factor, kind in ((each, "more" if isinstance(part, t.Sqrt) else "differ") for part in every for each in _below(part)):
         poly = search.value(factor).num
-        if poly not in seen and not search.is_plain(Scalar(poly)) and not bound & names_in(Scalar(poly)):
-            seen |= {poly, poly.scaled(-1)}
-            if (why := surely(search, Scalar(poly), known)) is not None:
-                value, found, by = why
-                yield shown(search, f"z{len(seen)}", (search.tree(Scalar(poly)), value), found, by)
-            else:
+        if (poly, kind) not in seen and not search.is_plain(Scalar(poly)) and not bound & names_in(Scalar(poly)):
+            seen |= {(poly, kind), (poly.scaled(-1), kind)}
+            why = surely(search, Scalar(poly), known)
+            if why is not None and (kind == "differ" or why[1].sign > 0):
+                yield shown(search, f"z{len(seen)}", (search.tree(Scalar(poly)), why[0]), why[1], why[2], kind)
+            elif why is None:
                 search.is_sure = False
 
 
@@ -178,7 +186,7 @@ def _factors(node: t.Node) -> Iterator[t.Node]:
     if isinstance(node, t.Mul):
         for factor in node.factors:
             yield from _factors(factor)
-    elif isinstance(node, t.Group):
+    elif isinstance(node, t.Group | t.Neg):
         yield from _factors(node.arg)
     elif isinstance(node, t.Pow):
         yield from _factors(node.base)
@@ -209,10 +217,11 @@ def cancelled_rates(search: Search, goal: Scalar, known: Sequence[KnownEquation]
 
 
 def multiplied(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Proof:
-    """left - right times what holds letters below it vanishes, and that does not."""
+    """left - right times what holds letters below it, or changes there, vanishes, and that does not."""
     order = search.order()
-    below = {generator(i): -e for i, e in goal.num.content()[1] if e < 0 and order(i)}
-    below |= {goal.den: 1} if any(map(order, goal.den.atoms())) else {}
+    moves = {i for i in goal.num.atoms() | goal.den.atoms() if order(i) or search.moving(atoms.symbol_name(i) or "")}
+    below = {generator(i): -e for i, e in goal.num.content()[1] if e < 0 and i in moves}
+    below |= {goal.den: 1} if goal.den.atoms() & moves else {}
     factor = UNITY
     for part, exponent in below.items():
         factor = factor * Scalar(part) ** exponent
@@ -220,7 +229,11 @@ def multiplied(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> 
             raise Undecided("what stands below may vanish")
     if not below:
         raise Undecided("nothing stands below")
-    return search.proof(search.shown(goal * factor, known), factor=search.tree(factor))
+    try:
+        found = search.shown(goal * factor, known)
+    except Undecided:
+        found = by_rates(search, goal * factor, known)
+    return search.proof(found, factor=search.tree(factor))
 
 
 def met(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Proof:

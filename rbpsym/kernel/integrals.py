@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, names_in, reduce_roots, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, derivative, names_in, reduce_roots, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.integration import antiderivative
-from rbpsym.kernel.certificates import Have, KnownEquation
-from rbpsym.kernel.claim import Proposition, tree_of
+from rbpsym.kernel.certificates import Have, KnownEquation, Multiples
+from rbpsym.kernel.claim import Proposition, brief, tree_of
 from rbpsym.kernel.claims import TIME
 
 if TYPE_CHECKING:
@@ -62,6 +62,56 @@ def _course(search: Search, name: str, known: Sequence[KnownEquation]) -> KnownE
         raise Undecided("its rate is no function of the time")
     begun = [KnownEquation(item.name, item.claim, "0") for item in known if item.name in search.given]
     start, _ = search.follow(search.at_start(symbol(name)), begun)
-    search.by_rates(symbol(name) - start - way + substitute(way, {TIME: NOTHING}), known)
+    by_rates(search, symbol(name) - start - way + substitute(way, {TIME: NOTHING}), known)
     have = search.haves[-1]
     return KnownEquation(have.name, have.claim)
+
+
+def by_rates(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Multiples:
+    """left - right does not change and is 0 at the start."""
+    known = [item for item in known if item.is_free]
+    rest, by = search.follow(goal, known, only=True)
+    begun = _begins(search, rest, known)
+    shown = search.shown(search.rate_of(rest), known)
+    return _gone(search, by, "flat", rest, multiples=shown, begin=begun)
+
+
+def _begins(search: Search, rest: Scalar, known: Sequence[KnownEquation]) -> Multiples:
+    """By what it is 0 at the start."""
+    first = [KnownEquation(item.name, item.claim, "0") for item in known if item.name in search.given and item.when == "t"]
+    begin, begun = search.follow(search.at_start(rest), first)
+    if not search.vanishes(begin):
+        raise Undecided("at the start, of left - right stays " + brief(search.tree(begin)))
+    return begun
+
+
+def _gone(search: Search, by: Multiples, how: str, rest: Scalar, **more: Any) -> Multiples:
+    """The multiples `by` which the rest is left, and the claim on the way that it is 0."""
+    return Multiples((*by.known, (t.ONE, search.note(how, Proposition(search.tree(rest), t.ZERO), **more))), by.circles)
+
+
+def by_course(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Multiples:
+    """left - right and its rate are 0 at the start, and solve a linear equation of second order."""
+    known = [item for item in known if item.is_free]
+    first, by = search.follow(goal, known, only=True)
+    second, why = search.follow(search.rate_of(first), known)
+    third = search.rate_of(second)
+    turns = _linear(search, first, second, search.follow(third, known)[0])
+    shown = search.shown(third - turns[0] * first - turns[1] * second, known)
+    below = Have("", "course", Proposition(search.tree(second), t.ZERO), multiples=shown, begin=_begins(search, second, known))
+    more = {"begin": _begins(search, first, known), "inner": below, "parts": tuple(map(search.tree, turns))}
+    return _gone(search, by, "course", first, multiples=why, **more)
+
+
+def _linear(search: Search, first: Scalar, second: Scalar, third: Scalar) -> tuple[Scalar, Scalar]:
+    """By which constants the third is a sum of the first two, in which one coordinate and its speed stand."""
+    names = [name for name in names_in(second) & search.source.rates.keys() if name not in names_in(first)]
+    places = [name for name in names_in(first) if search.source.rates.get(name) == symbol(names[0])] if len(names) == 1 else []
+    if not places:
+        raise Undecided("no other letter and its rate stand there")
+    place, speed = ([derivative(value, name) for value in (first, second, third)] for name in (places[0], names[0]))
+    turn = speed[2] / speed[1]
+    found = ((place[2] - turn * place[1]) / place[0], turn)
+    if any(search.moving(name) for value in found for name in names_in(value)):
+        raise Undecided("they are no constants")
+    return found

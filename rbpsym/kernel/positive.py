@@ -26,8 +26,9 @@ class PositiveSum(Frozen):
     waves: tuple[tuple[Scalar, Scalar, int], ...]
 
 
-def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset()) -> PositiveSum | None:
-    """A polynomial, or what is opposite to it, as a sum of what is positive and of what is not negative.
+def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset(), *, strict: bool = True) -> PositiveSum | None:
+    """A polynomial, or what is opposite to it, as a sum of what is positive (nothing, if it is not `strict`) and of what is not
+    negative.
 
     `positive`: atoms above 0; `least`: atoms that are at least 0. Sines and cosines are letters, sin² + cos² = 1 is used.
     None: no such sum was found.
@@ -42,7 +43,7 @@ def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset()) 
             chosen = {s if kind == "sin" else partner(s) or s for s, k in zip(sines, kinds, strict=False) if k == kind}
             value = wound(value, kind, only=chosen)
         for sign in (1, -1):
-            found = _sum(value.num.scaled(sign), sign, positive, positive | least)
+            found = _sum(value.num.scaled(sign), sign, positive, positive | least, strict)
             if found is not None:
                 return found
     return None
@@ -53,7 +54,7 @@ def is_wave(index: int) -> bool:
     return partner(index) is not None or partner(index, "cos") is not None
 
 
-def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int]) -> PositiveSum | None:
+def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int], strict: bool) -> PositiveSum | None:
     """The sum by its terms: even powers stay, what swings is at least minus its size, what is left are squares."""
     even: dict[Monomial, Coefficient] = {}
     waves: dict[tuple[Monomial, int, int], Coefficient] = {}
@@ -69,10 +70,10 @@ def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int]) -> PositiveS
             even[rest] = even.get(rest, 0) - size
         else:
             return None
-    squares = list(_squares(even, fair))
+    squares = list(_squares(even, positive, fair))
     above = {m: c for m, c in even.items() if c and _is_above(m, positive)}
     flat = {m: c for m, c in even.items() if c and not _is_above(m, positive)}
-    if not above or any(c < 0 for c in even.values()) or any(e % 2 and i not in fair for m in flat for i, e in m):
+    if (strict and not above) or any(c < 0 for c in even.values()) or any(e % 2 and i not in fair for m in flat for i, e in m):
         return None
     for m, c in flat.items():
         squares.append(_halved(m, c, fair))
@@ -105,11 +106,14 @@ def _lift(even: dict[Monomial, Coefficient], monomial: Monomial, wanted: Fractio
             return
 
 
-def _squares(even: dict[Monomial, Coefficient], positive: Collection[int]) -> Iterator[tuple[Scalar, Scalar]]:
-    """Squares that take up what is negative: A u² + B v² - k u v = A (u - k v/2A)² + (B - k²/4A) v²."""
-    for monomial in [m for m, c in even.items() if c < 0 or any(e % 2 and i not in positive for i, e in m)]:
-        for first in [m for m, c in even.items() if c > 0 and all(e % 2 == 0 for _, e in m)]:
-            second = times(times(monomial, monomial), inverse(first))
+def _squares(even: dict[Monomial, Coefficient], above: Collection[int], fair: Collection[int]) -> Iterator[tuple[Scalar, Scalar]]:
+    """Squares that take up what is negative: A u² + B v² - k u v = A (u - k v/2A)² + (B - k²/4A) v², of which v² is rather
+    positive than not negative."""
+    for monomial in [m for m, c in even.items() if c < 0 or any(e % 2 and i not in fair for i, e in m)]:
+        twice = times(monomial, monomial)
+        of = [m for m, c in even.items() if c > 0 and all(e % 2 == 0 for _, e in m)]
+        for first in sorted(of, key=lambda m: not _is_above(times(twice, inverse(m)), above)):
+            second = times(twice, inverse(first))
             a, k = even.get(first, 0), even.get(monomial, 0)
             if second == first or a <= 0 or not k or any(e % 2 for _, e in second):
                 continue

@@ -17,7 +17,7 @@ from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, ci
 from rbpsym.kernel.claim import Proposition, brief, is_along_time, letter, sides, tree_of
 from rbpsym.kernel.claims import TIME, ClaimSource
 from rbpsym.kernel.components import START, started
-from rbpsym.kernel.integrals import courses, integrated
+from rbpsym.kernel.integrals import by_course, by_rates, courses, integrated
 from rbpsym.kernel.positive import PositiveSum
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed, within
@@ -57,8 +57,8 @@ class Search:
         self.met_by: tuple[Proposition, ...] = ()  # what the claim is given
         self.later: set[int] = set()  # positive only where that holds
         self.shifts: dict[str, list[Scalar]] = {}  # what a letter is, by the gap to an end of its range
-        self.sums: dict[tuple[Poly, frozenset[int]], PositiveSum | None] = {}
-        self.deep = False
+        self.sums: dict[tuple[Poly, frozenset[int], bool], PositiveSum | None] = {}
+        self.deep, self.wide = False, False  # whether squares are being shown; whether what takes longer is tried, too
         self.told: set[str] = set()  # sines and cosines that are put in terms of those of a sum
         self.is_sure = True  # whether nothing is divided by of which it is not known that it does not vanish
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
@@ -193,11 +193,13 @@ class Search:
             if factor is not None:
                 whole = {place: sums.get(place, NOTHING) - factor * part for place, part in row.multiples.items()}
                 rest, sums = rest - factor * row.value if only else NOTHING, {**sums, **whole}
-        if not only and not self.vanishes(rest) and (factors := combining.combined(self, rest, [row.value for row in rows])):
-            for factor, row in zip(factors, rows, strict=True):
-                for place, part in row.multiples.items() if factor else ():
-                    sums = {**sums, place: sums.get(place, NOTHING) - factor * part}
-            rest = NOTHING
+        plain = [reduced(goal, values, lambda index: 0, self.is_nonzero)] if self.wide else []  # as they were
+        for end, taken, left in ((rest, sums, rows), *plain):
+            if not only and not self.vanishes(rest) and (factors := combining.combined(self, end, [row.value for row in left])):
+                for factor, row in zip(factors, left, strict=True):
+                    for place, part in row.multiples.items() if factor else ():
+                        taken = {**taken, place: taken.get(place, NOTHING) - factor * part}
+                rest, sums = NOTHING, taken
         rest = NOTHING if self.vanishes(rest) else rest
         return rest, self.summed(goal - rest, {place: -factor for place, factor in sums.items()}, known, values)
 
@@ -242,7 +244,7 @@ class Search:
                 self.positive |= self.value(item.left).atoms()
                 self.later |= self.value(item.left).atoms()
         note_gaps(self)
-        note_signs(self, signed=claim.kind == "more" or bool(claim.given))
+        note_signs(self, signed=claim.kind in ("more", "least") or bool(claim.given))
         self.difference(claim)
         known = [*self._known(claim), *self._unique(), *integrated(self)]
         known += courses(self, known) if claim.given and self.source.event is not None else []
@@ -250,6 +252,9 @@ class Search:
         try:
             return self._found(claim, known)
         except Undecided:
+            self.wide = True
+            with suppress(Undecided):
+                return self._found(claim, known)
             sums = list(combining.gathered(self))
             if not sums:
                 raise
@@ -261,16 +266,16 @@ class Search:
         del self.haves[self._count :]
         if claim.kind == "slope":
             self.rates = {claim.var: UNITY}
-            slope = t.renamed(self.tree(self._rate(self.value(claim.left))), {claim.var: claim.place})
+            slope = t.renamed(self.tree(self.rate_of(self.value(claim.left))), {claim.var: claim.place})
             return self.proof(self.shown(self.value(slope) - self.value(claim.right), ()))
         if claim.kind == "rate":
             like, by = self.follow(self.value(claim.left), known, only=True)
-            found = self.shown(self._rate(like) - self.value(claim.right), known)
+            found = self.shown(self.rate_of(like) - self.value(claim.right), known)
             return self.proof(found, like=(self.tree(like), by))
-        if claim.kind == "more":
-            found, parts = above(self, goal, known)
+        if claim.kind in ("more", "least"):
+            found, parts = above(self, goal, known, strict=claim.kind == "more")
             return self.proof(found, parts=parts)
-        ways = (*(combining.WHERE_GIVEN if claim.given else (Search.by_rates,)), *combining.ALWAYS)
+        ways = (*(combining.WHERE_GIVEN if claim.given else (by_rates, by_course)), *combining.ALWAYS)
         reasons = []
         for way in (Search.shown, *ways):
             del self.haves[self._count :]
@@ -286,7 +291,7 @@ class Search:
         used, kept = {known.name for part in (multiples, *(like or ())[1:]) for _, known in part.known}, []
         for have in reversed([*self.notes.values(), *self.haves]):
             if have.name in used or have.how in SIGNS:
-                used |= {known.name for _, known in have.multiples.known}
+                used |= {known.name for by in have.accounts for _, known in by.known}
                 kept.append(have)
         return Proof(tuple(reversed(kept)), multiples, like, **more)
 
@@ -299,9 +304,8 @@ class Search:
                 yield KnownEquation(name, item, by=tuple(f"g{claim.given.index(part) + 1}" for part in item.given))
         spoken = {n for item in (claim, *equal.values()) for side in (item.left, item.right) for n in t.names(side)}
         if any(name.endswith(START) for name in spoken):
-            for name, item in self.given.items():
-                if item.kind == "equal" and not item.given:
-                    yield KnownEquation(name, item, "0")
+            plain = {name: item for name, item in self.given.items() if item.kind == "equal" and not item.given}
+            yield from (KnownEquation(name, item, "0") for name, item in plain.items())
 
     def _unique(self) -> Iterator[KnownEquation]:
         """What is said to be the rate of a formula is the rate that the formula has."""
@@ -309,7 +313,7 @@ class Search:
         for name, claim in self.doubled.items():
             with suppress(Undecided):
                 like, by = self.follow(self.value(claim.left), equal, only=True)
-                rate = self.tree(self._rate(like))
+                rate = self.tree(self.rate_of(like))
                 if rate != claim.right:
                     more = {"multiples": by, "parts": (self.tree(like),)} if by.known else {}
                     yield self.note("unique", Proposition(claim.right, rate), of=claim.left, source=name, **more)
@@ -319,23 +323,23 @@ class Search:
         self.haves.append(Have(f"q{len(self.haves) + 1}", how, claim, **more))
         return KnownEquation(self.haves[-1].name, claim)
 
-    def _rate(self, value: Scalar) -> Scalar:
+    def rate_of(self, value: Scalar) -> Scalar:
         unknown = sorted(filter(self._unrated, names_in(value)))
         if unknown:
             raise Undecided(f"nothing among the premises says how {unknown[0]} changes")
-        return rate_along(value, {name: self._rate_of(name) for name in names_in(value) if self.moving(name)})
+        return rate_along(value, {name: self._letter_rate(name) for name in names_in(value) if self.moving(name)})
 
-    def _rate_of(self, name: str) -> Scalar:
+    def _letter_rate(self, name: str) -> Scalar:
         if name not in self.source.circular:
             return self.rates[name]
         node = self.source.circular[name]
         if isinstance(node, t.Sqrt):
-            return self._rate(self.value(node.arg)) / (symbol(name) * 2)
+            return self.rate_of(self.value(node.arg)) / (symbol(name) * 2)
         if isinstance(node, t.Group):
-            return self._rate(self.value(node.arg))
+            return self.rate_of(self.value(node.arg))
         if node.name not in SLOPES:
             raise Undecided(f"the rate of {node.name} is not written")
-        return self.value(SLOPES[node.name](node.arg)) * self._rate(self.value(node.arg))
+        return self.value(SLOPES[node.name](node.arg)) * self.rate_of(self.value(node.arg))
 
     def shown(self, goal: Scalar, known: Sequence[KnownEquation]) -> Multiples:
         """By multiples; if that is not enough, with the rates of what vanishes as well."""
@@ -360,7 +364,7 @@ class Search:
                 names = names_in(row.value)
                 if row.value not in found and any(map(self.moving, names)) and not any(map(self._unrated, names)):
                     made = self.summed(row.value, row.multiples, now, values)
-                    claim = Proposition(self.tree(self._rate(row.value)), t.ZERO)
+                    claim = Proposition(self.tree(self.rate_of(row.value)), t.ZERO)
                     found.append(row.value)
                     yield self.note("still", claim, of=self.tree(row.value), multiples=made)
 
@@ -372,23 +376,11 @@ class Search:
         for name, value in self.source.study.squares.items():
             claim = Proposition(t.power(t.Sym(f"{name}_dot"), 2), tree_of(value))
             with suppress(Undecided):
-                found = self.by_rates(self.difference(claim), known)
+                found = by_rates(self, self.difference(claim), known)
                 flat = self.haves[-1]
                 if len(found.known) == 1 and not found.circles and flat.how == "flat":
                     yield KnownEquation(flat.name, flat.claim)
         self.deep = False
-
-    def by_rates(self, goal: Scalar, known: Sequence[KnownEquation]) -> Multiples:
-        """left - right does not change and is 0 at the start."""
-        known = [item for item in known if item.is_free]
-        rest, by = self.follow(goal, known, only=True)
-        first = [KnownEquation(item.name, item.claim, "0") for item in known if item.name in self.given and item.when == "t"]
-        begin, begun = self.follow(self.at_start(rest), first)
-        if not self.vanishes(begin):
-            raise Undecided("at the start, of left - right stays " + brief(self.tree(begin)))
-        shown = self.shown(self._rate(rest), known)
-        claim = Proposition(self.tree(rest), t.ZERO)
-        return Multiples((*by.known, (t.ONE, self.note("flat", claim, multiples=shown, begin=begun))), by.circles)
 
     def ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
         """value / by, if it is a polynomial but for what does not vanish."""

@@ -77,14 +77,14 @@ def note_gaps(search: Search) -> None:
         search.later |= gap.atoms() if item.given else set()
 
 
-def signed(search: Search, value: Scalar, *, ranged: bool = True) -> PositiveSum | None:
+def signed(search: Search, value: Scalar, *, ranged: bool = True, strict: bool = True) -> PositiveSum | None:
     """The value as a sum of one sign: by gaps, by what sines and cosines are at most, and if it is `ranged` by what ranges
-    keep positive."""
+    keep positive. Not `strict`: it may vanish."""
     known = frozenset(search.positive | search.certain) if ranged else search.always
-    below = Poly({tuple(sorted((i, -e) for i, e in value.num.content()[1] if e < 0 and i in search.positive)): 1})
+    below = Poly({tuple(sorted((i, -e) for i, e in value.num.content()[1] if i in search.positive)): 1})
     poly = value.num * below
-    if (key := (poly, known)) not in search.sums:
-        search.sums[key] = next(_sums(search, poly, known), None)
+    if (key := (poly, known, strict)) not in search.sums:
+        search.sums[key] = next(_sums(search, poly, known, strict), None)
     num, den = search.sums[key], Scalar(value.den) * Scalar(below)
     if num is None or not search.is_positive(den):
         return None
@@ -92,13 +92,13 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True) -> PositiveSum
     return PositiveSum(num.sign, num.above / den, squares, tuple((factor / den, wave, turn) for factor, wave, turn in num.waves))
 
 
-def _sums(search: Search, poly: Poly, known: frozenset[int]) -> Iterator[PositiveSum]:
+def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> Iterator[PositiveSum]:
     names = [name for name in search.shifts if atoms.intern("symbol", name) in poly.atoms()][:MOST]
     ways = [dict(zip(names, images, strict=True)) for images in product(*([None, *search.shifts[name]] for name in names))]
     for images in ways:
         value = substitute(Scalar(poly), {name: image for name, image in images.items() if image is not None})
         for above in dict.fromkeys((known, search.always)) if value.den.constant_value() == 1 else ():
-            if (found := positive_sum(value.num, above | search.gaps, search.least)) is not None:
+            if (found := positive_sum(value.num, above | search.gaps, search.least, strict=strict)) is not None:
                 yield found
 
 
@@ -149,11 +149,14 @@ def within(search: Search, nodes: Sequence[t.Node]) -> Iterator[Have]:
             search.is_sure = False
 
 
-def above(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> tuple[Multiples, tuple[t.Node, ...]]:
-    """left - right is a sum of something positive and of what is not negative: the multiples, and these two."""
+def above(
+    search: Search, goal: Scalar, known: Sequence[KnownEquation], *, strict: bool = True
+) -> tuple[Multiples, tuple[t.Node, ...]]:
+    """left - right is a sum of something positive (or, if not `strict`, nothing) and of what is not negative: the multiples,
+    and these two."""
     rest, by = search.follow(goal, known)
     num, den = Scalar(rest.num), Scalar(rest.den)
-    found, under = signed(search, num), signed(search, den)
+    found, under = signed(search, num, strict=strict), signed(search, den)
     if found is not None and under is not None and found.sign == under.sign:
         below = search.tree(den * under.sign)
         if not search.is_positive(den):

@@ -111,7 +111,7 @@ def proposition(text: str) -> tuple[Read, ...]:
 
 
 def _relation(text: str) -> Read:
-    op = next((op for op in (" <> ", " < ", " = ") if op in text), "")
+    op = next((op for op in (" <> ", " <= ", " < ", " = ") if op in text), "")
     return (op.strip(), *map(read, text.split(op))) if op else read(text)
 
 
@@ -146,7 +146,9 @@ class Meant(Frozen):
         if claim.kind == "rate":
             inner = replace(self, time=("letter", "#0"), depth=1).of(claim.left)
             return ("of", DERIVED, ("fun", inner), self.time, right)
-        return ("<", right, left) if claim.kind == "more" else ("<>" if claim.kind == "differ" else "=", left, right)
+        if claim.kind in ("more", "least"):
+            return ("<" if claim.kind == "more" else "<=", right, left)
+        return ("<>" if claim.kind == "differ" else "=", left, right)
 
     def of(self, node: t.Node) -> Read:
         """A tree."""

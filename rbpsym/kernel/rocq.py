@@ -120,7 +120,7 @@ LONGEST = 120  # seconds for one proof
 OWN = "qrmz"  # with a number: what is noted in a proof
 TIMES = "forall t : R, ta < t < tb -> "
 REFUSED = "not accepted: "
-RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "differ": "{left} <> {right}"}
+RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "least": "{right} <= {left}", "differ": "{left} <> {right}"}
 
 
 class Writer(Frozen):
@@ -214,7 +214,8 @@ class Writer(Frozen):
             return f"{enter}; {alike}; eapply D_eq; [der | apply lin0; {close}]"
         if proof.parts:
             parts = " ".join(map(self.terms.term, proof.parts))
-            return f"{enter}; apply (above _ _ {parts}); [apply lin0; {close} | pos | nng]"
+            way, sign = ("above", "pos") if claim.kind == "more" else ("at_least", "nng")
+            return f"{enter}; apply ({way} _ _ {parts}); [apply lin0; {close} | {sign} | nng]"
         if proof.factor is not None:
             return f"{enter}; apply (cancel ({self.terms.term(proof.factor)})); [pos | {close}]"
         return f"{enter}; apply lin0; {close}"
@@ -243,6 +244,16 @@ class Writer(Frozen):
         body = self.terms.term(have.claim.left)
         begin = f"cbv beta; rewrite ?RInt_none; {self.less(have.begin, '0')}{finish}"
         return f"apply (flat ta tb (fun t : R => {body}) Begin); [{rate} | {begin} | exact Ht]"
+
+    def _course(self, have: Have, finish: str) -> str:
+        assert have.inner is not None
+        both, turns = (have, have.inner), ("0", "1", *map(self.terms.term, have.parts))
+        named = [f"(fun t : R => {self.terms.term(each.claim.left)})" for each in both]
+        named += [f"(fun _ : R => {turn})" for turn in turns]
+        way = "intros u Hu; eapply D_eq; [der | cbv beta; apply lin0; {}{}]"
+        shown = [way.format(self.less(each.multiples, "u"), finish) for each in both] + ["intros; cont"] * len(turns)
+        shown += [f"cbv beta; rewrite ?RInt_none; {self.less(each.begin, '0')}{finish}" for each in both]
+        return f"apply (only_one ta tb {' '.join(named)} Begin); [{' | '.join(shown)} | exact Ht]"
 
     def _still(self, have: Have, finish: str) -> str:
         shown = f"intros u Hu; cbv beta; {self.less(have.multiples, 'u')}{finish}"
@@ -310,8 +321,8 @@ def _head(claim: Proposition) -> str:
 
 
 HAVES = {
-    "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign, "gap": Writer._gap,
-    "integral": Writer._integral, "nonzero": Writer._positive, "positive": Writer._positive,
+    "flat": Writer._flat, "course": Writer._course, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign,
+    "gap": Writer._gap, "integral": Writer._integral, "nonzero": Writer._positive, "positive": Writer._positive,
     "sum": Writer._sum, "root": Writer._rooted, "multiple root": Writer._same_root,
 }  # fmt: skip
 

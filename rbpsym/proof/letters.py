@@ -12,10 +12,12 @@ from rbpsym.proof.step import Step
 
 
 def introduce(context: Context, step: Step) -> None:
-    """Notes which letters the step introduces; one that stands in it and was never introduced is a fact of its own."""
+    """Notes which letters the step introduces; one that stands in it and was never introduced is a fact of its own, and so is
+    a work of which the step says what it comes to, and not along which path."""
     for row in t.chains(step.statement):
         first = row.items[0]
-        if isinstance(first, (t.Sym, t.Vec)) and row.ops[0] == "=" and _is_letter(context, first):
+        is_said = not isinstance(first, t.Sym) or first.name not in context.works or isinstance(row.items[1], t.PathIntegral)
+        if isinstance(first, (t.Sym, t.Vec)) and row.ops[0] == "=" and is_said and _is_letter(context, first):
             context.introduced.setdefault(first.name, (step.id, _said(context, row)))
     for name in letters(context, step.statement):
         if name not in context.introduced:

@@ -182,17 +182,19 @@ def answers(text: str, questions: list[str] = NONE) -> list[Answer]:
 def _told(found: Any) -> Answer:
     """A question with its answer, or with the reason why there is none."""
     from rbpsym.ask.asking import Refused
+    from rbpsym.ask.telling import valid_for
 
     if isinstance(found, Refused):
         return {"question": found.text, "shown": [], "verdict": "", "says": found.reason, "where": []}
     notation = Notation(found.study.problem.notation)
     named = [t.equation(t.Sym(found.symbol), node) if found.symbol else node for node in found.nodes]
     plain = "" if found.holds_so is None else ("yes" if found.holds_so else "no")
+    reason, nearly = "" if found.verdict.is_proved else found.verdict.reason, valid_for(found)
     return {
         "question": found.question.text,
         "shown": [to_mathml(node, notation) for node in named],
         "verdict": str(found.verdict.kind),
-        "says": "; ".join(filter(None, (plain, found.says, "" if found.verdict.is_proved else found.verdict.reason))),
+        "says": "; ".join(filter(None, (plain, found.says, nearly and f"for {nearly}", reason))),
         "where": [to_mathml(node, notation) for node in found.valid],
     }
 

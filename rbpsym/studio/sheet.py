@@ -29,7 +29,7 @@ from rbpsym.proof.step import Derivation, Step
 from rbpsym.studio.refuting import Refuter
 from rbpsym.studio.slips import LineSlip, slip
 from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
-from rbpsym.teaching.grading.reading import read_formula
+from rbpsym.teaching.grading.reading import meanings, read_formula
 from rbpsym.typeset.latex import to_latex
 
 CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
@@ -144,10 +144,8 @@ class PhaseSheet(Frozen):
             raise error
 
     def readings(self, line: str) -> Iterator[t.Node]:
-        """What a line may mean: I, which nobody has told, is that about the centre of mass or about a point. Raises ReadError."""
-        yield (read := self.read(line))
-        if "I" in t.names(read) - self.own:
-            yield from (t.renamed(read, {"I": t.Sym(name)}) for name in self.named if name.startswith("I_"))
+        """What a line may mean. Raises ReadError."""
+        return meanings(self.read(line), self.own, self.named)
 
     def _typed(self, line: str) -> t.Node:
         return self._with_rates(read_formula(line, self._book, labels=False))

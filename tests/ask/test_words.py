@@ -8,13 +8,18 @@ from dataclasses import replace
 import pytest
 
 from rbpsym.ask.asked import Asked
+from rbpsym.ask.asking import ask
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.parameters import finding
+from rbpsym.ask.telling import record
 from rbpsym.ask.words import SAID, doubts
+from rbpsym.commands.ask import lines
 from rbpsym.field.scalar import symbol
 from rbpsym.proof.rules import RULES
 from rbpsym.statement.loader import load_problem
+from rbpsym.studio.api import _told as shown
+from tests.library.derived import problem
 
 # a question of each kind, and what would be false of it
 FALSE = {
@@ -135,3 +140,20 @@ def test_a_rule_decides_its_words(says: str, rule: str, so: dict, not_so: dict) 
     assert not list(doubts(Finding(says=says, grounds=((rule, so),))))
     assert list(doubts(Finding(says=says, grounds=((rule, not_so),))))
     assert list(doubts(Finding(says=says, grounds=(("another", so),))))
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "is_nearly"),
+    [
+        ("rod-pendulum", "period of theta", True),
+        ("rod-pendulum", "theta_dot where theta = 0", False),  # no ≈ on its way
+        ("torsion-pendulum", "period of theta", False),  # the law is linear for any size
+    ],
+)
+def test_what_rests_on_a_nearly_is_told_so_wherever_it_is_shown(name: str, question: str, is_nearly: bool) -> None:
+    """The studio and JSON told a period of a pendulum as if it held for all swings."""
+    found, told = ask(problem(name), question)[0], "small oscillations"
+    kept = record(found)
+    assert kept["valid_for"] == (told if is_nearly else None)
+    assert (f"    for {told}" in lines(found, kept, None, found.study.problem)) == is_nearly
+    assert (told in shown(found)["says"]) == is_nearly

@@ -13,14 +13,14 @@ from rbpsym.kernel.claim import Proposition
 
 def _turned(claim: Proposition) -> Proposition:
     """The other sign on the right; what is more becomes less."""
-    if claim.kind == "more":
+    if claim.kind in ("more", "least"):
         return replace(claim, left=claim.right, right=claim.left)
     return replace(claim, right=t.add(t.neg(claim.right), t.ONE) if claim.right == t.ZERO else t.neg(claim.right))
 
 
 def _doubled(claim: Proposition) -> Proposition:
     """A factor on the right; one more where nothing stands there."""
-    if claim.kind == "more":
+    if claim.kind in ("more", "least"):
         return replace(claim, right=t.Add((claim.left, t.ONE)))
     return replace(claim, right=t.ONE if claim.right == t.ZERO else t.Mul((t.TWO, claim.right)))
 

@@ -22,10 +22,17 @@ pytestmark = pytest.mark.heavy
         ("crate-on-truck", ("friction.N_r",)),  # a sum of forces stands below
         pytest.param("rod-on-turntable", ("position.rod", "reaction.A_x"), marks=pytest.mark.thorough),  # ωt here, tω there
         ("bead-on-rotating-rod", ("theorem.T.rod",)),  # at the start the angle is 0·Ω
+        ("boat-coasting", ("course.x",)),  # a linear equation has one solution from a start
+        ("falling-stick", ("square.theta", "holds.N")),  # what is conserved has a coordinate below; 3 (cos θ - 1)² + 1 > 0
+        ("wheel-over-kerb", ("asks.N", "reaction.F")),  # what stands below a root is positive by a range
+        ("cart-pulled-over-pulley", ("work.S.cart",)),  # a root that does not vanish stands below in an integrand
+        ("rod-falling-on-rough-floor", ("holds.N",)),  # a square is at least 0
+        ("two-drums-on-a-ribbon", ("alone.upper", "alone.lower")),  # what a work is is a fact, of both
+        pytest.param("rod-on-two-strings", ("energy",), marks=pytest.mark.thorough),  # factors with sines of sums
     ],
 )
 def test_coqc_accepts_it(name: str, ids: tuple[str, ...]) -> None:
-    whole = written(unsimulated(name))
+    whole = written(unsimulated(name), ids)
     told = compiled(Written(whole.source, {id: whole.lemmas[id] for id in ids}))
     assert not told.refused
 

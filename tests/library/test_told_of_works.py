@@ -3,6 +3,7 @@
 import pytest
 
 from rbpsym.ask.asking import ask
+from rbpsym.expr import tree as t
 from tests.library.derived import NAMES, problem, unsimulated
 
 
@@ -17,6 +18,17 @@ def test_works_that_are_told_to_cancel_are_those_of_bodies_on_which_work_is_done
             force = step.id.removeprefix("workless.")
             worked = {one.on for one in works if one.force == force and (one.translational.parts or one.rotational.parts)}
             assert {body.name for body in step.slots["bodies"]} <= worked, step.id
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_work_is_introduced_by_its_path_or_is_a_fact(name):
+    """The step that says what a work of both kinds comes to was taken for its definition, and said nothing."""
+    found = unsimulated(name)
+    for part in (found, *(phase.derivation for phase in found.phases)):
+        by = {step.id: {str(row.items[0].name) for row in t.chains(step.statement) if isinstance(row.items[1], t.PathIntegral)}
+              for step in part.steps}  # fmt: skip
+        for letter, (id, _) in part.letters.introduced.items():
+            assert letter not in part.letters.works or id == f"def.{letter}" or letter in by.get(id, ()), (letter, id)
 
 
 BOUNDS = (

@@ -3,12 +3,15 @@
 import pytest
 
 from rbpsym.decide.equal import scalars_equal
-from rbpsym.field import NOTHING, Scalar, derivative, substitute
+from rbpsym.field import NOTHING, Scalar, derivative, substitute, symbol
+from rbpsym.frozen import replace
+from rbpsym.mechanics.at_start import study_of
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.solutions import InTime, courses, given
 from rbpsym.mechanics.study import Study
-from rbpsym.solve import solve
+from rbpsym.solve import _course, solve
 from rbpsym.statement.loader import load_text
-from tests.library.derived import NAMES, unsimulated
+from tests.library.derived import NAMES, problem, unsimulated
 
 
 def gaps(study: Study, name: str, one: InTime) -> list[Scalar]:
@@ -84,3 +87,13 @@ def test_it_lasts_as_long_as_the_contact(force: str, lasts: str) -> None:
     problem = load_text(f'title = "Pushed"\n{text}\nforce = ["{force}", "0"]\n')
     [told] = solve(problem, simulation=False)["solutions"]["x"]
     assert told["place"] != "0" and lasts in told["valid_where"]
+
+
+def test_a_course_whose_conditions_exclude_each_other_is_none() -> None:
+    """All of its conditions were kept, and it was told."""
+    known = study_of(problem("boat-coasting"))
+    item = given(known, "x")
+    assert item is not None
+    [one] = courses(item)
+    apart = symbol("v_0") - symbol("c")
+    assert list(_course(one, known)) and not list(_course(replace(one, valid=(Demand(apart), Demand(-apart))), known))

@@ -15,7 +15,7 @@ from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.quantity import agrees, rounded, without_number
-from rbpsym.teaching.grading.reading import read_all, read_formula
+from rbpsym.teaching.grading.reading import meanings, read_all, read_formula
 from rbpsym.teaching.grading.verdicts import OUTSIDE, are_equal, divides_by_zero, value_of
 from rbpsym.teaching.model import Anticipated
 
@@ -60,13 +60,10 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
 
 
 def _in_all_meanings(read: t.Node, sought: Sought) -> Judgement:
-    """The judgement on an answer in which I, which nobody has told, is that about the centre of mass or about a fixed point."""
-    found = judge_tree(read, sought)
-    if found.status in EARNING or "I" not in t.names(read) - sought.allowed:
-        return found
-    moments = (t.Sym(name) for name in sought.ground.scope.scalars if name.startswith("I_"))
-    others = (judge_tree(t.renamed(read, {"I": moment}), sought) for moment in moments)
-    return next((other for other in others if other.status in EARNING), found)
+    """The judgement on the first thing that an answer may mean and that earns something; else on what it usually means."""
+    judged = (judge_tree(way, sought) for way in meanings(read, sought.allowed, sought.ground.scope.scalars))
+    usual = next(judged)
+    return usual if usual.status in EARNING else next((other for other in judged if other.status in EARNING), usual)
 
 
 def _in_all_ways(text: str, sought: Sought, usual: Judgement) -> Judgement:

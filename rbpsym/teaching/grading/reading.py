@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
@@ -264,3 +264,10 @@ def _equations_only(node: t.Node, text: str) -> t.Node:
     if isinstance(node, t.Chain) and set(node.ops) - {"=", "~"}:
         raise ReadError("an inequality is no answer here", instead="Enter the result.", place=Place(text=text[:200]))
     return node
+
+
+def meanings(read: t.Node, own: Container[str], known: Iterable[str]) -> Iterator[t.Node]:
+    """What a formula may mean: I, if it is none of the `own` letters, is that about the centre of mass or about a point."""
+    yield read
+    if "I" in t.names(read) and "I" not in own:
+        yield from (t.renamed(read, {"I": t.Sym(name)}) for name in known if name.startswith("I_"))
