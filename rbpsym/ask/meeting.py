@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from rbpsym.ask.asked import Asked
+from rbpsym.ask.question import SUPERLATIVES
 from rbpsym.errors import StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
@@ -39,6 +40,8 @@ TOGETHER = re.compile(
 def met(asked: Asked, text: str) -> str:
     """The question with “where x = VALUE” for “where BODY meets BODY”, “where elongation of S = VALUE” or “where angular velocity
     of BODY = VALUE”; as it is if it says no such thing."""
+    if text.rsplit(" ", 1)[-1] in SUPERLATIVES:  # “where speed of block is greatest” names no value
+        return text
     world = asked.world(asked.lasting)
     text = TOGETHER.sub(r"\1 angular velocity of \2 = angular velocity of \3", text)
     if (said := MOVES.search(text)) and said[4] in {body.name for body in asked.problem.bodies} - {*world.coordinates}:

@@ -68,6 +68,7 @@ ANSWERS = (
      "m_1*v*t/(m_1+m_2) + m_2*v/(m_1+m_2)*sqrt(m_1*m_2/(k*(m_1+m_2)))*sin(sqrt(k*(m_1+m_2)/(m_1*m_2))*t)"),
     ("two-pucks", "largest speed of two over s between D - v*sqrt(m_1*m_2/(k*(m_1+m_2))) and D", "2*m_1*v/(m_1+m_2)"),
     ("three-springs-free", "equilibrium of x_1", "0"),
+    ("dropped-on-spring", "y where speed of block is greatest", "l - m*g/k"),
     ("dropped-on-spring", "greatest speed of block", "sqrt(2*g*h + m*g**2/k)"),
     ("puck-drawn-in", "theta as a function of t", "v_0*t/(r_0-u*t)"),
     ("puck-drawn-in", "speed of theta where t = r_0/(2*u)", "4*v_0/r_0"),
