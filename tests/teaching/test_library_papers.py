@@ -136,7 +136,7 @@ def test_each_sentence_names_an_idea_that_gives_just_this_value(name: str) -> No
     for item in sheet.items:
         bench = bench_of(plan, item)
         for formula, slip in known_slips(item.key):
-            target = target_of(bench, item, slip)
+            target = target_of(bench, item, formula)
             value = meaning(bench.study, formula)
             for idea in (slip, *slip.also):
                 made = [w for w in bench.pool.wrongs if (w.misconception.name, w.site.slots) == (idea.name, idea.slots)]
@@ -160,11 +160,11 @@ def known_slips(key: m.Key) -> list[tuple[t.Node, m.Slip]]:
     return []
 
 
-def target_of(bench, item: m.Item, slip: m.Slip):
-    """What is asked: the quantity of the item; of a blank, that of the step in which it stands."""
+def target_of(bench, item: m.Item, formula: t.Node):
+    """What is asked: the quantity of the item; of a blank with that wrong formula, that of the step in which it stands."""
     if not isinstance(item.key, m.BlanksKey):
         return bench.targets[item.asked.quantity]
-    step = next(b.step for b in item.key.blanks if any(a.slip is slip for a in b.anticipated))
+    step = next(b.step for b in item.key.blanks if any(a.formula is formula for a in b.anticipated))
     return next(target for target in bench.targets.values() if target.step == step)
 
 
