@@ -158,7 +158,7 @@ def _never(
 
 def _own_demands(world: AskedPhase, name: str, condition: Wanted) -> tuple[list[Demand], Assumptions, Assumptions]:
     """What is asked of the symbol itself, what is known without that, and with it: it is a premise of the rest only."""
-    asked = [*condition.asked, *unsaid((demand for demand in world.demands if demand.op != "!="), condition)]
+    asked = [*condition.asked, *unsaid((demand for demand in world.demands if demand.op != "!="), condition, name)]
     own, firm = ([demand for demand in asked if depends_on(demand.value, name) is is_own] for is_own in (True, False))
     given = premise = where_met(assuming(condition.given, firm, tighter=True, whole=True), own)
     if own:

@@ -62,10 +62,19 @@ def premises(world: AskedPhase, condition: Wanted) -> list[Demand]:
     return unsaid(dict.fromkeys(standing), condition)
 
 
-def unsaid(demands: Iterable[Demand], condition: Wanted) -> list[Demand]:
-    """Those that the condition itself does not say."""
+def unsaid(demands: Iterable[Demand], condition: Wanted, name: str = "") -> list[Demand]:
+    """Those that the condition itself does not say, of a symbol in another form either."""
     said = {essential(value, condition.given) for value in condition.values}
-    return [demand for demand in demands if essential(demand.value, condition.given) not in said]
+    left = [demand for demand in demands if essential(demand.value, condition.given) not in said]
+    return [demand for demand in left if not any(_is_multiple(demand.value, one, name, condition.given) for one in said)]
+
+
+def _is_multiple(value: Scalar, other: Scalar, name: str, given: Assumptions) -> bool:
+    """Whether a value is another one times what is positive and free of a symbol."""
+    first, second = (derivative(one, name) for one in (value, other))
+    if not first or not second or not is_zero(first * other - second * value):
+        return False
+    return sign(short(first * second), given).kind == "positive"
 
 
 def _without_divisor(demand: Demand, standing: list[Demand], given: Assumptions) -> Demand:

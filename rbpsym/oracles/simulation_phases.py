@@ -157,6 +157,7 @@ WATCHES: Mapping[str, Callable[[Bench, Phase, Start], Watch]] = KindParts(EVENTS
 
 
 def stated_element(bench: Bench, name: str) -> Element:
+    """A constraint of the problem that is simulated, by its name."""
     return next(e for e in bench.placement.mechanism.problem.constraints if e.name == name)
 
 
