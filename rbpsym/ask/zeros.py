@@ -151,6 +151,9 @@ def settled_sign(value: Scalar, given: Assumptions) -> int | None:
 
 def _places(factor: Scalar, name: str, given: Assumptions) -> list[Place] | None:
     """All zeros with what has to hold for them; None if they have no closed form."""
+    waves = (atoms.atom(i).arg for i in factor.num.atoms() if atoms.atom(i).kind in ("cos", "sin"))
+    if any(atoms.atom(i).kind in UNDONE and atom_depends(i, name) for angle in waves for i in angle.atoms()):
+        return None  # squares of its roots would bring these back
     index = next((i for i in factor.num.atoms() if atoms.atom(i).kind == "root" and atom_depends(i, name)), None)
     if index is not None:
         return _squared(factor, index, name, given)

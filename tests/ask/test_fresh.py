@@ -213,3 +213,9 @@ def test_the_case_is_that_of_the_numbers(height: str, bound: str) -> None:
     found = answered(Asked(numbers.in_case(problem)), "largest P for which the crate does not tip")
     assert found.verdict.is_proved and found.text == bound
     assert any("2*h" in to_machine(node) and "H" in to_machine(node) for node in found.valid)
+
+
+def test_a_tangent_within_a_sine_is_no_endless_square() -> None:
+    """The zeros of A + B √x are those of A² - B² x: where x comes back with each square, no closed form is looked for."""
+    found = answered(asked("slotted-arm"), "largest angular velocity of arm")
+    assert "not decided" in found.verdict.reason
