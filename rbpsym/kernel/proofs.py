@@ -324,6 +324,7 @@ class Search:
         return KnownEquation(self.haves[-1].name, claim)
 
     def rate_of(self, value: Scalar) -> Scalar:
+        """How a value changes with the time, by what the premises say of its letters. Raises Undecided."""
         unknown = sorted(filter(self._unrated, names_in(value)))
         if unknown:
             raise Undecided(f"nothing among the premises says how {unknown[0]} changes")

@@ -155,6 +155,7 @@ UNKNOWN = "not reached at any of the numbers that were tried"
 
 
 def never(study: Study, phase: Phase, how: str = "never reached") -> StatementError:
+    """The sentence for an event to which the motion does not come."""
     elements = (*study.problem.constraints, *phase.impulses, *phase.problem.constraints)
     stated: tuple[Coordinate | Element, ...] = (*study.problem.coordinates, *elements)
     return StatementError(
@@ -165,10 +166,12 @@ def never(study: Study, phase: Phase, how: str = "never reached") -> StatementEr
 
 
 def cannot_end(phase: Phase, element: Element, what: str, instead: str) -> StatementError:
+    """The sentence for an event that an element cannot have."""
     return StatementError(f"the phase “{phase.name}” begins when “{phase.subject}” {what}", instead=instead, place=element.place)
 
 
 def not_uniform(phase: Phase) -> NotApplicable:
+    """The refusal where accelerations that are not constant leave the end of a phase without a closed form."""
     return NotApplicable(
         f"no closed form was found for the end of the phase before “{phase.name}”: the accelerations are not constant",
         instead="state this phase as a problem of its own, or follow it in the simulation.",
@@ -176,6 +179,7 @@ def not_uniform(phase: Phase) -> NotApplicable:
 
 
 def no_closed_form(what: str) -> NotApplicable:
+    """The refusal where something has no closed form."""
     return NotApplicable(
         f"no closed form was found for {what}",
         instead="state the phase after it as a problem of its own, or follow it in the simulation.",

@@ -6,6 +6,7 @@ from rbpsym.oracles.simulation_phases import Bench, Phase, Start, Watch, there
 
 
 def watch(bench: Bench, phase: Phase, start: Start) -> Watch:
+    """A function of time, places and speeds that vanishes at the event."""
     target = bench.placement.mechanism.number(there(phase.value))
     place, near = bench.placement.names.index(phase.subject), [start.q]
 

@@ -6,6 +6,7 @@ from rbpsym.oracles.simulation_phases import Bench, Phase, Start, Watch, stated_
 
 
 def watch(bench: Bench, phase: Phase, start: Start) -> Watch:
+    """A function of time, places and speeds that vanishes at the event."""
     element = stated_element(bench, phase.subject)
     limit = bench.placement.mechanism.number(element["limit"])
 
