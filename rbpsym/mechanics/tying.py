@@ -14,7 +14,7 @@ from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, 
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import Inertias, locator
-from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.roots import factor_zeros, factors_in, zeros
 from rbpsym.mechanics.system import BodyState, ConstraintCondition, Pose, at_point
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
@@ -130,6 +130,8 @@ def placed_by(ties: Ties, names: Sequence[str], known: Mapping[str, Scalar], giv
         if low is None or high is None or others:
             continue
         places = zeros(value, name)
+        if not all(factor_zeros(factor, name) for factor in factors_in(value, name)):
+            continue  # a zero without a closed form may lie there, too
         beyond = [any(sign(gap, given).is_nonnegative for gap in (low - place, place - high)) for place in places]
         left = [place for place, is_beyond in zip(places, beyond, strict=True) if not is_beyond]
         left = left or [p for p in places if "positive" not in {sign(gap, given).kind for gap in (low - p, p - high)}]

@@ -219,3 +219,11 @@ def test_a_tangent_within_a_sine_is_no_endless_square() -> None:
     """The zeros of A + B √x are those of A² - B² x: where x comes back with each square, no closed form is looked for."""
     found = answered(asked("slotted-arm"), "largest angular velocity of arm")
     assert "not decided" in found.verdict.reason
+
+
+def test_a_place_that_an_equation_may_leave_open_is_not_proved() -> None:
+    """With d = r the pin of the crank comes to the hinge of the arm, and the equation says nothing."""
+    text = (HERE / "slotted-arm.toml").read_text(encoding="utf-8")
+    free = Asked(load_text(text.replace("length > r: distance", "length: distance"), "slotted-arm.toml"))
+    assert not answered(free, "phi where theta = pi").verdict.is_proved
+    assert answered(free, "phi where theta = pi/2").verdict.is_proved

@@ -161,11 +161,15 @@ def _same(context: Context, first: Scalar, second: Scalar) -> Verdict:
 
 
 def _only_there(context: Context, value: Scalar, name: str, place: Scalar) -> Verdict:
-    """The place lies in the declared range; a cos q + b sin q has no other zero within half a turn, nor has what is monotone."""
+    """The place lies in the declared range; a cos q + b sin q, if it does not vanish throughout, has no other zero within half a
+    turn, nor has what is monotone."""
     low, high = context.assumptions.range_of(name)
     slope = derivative(value, name)
     if low is None or high is None:
         return Verdict(PROVED) if (low, high) == (None, None) and not depends_on(slope, name) else UNSEEN
-    is_wave = is_zero(derivative(slope, name) + value) and sign(low + PI - high, context.assumptions).is_nonnegative
-    is_inside = all(sign(gap, context.assumptions).is_nonnegative for gap in (place - low, high - place))
-    return Verdict(PROVED) if is_inside and (is_wave or sign(slope, context.assumptions).is_nonzero) else UNSEEN
+    given, half = context.assumptions, sign(low + PI - high, context.assumptions)
+    room = [sign(gap, given) for gap in (place - low, high - place)]
+    is_inside = all(gap.is_nonnegative for gap in room)
+    is_wave = is_zero(derivative(slope, name) + value) and sign(substitute(slope, {name: place}), given).is_nonzero
+    is_alone = half.kind == "positive" or (half.kind == "zero" and all(gap.kind == "positive" for gap in room))
+    return Verdict(PROVED) if is_inside and ((is_wave and is_alone) or sign(slope, given).is_nonzero) else UNSEEN
