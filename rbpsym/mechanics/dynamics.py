@@ -219,8 +219,9 @@ def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> di
         raise indistinct(system, solution.free)
     images = accelerations or {}
     if accelerations is not None and any(is_nonzero(system, value, images) for value in solution.left):
-        if not asking(system):
-            raise unheld(system, _known_rows(system), images)
+        known = [*_known_rows(system)]
+        if not asking(system) or any(is_nonzero(system, value, images) for *_, value in known):
+            raise unheld(system, known, images)
         equations = [(body, way, linear_row(value, unknowns)) for body, way, value in rows]
         raise contradictory(system, _in_the_way(equations, unknowns, lambda value: not is_nonzero(system, value, images)))
     return {name: _on_motion(solution.values[name], images) for name in unknowns}

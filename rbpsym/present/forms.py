@@ -167,8 +167,9 @@ def _sum(poly: Poly, style: Style) -> t.Node:
     if len(parts) == 1:
         return _plain_sum(poly, style)
     collected = sorted(parts.items(), key=lambda item: term_key(item[0], style))
-    nodes = [_collected(moving, Poly(fixed), style) for moving, fixed in collected]
-    return t.add(*positive_first(nodes))
+    plain = t.add(*positive_first([_collected(moving, Poly(fixed), style) for moving, fixed in collected]))
+    extended = grouping.extensions(poly, style)
+    return min([plain, *([_of_parts(extended, style)] if extended else [])], key=_length)
 
 
 def _plain_sum(poly: Poly, style: Style) -> t.Node:
@@ -181,7 +182,11 @@ def _plain_sum(poly: Poly, style: Style) -> t.Node:
     inner, parts = replace(style, gathered=True), grouping.gathered(poly, style)
     plain = _of_parts(parts, inner) if len(parts) > 1 else _in_order(poly, style)
     ways = [plain, *(_of_parts(parts, inner) for parts in grouping.by_letters(poly, style))]
-    return min(ways, key=lambda node: sum(1 for _ in t.walk(node)))
+    return min(ways, key=_length)
+
+
+def _length(node: t.Node) -> int:
+    return sum(1 for _ in t.walk(node))
 
 
 def _of_parts(parts: list[Poly], style: Style) -> t.Node:

@@ -250,6 +250,50 @@ def gathered(poly: Poly, style: Style) -> list[Poly]:
     return [poly] if len(found) == len(poly) else [found, *gathered(poly - found, style)]
 
 
+def extensions(poly: Poly, style: Style) -> list[Poly]:
+    """Parts F (±x ± a)ⁿ of a sum, n = 1 or 2, x coordinates or speeds, a a parameter: k (s - L) beside M g, not k s - k L.
+
+    Not where a letter of the bracket stands alone in the rest as well, which is collected by that letter.
+    """
+    found, rest = [], poly
+    terms = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
+    for m, c in terms if len(terms) <= FEW and not style.gathered else ():
+        before, behind = split(m, style)
+        if len(behind) != 1 or behind[0][1] not in (1, 2) or not atoms.symbol_name(behind[0][0]) or (not before and c in (1, -1)):
+            continue
+        whole = _square(rest, c, before, behind[0][0]) if behind[0][1] == 2 else _multiples(rest, c, before)
+        letters = whole.scaled(1, inverse(before)).atoms()
+        if {moves(i, style) for i in letters} == {True, False} and not _is_bare(rest - whole, letters, style):
+            found, rest = [*found, whole], rest - whole
+    return [*found, rest] if found and rest else []
+
+
+def _is_bare(rest: Poly, letters: frozenset[int], style: Style) -> bool:
+    """Whether one of the letters stands in a term with nothing that moves but them."""
+    return any({i for i, _ in split(m, style)[1]} <= letters and letters & {i for i, _ in m} for m in rest.terms)
+
+
+def _multiples(poly: Poly, c: Coefficient, before: Monomial) -> Poly:
+    """The terms ±c F x of the sum, x any letter, F = `before`."""
+    return Poly({n: d for n, d in poly.terms.items() if size_of(d) == size_of(c) and _letter(times(n, inverse(before)))})
+
+
+def _letter(m: Monomial) -> bool:
+    return len(m) == 1 and m[0][1] == 1 and atoms.symbol_name(m[0][0]) is not None
+
+
+def _square(poly: Poly, c: Coefficient, before: Monomial, x: int) -> Poly:
+    """The terms c F (x ± a)² of the sum, F = `before`; none where it has no such terms."""
+    for n in poly.terms:
+        a = tuple((i, e // 2) for i, e in times(n, inverse(before)) if e == 2)
+        if _letter(a) and a[0][0] != x:
+            for sign in (1, -1):
+                whole = (Poly({((x, 1),): 1, a: sign}) ** 2).scaled(c, before)
+                if whole.terms.items() <= poly.terms.items():
+                    return whole
+    return Poly({})
+
+
 def by_letters(poly: Poly, style: Style) -> list[list[Poly]]:
     """The sum in parts with the same power of a letter, for each letter: M g ℓ (M + m) - m² (M + 2 m) v²."""
     if style.gathered or not FEWEST <= len(poly) <= FEW or is_inertia(poly, style):
