@@ -17,6 +17,7 @@ from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import BodyRef, Derivation
 from rbpsym.quantities import NUMBER, Quantity
 from rbpsym.statement.model import Body, Coordinate, Element, Phase, PlacedShape, Problem
+from rbpsym.statement.unused import unused
 
 REST = (None, t.ZERO)
 
@@ -35,8 +36,9 @@ def symbols_table(derivation: Derivation, said: Words) -> Table:
 
 
 def _parameters(problem: Problem, said: Words) -> Iterator[Row]:
+    left_out = {*problem.implicit, *unused(problem)}
     for quantity in problem.parameters:
-        if quantity.name not in problem.implicit:
+        if quantity.name not in left_out:
             yield _row(t.Sym(quantity.name), quantity, dimension_words(quantity, said), said)
 
 

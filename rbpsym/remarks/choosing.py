@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from rbpsym.ask.finding import checked
@@ -28,6 +29,7 @@ from rbpsym.present.forms import present
 from rbpsym.proof.assertions import told
 from rbpsym.proof.step import BodyRef, Certificate, Derivation, Step
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension, Quantity
+from rbpsym.statement.unused import unused
 
 STRENGTHS: Mapping[str, str] = {
     "spring": "stiffness",
@@ -168,13 +170,13 @@ class BoxedResult(Frozen):
         """What is declared of the letters."""
         return self.study.assumptions
 
-    @property
+    @cached_property
     def declared(self) -> Mapping[str, Quantity]:
-        """The parameters that the author declares, by name; starts are none of them."""
+        """The parameters that the author declares and uses, by name; starts are none of them."""
         problem = self.study.problem
-        starts = self.study.system.scope.start.values()
-        begun = {name for value in starts for name in names_in(value)}
-        return {q.name: q for q in problem.parameters if q.name not in {*problem.implicit, *begun}}
+        begun = {name for value in self.study.system.scope.start.values() for name in names_in(value)}
+        left_out = {*problem.implicit, *begun, *unused(problem)}
+        return {q.name: q for q in problem.parameters if q.name not in left_out}
 
 
 def results(derivation: Derivation) -> Iterator[BoxedResult]:

@@ -54,3 +54,38 @@ def test_beside_a_string_the_body_is_named() -> None:
     aside = problem_files()["movable-pulley"].read_text().replace('center = ["R", "z"]', 'center = ["R/3", "z"]')
     with pytest.raises(StatementError, match="the pose of the body “weight” says more than its constraints hold"):
         assert Study(load_text(aside)).dynamics
+
+
+HOOP = """
+title = "A bead that nothing holds to a hoop which rolls"
+[parameters]
+M = "mass: mass of the hoop"
+m = "mass: mass of the bead"
+r = "length: radius"
+g = "acceleration: gravity"
+[coordinates.phi]
+meaning = "angle through which the hoop rolls"
+[coordinates.theta]
+meaning = "angle of the bead from the lowest point"
+[bodies.hoop]
+shape = "hoop"
+mass = "M"
+radius = "r"
+center = ["r*phi", "r"]
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["r*phi + r*sin(theta)", "r - r*cos(theta)"]
+[interactions]
+W = { type = "gravity" }
+[constraints]
+N = { type = "rolling", body = "hoop", line = "y = 0" }
+"""
+
+
+def test_not_a_constraint_that_only_finds_an_angle() -> None:
+    """The rolling asks for the angle of the hoop, and all is well with it."""
+    with pytest.raises(StatementError, match="the pose of the body “bead” says more than its constraints hold"):
+        assert Study(load_text(HOOP)).dynamics
+    held = HOOP + 'Q = { type = "guide", point = "bead.center", circle = "hoop.center", radius = "r" }\n'
+    assert Study(load_text(held)).dynamics.accelerations.keys() == {"phi_ddot", "theta_ddot"}

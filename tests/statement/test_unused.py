@@ -2,6 +2,7 @@
 
 import pytest
 
+from rbpsym import derive, notes, writer
 from rbpsym.statement import load_text
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
@@ -57,3 +58,9 @@ def test_the_commands_say_it(tmp_path, monkeypatch, command) -> None:
 def test_what_is_asked_uses_a_name(tmp_path) -> None:
     (tmp_path / "mine.toml").write_text('title = "Mine"\n' + TEXT, encoding="utf-8")
     assert "used nowhere" not in run("ask", str(tmp_path / "mine.toml"), "speed of x where x = r + zeta").stderr
+
+
+def test_notes_do_not_speak_of_it() -> None:
+    """Neither among the letters, nor as what a result is independent of."""
+    text = writer("md")(notes(derive(load_text(TEXT))))
+    assert "zeta" not in text
