@@ -235,7 +235,9 @@ class SymbolicModel(Frozen):
 
     def _small(self, rest: oscillation.Equilibrium) -> Linearization:
         inertia, damping, stiffness = map(self._matrix, (rest.inertia, rest.linear.damping, rest.stiffness))
-        return Linearization(self._by_symbol(rest.at), inertia, damping, stiffness, rest.stable)
+        demands = (t.relation(shown(demand.value, self.study), demand.op, t.ZERO) for demand in rest.valid)
+        valid = tuple(relation for demand in demands for relation in self._names.relations(demand))
+        return Linearization(self._by_symbol(rest.at), inertia, damping, stiffness, rest.stable, valid)
 
     # --- questions
 

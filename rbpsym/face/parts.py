@@ -149,13 +149,14 @@ class AngularMomentum(Frozen):
 
 class Linearization(Frozen):
     """M δq̈ + C δq̇ + K δq = 0 about a place of rest, up to second order. `at` holds the coordinates that are not arbitrary;
-    stable is None if it is not decided."""
+    stable is None if it is not decided; what must hold for that place to exist, and for what is said of it."""
 
     at: Mapping[sympy.Expr, sympy.Expr]
     mass_matrix: sympy.Matrix
     damping: sympy.Matrix
     stiffness: sympy.Matrix
     stable: bool | None
+    valid_where: tuple[sympy.Basic, ...] = ()
 
     @property
     def A(self) -> sympy.Matrix:

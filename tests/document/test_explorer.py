@@ -276,14 +276,8 @@ played = pytest.mark.skipif(
 READ = {
     "sliding-ladder": 0.5,
     "sliding-ladder-with-spring": 0.7,
-    "double-compound-pendulum": 1.3,
     "slider-crank": 0.02,
-    "yo-yo": 0.4,
-    "cylinder-on-wedge": 0.3,
-    "half-disk-rocking": 0.9,
     "atwood-with-massive-pulley": 0.3,
-    "rod-with-damper": 1.1,
-    "elastic-pendulum": 0.8,
     "ball-slipping-to-rolling": 1.5,
     "rod-hits-ball-at-bottom": 0.6,
     "rod-tipping-over-edge": 0.3,
@@ -383,7 +377,10 @@ def test_it_is_worked_by_keyboard_and_sliders(tmp_path: Path) -> None:
 def test_reduced_motion_is_respected(tmp_path: Path) -> None:
     """Who wants little motion sees few pictures a second, and the same numbers."""
     job = {"file": str(written(tmp_path, "rod-pendulum")), "act": "calm"}
-    seen = min(met(tmp_path, job, job, job), key=lambda one: one["calm"])  # a busy machine counts for longer than it is told to
+    for _ in range(3):  # a busy machine counts for longer than it is told to
+        [seen] = met(tmp_path, job)
+        if seen["calm"] <= 7:
+            break
     assert 2 <= seen["calm"] <= 7
     assert seen["lively"] > 2 * seen["calm"]
 

@@ -44,6 +44,20 @@ def test_every_problem_of_the_library_answers(name: str) -> None:
     assert all(each.A.shape == (2 * len(ours.speeds),) * 2 for each in ours.linearize())
 
 
+def test_a_place_of_rest_says_where_it_exists() -> None:
+    """Upside down, a spring that is soft can not bear the weight."""
+    m, k, rest, g = sympy.symbols("m k L g", positive=True)
+    r, theta = dynamicsymbols("r theta")
+    bob = {"bob": rbpsym.particle(mass=m, center=(r * sympy.sin(theta), -r * sympy.cos(theta)))}
+    spring = rbpsym.spring(["bob.center", (0, 0)], k, rest)
+    stated = rbpsym.problem("bob", coordinates=[r, theta], assumptions=[r > 0], bodies=bob,
+                            interactions={"W": rbpsym.gravity(g), "S": spring})  # fmt: skip
+    hanging, upside_down = rbpsym.model(stated).linearize()
+    assert hanging.valid_where == () and hanging.stable
+    [condition] = upside_down.valid_where
+    assert sympy.expand(condition.lhs - (k * rest - m * g)) == 0 and condition.rel_op == ">"
+
+
 def test_works_of_the_ladder() -> None:
     ladder = model("sliding-ladder")
     M, ell, g, theta_0 = (each for each in ladder.parameters)
