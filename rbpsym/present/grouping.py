@@ -255,7 +255,8 @@ def extensions(poly: Poly, style: Style) -> list[Poly]:
 
     Not where a letter of the bracket stands alone in the rest as well, which is collected by that letter.
     """
-    found, rest = [], poly
+    found: list[Poly] = []
+    rest = poly
     terms = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
     for m, c in terms if len(terms) <= FEW and not style.gathered else ():
         before, behind = split(m, style)
