@@ -5,8 +5,12 @@ Beside a claim are assumed premises, each solved for one quantity, and the condi
 
 from __future__ import annotations
 
+import re
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from difflib import SequenceMatcher
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, cast
 
 from rbpsym.claims import decide as d
@@ -17,10 +21,10 @@ from rbpsym.claims.model import EXPECTATIONS, Claim, Link, Outcome, Printed, Res
 from rbpsym.decide.points import names_of
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Kind, Verdict, all_of, refuted
-from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
+from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided, WorkSpent
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.reader import read_latex
-from rbpsym.field import NOTHING, Scalar, Space, depends_on, derivative, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, Space, depends_on, derivative, granted, substitute, symbol
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.present.forms import present
 from rbpsym.quantity.bound import World
@@ -89,19 +93,28 @@ if TYPE_CHECKING:
     from rbpsym.claims.theory import TheoryWorld
 
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
+LOST = re.compile(r"ends too early|number or symbol is expected")
+MISSPELLED = re.compile(rf"unknown symbol|the command “.+” is not known|“\\.+” is not expected here|{LOST.pattern}")
+MOST_SPELLED = 24
+MOST_REPAIR = 400_000  # products of terms for what a formula seems to mean
+SPELLED = (r"\sin", r"\cos", r"\tan", r"\frac", r"\dot", r"\ddot", r"\sqrt", r"\left", r"\right", r"\pi", r"\partial")
+Neighbours = Mapping[t.Chain, bool]  # relations beside one in its chain, which share a side with it, and whether they hold
+NOBODY: Neighbours = MappingProxyType({})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
 
 
 class Checker(Frozen):
     """Claims of one file, decided in their order.
 
-    world: finds the world of a setting. memory: what claims of a setting defined. draws: with MathML.
+    world: finds the world of a setting. memory: what claims of a setting defined. draws: with MathML. witnesses: are
+    they asked for?
     """
 
     world: Callable[[Setting], World]
-    diagnose: Callable[[t.Chain, Claim, Ground], Diagnosis] | None = None
+    diagnose: Callable[[t.Chain, Claim, Ground, Neighbours], Diagnosis] | None = None
     memory: dict[str, dict[str, Scalar | Space]] = field(default_factory=dict)
     draws: bool = False
+    witnesses: bool = True
 
     def check(self, claim: Claim, printed: Printed | None = None) -> Result:
         """The result of a claim; `printed` is the formula as another text has it."""
@@ -115,7 +128,27 @@ class Checker(Frozen):
         try:
             return self.check(claim)
         except RbpsymError as error:
-            return unread(claim, str(error))
+            return unread(claim, str(error), self.respelled(claim, claim.printed, error))
+
+    def respelled(self, claim: Claim, printed: Printed | None, error: RbpsymError) -> tuple[Link, ...]:
+        """What seems to be meant where a name is unknown: the first of the claim's own names with which the formula is proved."""
+        if printed is None or error.place is None or not MISSPELLED.search(error.what) or not self.diagnose:
+            return ()
+        before = "".join(printed.latex.splitlines(keepends=True)[: error.place.line - 1])
+        begin = len(before) + error.place.column - 1
+        begin, width = min(begin, len(printed.latex)), 0 if LOST.search(error.what) else error.place.width
+        wrong, behind = printed.latex[begin : begin + width], printed.latex[begin + width :]
+        plain = replace(self, diagnose=None, witnesses=False, memory={name: {**known} for name, known in self.memory.items()})
+        names = {**claim.setting.symbols, **with_own_symbols(claim.setting, self.world(claim.setting)).symbols}
+        alike = sorted((*names, *SPELLED), key=lambda name: -SequenceMatcher(None, name, wrong).ratio())
+        for name in (*alike[:MOST_SPELLED], ""):
+            fix = f"{printed.latex[:begin]}{name}{' ' * (behind[:1].isalpha() and name[-1:].isalpha())}{behind}"
+            with suppress(RbpsymError, WorkSpent), granted(MOST_REPAIR):
+                if plain._result(claim, Printed(fix)).outcome is Outcome.PROVED:
+                    words = f"{name} in place of {wrong}" if name else f"{wrong} is too much"
+                    words = words if wrong else f"{name} is missing"
+                    return (Link("", Outcome.UNREAD, detail=error.what, diagnosis=words, fix=fix),)
+        return ()
 
     def _is_expected(self, claim: Claim, result: Result) -> bool:
         right = not claim.right or result.right in ("PROVED", "DEFINITION")
@@ -167,8 +200,10 @@ class Checker(Frozen):
 
         def decided(relation: t.Chain, where: Ground = ground) -> Link:
             if where is not ground:
-                return decide(relation, where, claim.holds)
-            return known.get(relation) or known.setdefault(relation, decide(relation, where, claim.holds))
+                return decide(relation, where, claim.holds, witnesses=self.witnesses)
+            if relation not in known:
+                known[relation] = decide(relation, where, claim.holds, witnesses=self.witnesses)
+            return known[relation]
 
         def is_open(link: t.Chain) -> bool:
             return is_state(link, ground) and decided(link).outcome not in HOLDS
@@ -183,7 +218,8 @@ class Checker(Frozen):
                 shown[relation] = {*opened}
             link = replace(link, how=", ".join(filter(None, (link.how, solved))))
             if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
-                found = self.diagnose(relation, claim, ground)
+                near = (one for one, _, _ in rows if one is not relation and {*map(id, one.items)} & {*map(id, relation.items)})
+                found = self.diagnose(relation, claim, ground, {one: decided(one).outcome in HOLDS for one in near})
                 fix = self._fix(latex, place, relation, found.relation, claim) if found.relation and latex else ""
                 link = replace(link, diagnosis=found.words, fix=fix)
             yield replace(link, relation=to_text(relation), mathml=self._drawn(relation))
@@ -214,10 +250,10 @@ class Checker(Frozen):
         return str(worst([link.outcome for link in found]))
 
 
-def unread(claim: Claim, why: str) -> Result:
-    """The result of a claim that can't be read."""
-    latex = claim.printed.latex if claim.printed else ""
-    return Result(file="", latex=latex, outcome=Outcome.UNREAD, detail=why, **told_of(claim))
+def unread(claim: Claim, why: str, links: tuple[Link, ...] = ()) -> Result:
+    """The result of a claim that can't be read, with what seems to be meant."""
+    latex, links = claim.printed.latex if claim.printed else "", tuple(replace(link, detail=why) for link in links)
+    return Result(file="", latex=latex, outcome=Outcome.UNREAD, detail=why, links=links, **told_of(claim))
 
 
 def read(printed: Printed, words: Glossary) -> t.Node:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from rbpsym.claims.check import decide
+from rbpsym.claims.check import NOBODY, Neighbours, decide
 from rbpsym.claims.decide import equal_to_first_order, has_slopes, is_constant
 from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
 from rbpsym.claims.diagnosis_numbers import TOLERANCE, Sample, samples
@@ -55,13 +55,15 @@ class Diagnosis(Frozen):
     relation: t.Chain | None = None
 
 
-def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
-    """The first repair that is PROVED; what is true of a symbol that stands alone if none is."""
+def diagnosis(relation: t.Chain, claim: Claim, ground: Ground, near: Neighbours = NOBODY) -> Diagnosis:
+    """The first repair that is PROVED and with which its neighbours in a chain hold; else the first that is; what is true of a
+    symbol that stands alone if none is."""
     if relation.ops != ("=",):
         return Diagnosis()
     told, loosely = _said_otherwise(relation, claim, ground)
-    loose = any(ground.kind(name) in ("constant", "up to a constant") for name in t.names(relation))  # then numbers say nothing
+    loose = _is_loose(relation, ground)
     looks = [] if loose else samples(EqualityQuestion(ground, claim.holds), relation=relation)
+    first = None
     decided, unseen, most = 0, 0, MOST_LOOSE if loose else MOST_UNSEEN
     for repair in _repairs(relation, claim, ground):
         if len(set(repair.relation.items)) == 1:
@@ -75,8 +77,21 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
         if link.outcome is Outcome.PROVED and not (t.ZERO in repair.relation.items and link.how == HOW["identity"]):  # 0 = 0
             if told and repair.words.startswith(("the term", "factor")):
                 break  # nobody's slip is a constant
-            return Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
-    return Diagnosis(told or loosely or _actual(relation, ground))
+            found = Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
+            if all(_holds_beside(one, holds, relation, repair, claim, ground) for one, holds in near.items()):
+                return found
+            first = first or found
+    return first or Diagnosis(told or loosely or _actual(relation, ground))
+
+
+def _holds_beside(one: t.Chain, holds: bool, relation: t.Chain, repair: Repair, claim: Claim, ground: Ground) -> bool:
+    """Does a neighbour in the chain hold with what was repaired of the side that they share?"""
+    pairs = zip(relation.items, repair.relation.items, strict=True)
+    changed = {id(old): new for old, new in pairs if new != old}
+    if not any(id(item) in changed for item in one.items):
+        return holds
+    other = replace(one, items=tuple(changed.get(id(item), item) for item in one.items))
+    return decide(other, repair.ground or ground, claim.holds, witnesses=False).outcome is Outcome.PROVED
 
 
 def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> tuple[str, str]:
@@ -127,11 +142,16 @@ def tells_of_work(found: Scalar, question: EqualityQuestion) -> bool:
     return any(depends_on(found, name) for name in question.motion.ledger)
 
 
+def _is_loose(relation: t.Chain, ground: Ground) -> bool:
+    """Does a constant that nobody knows stand in it? Then numbers say nothing."""
+    return any(ground.kind(name) in ("constant", "up to a constant") for name in t.names(relation))
+
+
 def _is_likely(repair: Repair, ground: Ground, looks: list[Sample]) -> bool | None:
     """Do numbers agree with the repaired relation? None if they can't be had."""
-    if not looks:
-        return None
     own = repair.ground or ground
+    if not looks or _is_loose(repair.relation, own):
+        return None
     try:
         ready = t.Chain(tuple(prepared(item, own) for item in repair.relation.items), ("=",))
     except (RbpsymError, ZeroDivisionError):  # the repair leaves a formula without a value

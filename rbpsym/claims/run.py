@@ -16,7 +16,7 @@ from hashlib import blake2b
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.claims.check import Checker, unread
+from rbpsym.claims.check import MOST_REPAIR, Checker, Neighbours, unread
 from rbpsym.claims.ground import Ground
 from rbpsym.claims.model import Claim, ClaimsFile, Link, Outcome, Printed, Result, Setting, told_of
 from rbpsym.errors import RbpsymError, ReadError, StatementError, WorkSpent
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from rbpsym.quantity.problem import ProblemWorld
 
 MOST = 20_000
-MOST_DIAGNOSIS = 400_000  # of them for what a refuted relation means
 MOST_WORK = 200_000_000  # products of terms for a formula: a limit that is the same on every machine
 NAME = "certificates.json"
 Entry = dict[str, Any]  # a result as JSON
@@ -297,12 +296,12 @@ def checker(file: ClaimsFile, cache: Certificates) -> Remembering:
     return Remembering(Worlds(folder), _diagnosed, draws=cache.draws, cache=cache, folder=folder)
 
 
-def _diagnosed(relation: Chain, claim: Claim, ground: Ground) -> Diagnosis:
+def _diagnosed(relation: Chain, claim: Claim, ground: Ground, near: Neighbours) -> Diagnosis:
     from rbpsym.claims.diagnosis import Diagnosis, diagnosis
 
     try:
-        with granted(MOST_DIAGNOSIS):
-            return diagnosis(relation, claim, ground)
+        with granted(MOST_REPAIR):
+            return diagnosis(relation, claim, ground, near)
     except WorkSpent:
         return Diagnosis()
 

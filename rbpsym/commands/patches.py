@@ -54,7 +54,7 @@ def _repaired(file: str, wrong: list[Result]) -> str:
             if found := pattern.search(text, max(start - 200, 0)):
                 text = f"{text[: found.start(1)]}{fix}{text[found.end(1) :]}"
                 break
-    return diff(file, old, text.splitlines(keepends=True))
+    return diff(file, old, _lines(text))
 
 
 _BETWEEN = r"(?:\s|(?<!\\)%[^\n]*+\n|\\label\s*+\{[^{}]*+\}|\\tag\*?\{[^{}]*+\})*+"  # of a formula, and not of what it says
@@ -93,9 +93,15 @@ def lines_in(file: str) -> list[str]:
     from rbpsym.claims.papers.source import MAX_BYTES
     from rbpsym.statement.files import latin_or_utf8_in
 
-    return latin_or_utf8_in(Path(file), MAX_BYTES, "the text")[0].splitlines(keepends=True)
+    return _lines(latin_or_utf8_in(Path(file), MAX_BYTES, "the text")[0])
+
+
+def _lines(text: str) -> list[str]:
+    """As git counts them: a form feed ends none."""
+    return re.findall(r"[^\n]*\n|[^\n]+", text)
 
 
 def diff(file: str, old: list[str], new: list[str]) -> str:
-    """What patch and git apply take."""
-    return "".join(unified_diff(old, new, f"a/{file}", f"b/{file}"))
+    """What patch and git apply take, who want to be told of a last line without an end."""
+    told = unified_diff(old, new, f"a/{file}", f"b/{file}")
+    return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in told)

@@ -1,9 +1,13 @@
 r"""Claims beside the formulas: a text that carries its claims in comments is checked alone, in every format."""
 
 import json
+import shutil
+import subprocess
 
 import pytest
 
+from rbpsym.claims.papers.check import printed
+from rbpsym.claims.papers.walk import read_paper
 from rbpsym.cli import main
 from rbpsym.errors import RbpsymError
 
@@ -343,3 +347,33 @@ def test_macros_of_packages_beside_the_text_are_those_of_the_text(folder, capsys
     (folder / "more.sty").write_text("\\newcommand{\\sq}[1]{#1^2}\n")
     text = f"\\usepackage[a]{{amsmath, own}}\n{TEX}\n% rbpsym: claim\n\\[ \\sq V = \\sq{{\\ell}}\\sq\\w \\]"
     assert checked(folder, capsys, "a.tex", text)[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [(r"V^2 = \ell^2\omgea^2", RIGHT), (r"V^2 = \el^2\omega^2", RIGHT), (r"V^2 = \ell^2v^2", RIGHT), (r"V^2 = \frac{}{1}", "")],
+)
+def test_a_name_that_is_unknown_or_lost_is_repaired(folder, capsys, wrong, right):
+    code, [row] = checked(folder, capsys, "a.tex", f"{TEX}\n% rbpsym: claim\n\\[{wrong}\\]")
+    assert code == 2 and row["outcome"] == "COULD NOT BE READ" and row["fix"].replace(" ", "") == right.replace(" ", "")
+
+
+def test_a_repair_of_a_chain_leaves_no_link_false(folder, capsys):
+    code, [row] = checked(folder, capsys, "a.tex", f"{TEX}\n% rbpsym: claim\n\\[V^2 = \\ell^3\\omega^2 = \\ell\\omega^2\\ell\\]")
+    assert code == 1 and row["fix"] == r"V^2 = \ell^2\omega^2 = \ell\omega^2\ell"
+
+
+@pytest.mark.parametrize(("numbers", "told"), [("1{,}5 a = 2{,}125", "."), ("1.5 a = 10,000", " "), ("a = 10,000", ",")])
+def test_the_decimal_mark_is_that_of_the_whole_text(folder, numbers, told):
+    (folder / "a.tex").write_text(rf"\[ {numbers} \] \[ b = 2{{,}}125 \] \[ c = 10,000 \]")
+    paper = read_paper(folder / "a.tex")
+    assert told in printed(paper.displayed[0], paper).latex and len(printed(paper.displayed[0], paper).latex) == len(numbers) + 2
+
+
+@pytest.mark.skipif(not shutil.which("git"), reason="git is not installed")
+def test_git_takes_a_patch_of_a_text_without_a_last_line_end(folder, capsys):
+    tex, md = f"\f{TEX}\n% rbpsym: claim\n\\[{WRONG}\\]\f% end", f"{MD}\n<!-- rbpsym: claim -->\n$${WRONG}$$"
+    for name, text in (("a.tex", tex), ("b.md", md)):
+        checked(folder, capsys, name, text, "--fix", "a.patch")
+        subprocess.run(["git", "apply", "--unsafe-paths", "a.patch"], check=True, cwd=folder)
+        assert (folder / name).read_text() == text.replace(WRONG, RIGHT)

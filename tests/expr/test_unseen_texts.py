@@ -3,6 +3,7 @@
 import pytest
 
 from rbpsym.claims.papers.draft import ANY
+from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.reader import latex_ways
 from rbpsym.typeset.text import to_text
@@ -34,6 +35,12 @@ def read(latex):
         (r"{\partial \over \partial x} f = (m\over 2) v", "∂f/∂x = (m/2) v"),
         (r"a = I_{zz}^{C1} \frac{d^2\theta}{dt^2}", "a = I_(zz,C₁) d²θ/dt²"),
         (r"\left\lbrace\begin{aligned} a &= b \end{aligned}\right. \& {\color{red} c = \underline{d + e}}", "a = b\nc = d + e"),
+        (r"\theta = {\tan}^{-1}(a/b)", "θ = arctan(a/b)"),
+        (r"J^{i}{}_{j} = x^1 + x^2 + d'_{\text A}", "Jⱼⁱ = x₁ + x₂ + d′_A"),
+        (r"I = \frac{c{E}_{0}^{2}}{2} - a \quad \checkmark", "I = cE₀²/2 − a"),
+        (r"{e}^{+} = {}_{Z}^{A}{\text{X}}_{N} + {\bf{q}}(t)", "eₚₗᵤₛ = X_(Z,AN) + q⃗"),
+        (r"1.\quad v = a t", "v = at"),
+        (r"\left\{ \, \begin{aligned} a &= b \end{aligned} \right. \quad \lor \quad c = 2", "a = b\nc = 2"),
         (r"a = x_{n+\frac12} + L_{y^\prime}, &\quad \text{(2D)}", "a = xₙₚₗᵤₛ₁ₚₑᵣ₂ + L′_y"),
     ],
 )
@@ -48,6 +55,15 @@ def test_is_read_as_it_is_meant(latex, told):
     [
         (r"q = [\phi \quad \delta]", "brackets"),
         (r"p = ?", "asked"),
+        (r"T = 20^\circ C", "measured"),
+        (r"\vec x &: M \to N", ":"),
+        (r"r \in [0, \infty)", "∈"),
+        (r"S = \{(x, v) : x = v\}", "braces"),
+        (r"\phi_k = \sum_{i=1}^{k} \theta_i", "sum"),
+        (r"f'(a) = f(a + h)/h", "value"),
+        (r"\operatorname{\Box} A = 0", "□"),
+        (r"h = \left. v \right)_0 r", "at"),
+        (r"\frac{\partial x^{i}}{\partial y^{j}} = 0", "differential"),
         (r"x + ... + y = 0", "…"),
         (r"t = a|_{x_0}^{x} - b|_{x_0}^{x}", "between"),
         (r"V = a + O(\theta^3)", "order"),
@@ -69,3 +85,9 @@ def test_is_read_as_it_is_meant(latex, told):
 )
 def test_what_has_no_value_is_a_formal_part(latex, kind):
     assert kind in {part.kind for part in t.walk(read(latex)) if isinstance(part, t.Formal)}
+
+
+@pytest.mark.parametrize("latex", [r"v = \sqrt{22,24}", r"\partial_{[2} E_{3]} = 0", r"F^{01} = 3"])
+def test_what_may_mean_something_else_is_refused(latex):
+    with pytest.raises(RbpsymError):
+        read(latex)

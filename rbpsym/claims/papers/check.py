@@ -22,6 +22,7 @@ from rbpsym.claims.run import digest
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.frozen import Frozen, replace
 
+_THOUSANDS = re.compile(r"(?<![\d,.(\[_^])(?<![_^]\{)\d{1,3}(?:(?:,|\{,\})\d{3})+(?![\d,)\]])")  # a list stands in brackets
 _WRAPPED = re.compile(r"\s*(?:\\left\s*)?\(([^()]*=[^()]*|[^()]*\\approx[^()]*?)(?:\\right\s*)?\)\s*")
 LIKENESS = 0.6
 NEAR = 40  # lines
@@ -131,6 +132,10 @@ def printed(formula: Formula, paper: Paper) -> Printed:
         latex = expanded(formula.latex, paper.macros)
     except RbpsymError as error:
         raise told_at(error, paper.text, formula.offset) from None
+    if paper.decimal == ",":
+        latex = re.sub(r"(?<=\d)\{,\}(?=\d)", "{.}", latex)  # of the same length, so that places are kept
+    elif paper.decimal:
+        latex = _THOUSANDS.sub(lambda found: found[0].replace("{,}", "   ").replace(",", " "), latex)
     whole = _WRAPPED.fullmatch(latex)
     return Printed(whole[1] if whole else latex)
 
@@ -181,17 +186,19 @@ class PaperChecker(Frozen):
         """The result of a claim with the paper's own formula."""
         if formula is None:
             return self._only_claimed(claim)
+        own, checker = None, self.checkers[claim.id]
         try:
             own = replace(printed(formula, self.paper), place=None)
-            found = self.checkers[claim.id].check(claim, own)
+            found = checker.check(claim, own)
         except RbpsymError as error:
-            found = unread(claim, self._told(error, formula))
+            found = unread(claim, self._told(error, formula), checker.respelled(claim, own, error))
         links = tuple(replace(link, fix=self._own(link.fix, formula)) for link in found.links)
         number = formula.number or claim.number
         return replace(found, links=links, latex=formula.latex, line=formula.line, file=formula.file, number=number)
 
     def _own(self, fix: str, formula: Formula) -> str:
         """A repaired formula with the macros of its author."""
+        fix = fix.replace("{.}", "{,}") if self.paper.decimal == "," else fix
         return unexpanded(formula.latex, fix, self.paper.macros) if fix else ""
 
     def _only_claimed(self, claim: Claim) -> Result:

@@ -7,7 +7,9 @@ their names and to what such letters usually mean; what is not proved is a guess
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Mapping
+from functools import cache
 from itertools import islice, product
 from typing import Any
 
@@ -25,7 +27,6 @@ from rbpsym.expr.symbol_table import Drawn, SymbolTable
 from rbpsym.frozen import Frozen, replace
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.library import problem_files
-from rbpsym.statement.loader import load_problem
 
 FEW, MOST_SECTIONS = 2, 40
 _EMPTY = frozenset(["the", "and", "its", "for", "with", "from", "whose", "that", "this", "are", "has", "one", "two"])
@@ -101,12 +102,23 @@ def _likely(paper: Paper, symbols: set[str]) -> list[str]:
     words, letters = set(_words(paper.text.text)), {s.strip("\\ ") for s in symbols}
 
     def likeness(name: str) -> float:
-        problem = load_problem(problem_files()[name])
-        told = set(_words(f"{name} {problem.title.get('en', '')}"))
-        own = {quantity.name for quantity in problem.parameters} | {coordinate.name for coordinate in problem.coordinates}
+        told, own = _told()[name]
         return 3 * len(told & words) / max(len(told), 1) + len(own & letters) / max(len(own), 1)
 
-    return sorted(problem_files(), key=lambda name: (-likeness(name), name))[:MOST_PROBLEMS]
+    return sorted(_told(), key=lambda name: (-likeness(name), name))[:MOST_PROBLEMS]
+
+
+@cache
+def _told() -> Mapping[str, tuple[frozenset[str], frozenset[str]]]:
+    """Of each problem that ships, the words of its title and its letters, taken from its file as it stands."""
+    tables = {name: tomllib.loads(path.read_text("utf-8")) for name, path in problem_files().items()}
+    letters = {name: {*table.get("parameters", ()), *table.get("coordinates", ())} for name, table in tables.items()}
+    return {name: (frozenset(_words(f"{name} {_title(tables[name])}")), frozenset(own)) for name, own in letters.items()}
+
+
+def _title(table: Mapping[str, Any]) -> str:
+    title = table.get("title", "")
+    return title if isinstance(title, str) else str(title.get("en", ""))
 
 
 def _words(text: str) -> list[str]:
@@ -157,7 +169,7 @@ def _own(world: ProblemWorld) -> dict[tuple[Drawn, bool] | None, str]:
 def _holds(formula: Formula, meanings: Mapping[str, str], name: str, paper: Paper, worlds: Worlds) -> bool:
     symbols = {symbol: Meaning(phrase) for symbol, phrase in meanings.items()}
     claim = Claim("draft", Setting(name, problem=name, symbols=symbols), printed(formula, paper))
-    return Checker(worlds).check_safely(claim).outcome is Outcome.PROVED
+    return Checker(worlds, witnesses=False).check_safely(claim).outcome is Outcome.PROVED
 
 
 def draft(paper: Paper) -> list[tuple[Formula, list[str]]]:

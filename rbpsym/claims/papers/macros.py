@@ -133,10 +133,10 @@ def unexpanded(latex: str, fix: str, macros: Mapping[str, Macro]) -> str:
     wanted = "".join(fix.split())
     spots = ((place, old, new) for place in range(len(latex) + 1) if latex.startswith(old, place))
     bodies = ((one.start(), one[0], _filled(macros[one[0]], [])) for one in _COMMAND.finditer(latex) if one[0] in macros)
-    inside = ((place, name, body.replace(old, new, 1)) for place, name, body in bodies if old in body)
+    inside = ((place, name, body.lstrip().replace(old, new, 1)) for place, name, body in bodies if old in body)
     for place, part, other in (*spots, *inside):
-        behind = latex[place + len(part) :]
-        found = f"{latex[:place]}{other if behind[:1].isalpha() else other.rstrip() or other}{behind}"
+        behind, gap = latex[place + len(part) :], " " * (other[:1].isalpha() and bool(re.search(r"\\[A-Za-z]+$", latex[:place])))
+        found = f"{latex[:place]}{gap}{other if behind[:1].isalpha() else other.rstrip() or other}{behind}"
         with suppress(RbpsymError):
             if "".join(expanded(found, macros).split()) == wanted:
                 return found

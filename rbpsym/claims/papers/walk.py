@@ -71,6 +71,7 @@ class Paper(Frozen):
     formulas: tuple[Formula, ...]
     macros: dict[str, Macro]
     remarks: tuple[tuple[str, int, str], ...] = ()
+    decimal: str = ""  # the decimal mark that all its numbers show; "" where they don't
 
     @property
     def displayed(self) -> tuple[Formula, ...]:
@@ -91,7 +92,19 @@ def walked(text: PaperText) -> Paper:
     formulas = tuple(_Walker(text).walk())
     remarks = [(*text.origin(offset), said) for offset, said in faults]
     remarks += [(formula.file, formula.line, formula.fault) for formula in formulas if formula.fault]
-    return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)))
+    return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)), _decimal_mark(formulas))
+
+
+_DECIMAL = {
+    mark: re.compile(rf"(?<![\d.,}}])(?:0{sign}\d|\d+{sign}(?:\d{{1,2}}|\d{{4,}})(?![\d{{]))")
+    for mark, sign in ((",", r"\{,\}"), (".", r"\."))
+}
+
+
+def _decimal_mark(formulas: tuple[Formula, ...]) -> str:
+    """The mark of numbers such as 0.125 and 1{,}5, which group no thousands; "" where both stand, or none."""
+    shown = [mark for mark, pattern in _DECIMAL.items() if any(pattern.search(one.latex) for one in formulas)]
+    return shown[0] if len(shown) == 1 else ""
 
 
 class _Walker:

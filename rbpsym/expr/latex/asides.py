@@ -16,7 +16,7 @@ Span = tuple[int, int]
 
 def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
     """The tokens without hand-written numbers, and with (x > 0) behind a gap at the end of a row as a condition."""
-    tokens = _labelled(_with_and(tokens, relations), relations)
+    tokens = _labelled(_with_and(_unnumbered(tokens), relations), relations)
     found = list(tokens)
     for begin, end in reversed(_pairs(tokens)):
         inner = tokens[begin + 1 : end]
@@ -31,6 +31,12 @@ def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tupl
         elif before < begin and _ends(tokens, end + 1) and not _begins(tokens, before) and _relates(inner, relations):
             found[begin : end + 1] = _conditions(tokens[begin], inner, relations)
     return tuple(found)
+
+
+def _unnumbered(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """Without its number in a list in front of a formula: 1. \\quad v = a t."""
+    apart = len(tokens) > 2 and tokens[0].kind == "digit" and tokens[1].text in (".", ")") and _wide(tokens[2:3])
+    return tokens[3:] if apart else tokens
 
 
 _AND = ("e", "y")  # in Italian and Portuguese, in Spanish

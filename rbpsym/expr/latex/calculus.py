@@ -110,7 +110,10 @@ def _below(reader: LatexReader, order: int) -> list[tuple[str, int]] | None:
         if not wrt or not times:
             return None
         found.append((wrt, times))
-    if sum(times for _, times in found) != order:
+    above = sum(times for _, times in found)
+    if above > order == len(found) and found[0][0] != "t":
+        return None  # by a coordinate x^2
+    if above != order:
         raise reader.error("the orders above and below are different", "", token)
     reader.expect("}", opening)
     return found
@@ -329,7 +332,7 @@ def _bracket(reader: LatexReader) -> t.Node:
     upper_var, upper = _end(reader)
     var = upper_var or lower_var or _taken_over(reader, t.names(node) - {"pi"}, upper)
     if var is None or (lower_var or var) != var:
-        raise reader.error("which variable has these limits?", r"Write ]_{\theta = 0}^{...}.")
+        return formal(reader, start, "between", node, lower, upper)
     return reader.spanned(t.Bracket(node, var, lower, upper), start)
 
 
@@ -385,5 +388,11 @@ def _end(reader: LatexReader) -> tuple[str | None, t.Node]:
 @begins(r"\left.")
 def _at(reader: LatexReader) -> t.Node:
     """\\left. f \\right|_{condition}"""
-    start = reader.token.start
-    return taken_at(reader, between(reader, r"\rvert"), start)
+    start, depth, texts = reader.token.start, 0, iter(reader.tokens[reader.position + 1 :])
+    closing = r"\rvert"
+    for token in texts:
+        depth += (token.text in ("(", "[", "{")) - (token.text in (")", "]", "}"))
+        if depth < 0 or (token.text == closing and not depth):
+            closing = token.text if token.text in (")", "]") else closing  # \left. f \right)_0
+            break
+    return taken_at(reader, between(reader, closing), start)

@@ -12,10 +12,10 @@ from fractions import Fraction as Rational
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.functions import LOOSE, SIGNS, relation
+from rbpsym.expr.latex.functions import SIGNS, relation
 from rbpsym.expr.latex.grammar import argument, atom, between, factor, is_vector, term_of
 from rbpsym.expr.latex.names import label_after
-from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, NEXT
+from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, LOOSE, NEXT
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
@@ -54,7 +54,8 @@ SENTENCES: Mapping[str, Sentence] = {
     "sum": ("only a sum over all values of one index can be computed", r"Write its terms, or \sum_i for a sum over all."),
     "integral": ("the limits do not fit the differential", r"Over a body, write \int_{body} f dm."),
     "path": ("between which places does this path go?", "Write the integral over a coordinate."),
-    **dict.fromkeys(("matrix", "determinant", "row", "cases"), _ROWS), **dict.fromkeys(("at", "between"), _EVALUATED),
+    **dict.fromkeys(("matrix", "determinant", "row", "cases"), _ROWS), "at": _EVALUATED,
+    "between": ("which variable has these limits?", r"Write ]_{\theta = 0}^{...}."),
     "value": ("is this a product, or a value of a function?",
               "Say in the symbols what all of it means, or write a product without the parenthesis."),
     "condition": ("are these words a condition?", r"Write it as \text{for } x > 0, or as “given” in the claim."),
@@ -95,7 +96,7 @@ def formal(reader: LatexReader, start: int, kind: str, *parts: t.Node) -> t.Node
     return reader.spanned(t.Formal(kind, parts), start)
 
 
-_SIGNS = {r"\infty": "∞", r"\nabla": "∇", r"\Box": "□", r"\square": "□"}
+_SIGNS = {r"\infty": "∞", r"\nabla": "∇", r"\Box": "□", r"\square": "□", r"\emptyset": "∅"}
 
 
 @begins(*_DOTTED, *_SIGNS, *_GRADIENTS)

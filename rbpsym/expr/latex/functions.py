@@ -11,6 +11,7 @@ of it. Decided by what the symbols are declared to be (`SymbolTable.varies`) and
 from __future__ import annotations
 
 from fractions import Fraction as Rational
+from itertools import dropwhile
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
@@ -28,20 +29,13 @@ from rbpsym.expr.latex.grammar import (
     refuse_number,
 )
 from rbpsym.expr.latex.names import begins_name, read_name
-from rbpsym.expr.latex.tokens import FUNCTION_WORDS, Token
+from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 
 SIGNS = {
     "=": "=", "<": "<", ">": ">", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~",
     r"\to": "->",
-}  # fmt: skip
-
-
-LOOSE = {
-    r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
-    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
-    r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯",
 }  # fmt: skip
 
 
@@ -102,8 +96,15 @@ def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False)
     constant = any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False)
     if raised and constant and found != [t.ZERO]:
         return name
-    if constant or _is_elsewhere(reader, first, begin, end):
+    behind = _others(reader, first, begin)
+    bare = any(rest[:1] != ["("] for rest in behind)
+    given = [token.text for token in reader.tokens[begin:end]]
+    elsewhere = any(rest[:1] == ["("] and rest[: len(given)] != given for rest in behind)  # its values differ: V(x) - V(y)
+    powered = elsewhere and bare and reader.tokens[end].text == "^"  # a(b)^2 beside a
+    if constant or (elsewhere and not (bare and reader.decide(_CALLED, _WRITE, yes=int(not powered), no=int(powered)))):
         return _value(reader, name)
+    if elsewhere:
+        return name
     clear = len(found) > 1 or found[0] is _TIME or (varies is not False and len(reader.met) >= MOST_ASKED)
     clear = clear or (varies is None and found == [_TIME])
     usual = varies is True and not isinstance(name, t.Div)
@@ -138,7 +139,7 @@ def _is_value(reader: LatexReader, first: int) -> bool:
             break
     if all(token.kind == "digit" or token.text in _NUMERIC for token in inner):
         return True
-    if any(behind[2:3] == [")"] for behind in _others(reader, first, reader.position)):  # f(a), where f is a function of a
+    if any(rest[:1] + rest[2:3] == ["(", ")"] for rest in _others(reader, first, reader.position)):  # f(a), said elsewhere
         return True
     single = not any(token.text in ("+", "-", *SIGNS) for token in inner) and len(reader.met) < MOST_ASKED
     sign, other, behind = (reader.ahead(len(inner) + k) for k in range(3))
@@ -162,17 +163,12 @@ def _value(reader: LatexReader, name: t.Node) -> t.Node:
 
 
 def _others(reader: LatexReader, first: int, begin: int) -> list[list[str]]:
-    """What follows where the same name stands elsewhere in front of parentheses."""
+    """What follows where the same name or f' stands elsewhere."""
     texts = [token.text for token in reader.tokens]
-    name = texts[first : begin + 1]
+    name = [text for text in texts[first:begin] if text != "'"]
     starts = (k for k in range(len(texts)) if k != first and texts[k : k + len(name)] == name)
-    return [texts[k + len(name) - 1 :] for k in starts if texts[k - 1] not in ("_", *_DOTTED)]
-
-
-def _is_elsewhere(reader: LatexReader, first: int, begin: int, end: int) -> bool:
-    """Does the same name stand with something else in its parentheses, so that its values differ: V(x) - V(y)?"""
-    given = [token.text for token in reader.tokens[begin:end]]
-    return any(behind[: len(given)] != given for behind in _others(reader, first, begin))
+    ends = (k + len(name) for k in starts if texts[k - 1] not in ("_", *_DOTTED) and texts[max(k - 2, 0) : k] != ["_", "{"])
+    return [list(dropwhile("'".__eq__, texts[end:])) for end in ends]
 
 
 _TIME = t.Sym("t")

@@ -10,7 +10,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.rows import OPEN
-from rbpsym.expr.latex.tokens import END_COLUMN, Token
+from rbpsym.expr.latex.tokens import END_COLUMN, LOOSE, Token
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.symbol_table import COMMANDS, WORDS, LatexReader, begins
 
@@ -97,7 +97,10 @@ def multiplied(reader: LatexReader) -> t.Node:
     return node
 
 
-_OPERATORS = {r"\otimes": "⊗", r"\wedge": "∧", r"\circ": "∘", r"\oplus": "⊕"}
+_OPERATORS = {
+    r"\otimes": "⊗", r"\wedge": "∧", r"\circ": "∘", r"\oplus": "⊕", r"\cap": "∩", r"\cup": "∪", r"\vee": "∨", r"\setminus": "∖",
+    r"\angle": "∠",
+}  # fmt: skip
 
 
 def ends_integrand(reader: LatexReader) -> bool:
@@ -241,6 +244,8 @@ def factor(reader: LatexReader) -> t.Node:
         base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
         if not isinstance(base, t.Num) and (mark := WORDS["mark"](reader, isinstance(base, (t.Sym, t.Vec)))):
+            if isinstance(base, (t.Sym, t.Vec)) and reader.sees_sign("("):  # q^T(t)
+                base = COMMANDS["applied"](reader, base, first)
             whole = t.Formal("marked", (base, t.Word(mark))) if mark != "transposed" else t.Formal(mark, (base,))
             base = reader.spanned(whole, start)
             continue
@@ -292,6 +297,10 @@ def _differential(reader: LatexReader) -> t.Node:
         return reader.spanned(t.Formal("∂", (t.Word(WORDS["label"](reader)),)), start)
     order = (argument(reader),) if reader.pass_sign("^") else (t.Word("inexact"),) if reader.pass_sign("'") else ()
     inner = atom(reader) if begins_factor(reader) else None
+    above = reader.ahead(1 + (reader.ahead().text == "{")).kind if inner is not None and reader.sees_sign("^") else ""
+    if inner is not None and above == "letter":
+        reader.take()
+        inner = reader.power(inner, argument(reader), start)  # dx^i is (dx)^2 with a number only
     if inner is None and italic:  # a length d: nothing follows that could change
         reader.position = place
         return COMMANDS["f()"](reader)
@@ -304,6 +313,8 @@ def _exponential(reader: LatexReader) -> t.Node | None:
     """e^{...} where e is no symbol: an upright e, or an exponent that holds symbols; else nothing is passed."""
     token, begin = reader.token, reader.position
     if token.text != "e" or token.kind not in ("letter", "text") or reader.ahead().text != "^" or reader.table.has_e:
+        return None
+    if reader.ahead(3).text in ("+", "-") and reader.ahead(4).text == "}":  # e^{+}, a particle
         return None
     reader.position += 2
     exponent = argument(reader)
@@ -341,12 +352,18 @@ def number(reader: LatexReader) -> t.Node:
     if commas and not reader.table.comma and len(digits.partition(".")[2]) % 3 == 0:
         what = "is this comma a decimal mark, or does it group thousands?"
         raise reader.source.error(what, start, reader.previous_end, "Write a point, as in 1.500, or no mark, as in 1500.")
+    if digits[:1] == "0" and digits[1:2].isdigit():
+        raise reader.source.error("no number begins with this 0", start, reader.previous_end, "Write indices below, or a point.")
     if len(digits) > 30 or digits.count(".") > 1:
         what = "a number of more than 30 digits" if len(digits) > 30 else "two decimal marks"
         raise reader.source.limit(what, start, reader.previous_end)
     value = Rational(digits)
     found = reader.spanned(t.Num(int(value) if value.denominator == 1 else value), start)
-    return reader.spanned(t.mul(found, DEGREE), start) if reader.pass_sign("°") else found
+    if not reader.pass_sign("°"):
+        return found
+    if reader.token.text in ("C", "F"):  # a temperature, and no angle
+        return reader.spanned(t.Formal("measured", (found, t.Word(f"°{reader.take().text}"))), start)
+    return reader.spanned(t.mul(found, DEGREE), start)
 
 
 def argument(reader: LatexReader) -> t.Node:
@@ -360,6 +377,13 @@ def argument(reader: LatexReader) -> t.Node:
 
 
 @begins("{")
+def _group(reader: LatexReader) -> t.Node:
+    """{expression}; {q}(t) is no product either."""
+    first, found = reader.position, braced(reader)
+    named = isinstance(found, (t.Sym, t.Vec)) and reader.sees_sign("(")
+    return COMMANDS["applied"](reader, found, first) if named else found
+
+
 def braced(reader: LatexReader) -> t.Node:
     """{expression}, or {}^A before a name"""
     if reader.ahead().text == "}" and reader.ahead(2).text in ("^", "_"):
@@ -377,11 +401,15 @@ def between(reader: LatexReader, closing: str) -> t.Node:
     opening = reader.take()
     waiting = reader.integrals, reader.bars
     reader.integrals, reader.bars = 0, closing in _PLAIN_BARS
-    node = expression(reader)
+    node = COMMANDS["relation"](reader) if closing in _LISTS else expression(reader)
+    if isinstance(node, t.Chain) or (isinstance(node, t.Formal) and node.kind in LOOSE.values()):
+        node = reader.spanned(t.Formal(_LISTS[closing], (node,)), opening.start)
     if reader.sees_sign(",", ";") and closing in _LISTS:
         node = _listed(reader, node, _LISTS[closing], opening.start)
     reader.integrals, reader.bars = waiting
-    reader.expect(closing, opening)
+    two = isinstance(node, t.Formal) and node.kind in ("list", "brackets") and len(node.parts) == 2
+    if not (two and closing in (")", "]") and reader.pass_sign(")", "]")):  # [0, 1)
+        reader.expect(closing, opening)
     return reader.spanned(node, opening.start) if isinstance(node, t.Formal) and node.kind in _LISTS.values() else node
 
 
@@ -390,7 +418,10 @@ _LISTS = {")": "list", "⟩": "list", "]": "brackets", "}": "list", r"\}": "brac
 
 def _listed(reader: LatexReader, first: t.Node, kind: str, start: int) -> t.Node:
     """What commas part."""
-    found = [first]
+    found, before, comma = [first], reader.tokens[reader.position - 1], reader.token
+    decimal = before.kind == reader.ahead().kind == "digit" and before.end == comma.start and comma.end == reader.ahead().start
+    if decimal and reader.tokens[reader.position - 1].kind == "digit" and reader.source.text[start] == "{":
+        raise reader.error("is this a decimal comma?", "Write 1.5, or a blank.", comma)
     while reader.pass_sign(",", ";"):
-        found.append(expression(reader))
+        found.append(COMMANDS["relation"](reader))
     return reader.spanned(t.Formal(kind, tuple(found)), start)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from difflib import get_close_matches
 
@@ -98,6 +99,8 @@ def _prescribed(reader: LatexReader) -> t.Node:
     braces = 2 * reader.sees_sign("{")
     reader.position += braces
     mark = reader.token.text + label_after(reader)
+    while braces and reader.sees_sign("_", "^"):
+        mark += reader.token.text + label_after(reader)
     if not (braces or (mark[1:2].isalpha() and begins_name(reader.token))):
         what = "“^” stands where a number or symbol is expected"
         raise reader.error(what, "Write empty braces before a mark that stands before a name.", opening)
@@ -136,6 +139,9 @@ def _scripted(reader: LatexReader) -> tuple[Drawn, bool]:
             drawn = replace(drawn, primes=drawn.primes + count)
         elif reader.sees_sign("^") and (label := _label_above(reader)):
             drawn = replace(drawn, label=f"{drawn.label}^{label}")
+        elif reader.sees_sign("^") and (numbered := _numbered(reader, drawn)):
+            reader.position += 2 + 2 * (reader.ahead().text == "{")
+            drawn = numbered
         elif reader.sees_sign("^") and (end := _power_before_subscript(reader)):
             drawn = replace(drawn, label=drawn.label + _label_behind(reader, end))
         else:
@@ -205,6 +211,8 @@ def label_after(reader: LatexReader, *, begun: bool = False) -> str:
             label += _label_part(reader)
     if not label:
         raise reader.error("this subscript is empty", "Remove it, or write what belongs there.", opening)
+    if any(label.count(one) != label.count(other) for one, other in ("()", "[]")):
+        raise reader.error("a bracket opens or ends in this subscript", "Write what the indices in brackets stand for.", opening)
     return label
 
 
@@ -222,6 +230,8 @@ def _label_part(reader: LatexReader) -> str:
         return "'"
     if token.text in (",", "_", "{,}", r"\it", *_PLAIN):
         return ""
+    if token.text in _DOTLESS:
+        return token.text[1:]
     if token.text in _MARKED or token.text in _NAMED:
         return token.text.lstrip("\\")
     if token.kind == "command" and token.text in _HEADS:
@@ -246,12 +256,24 @@ def _label_above(reader: LatexReader) -> str:
     named = marked or (inner[0].kind == "text" and Drawn(inner[0].text) not in reader.table.names)
     named = named and inner[0].text not in _TRANSPOSED
     leads = braces and inner[1].text == r"\to" and {inner[0].kind, inner[2].kind} <= {"letter", "digit"}  # W^{1→2}
-    digits = braces and inner[0].kind == "letter" and inner[0].text.isupper() and inner[1].kind == "digit"  # I^{C1}
+    index = inner[0].text.isupper() or not inner[0].text.isascii()
+    digits = braces and inner[0].kind == "letter" and index and inner[1].kind == "digit"  # I^{C1}, F^{μ0}
     length = 3 if leads or (bracketed and braces) else 2 if digits else int(named)
     if not length or (braces and inner[length].text != "}"):
         return ""
     reader.position += 1 + length + 2 * braces
     return "".join(token.text.lstrip("\\") for token in inner[:length])
+
+
+def _numbered(reader: LatexReader, drawn: Drawn) -> Drawn | None:
+    """With 0 or 1 above it, which nobody writes for a power: x^1 is a name, where such a name is known, and x^2 is beside it."""
+    braces = reader.ahead().text == "{"
+    number, behind = reader.ahead(1 + braces), reader.ahead(2 + braces)
+    closed = behind.text == "}" if braces else behind.kind != "digit" and behind.text not in ("/", ".", "{,}")
+    named, letter = replace(drawn, label=f"{drawn.label}^{number.text}"), reader.tokens[reader.position - 1]
+    drawn_so = re.escape(reader.source.text[letter.start : letter.end])
+    index = number.text in ("0", "1") or re.search(rf"{drawn_so}\s*\^\s*\{{?\s*[01](?![\d/.])", reader.source.text)
+    return named if closed and number.kind == "digit" and index and reader.table.names.get(named) else None
 
 
 _TRANSPOSED = ("T", r"\top", r"\intercal", r"\dagger")

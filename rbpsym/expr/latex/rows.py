@@ -193,7 +193,7 @@ class _Layout:
             return None
         before, behind = self._near(k, -1), self._near(k, 1)
         near = [found.text for found in (before, behind) if found]
-        if self.depth or RELATIONS.intersection(near):
+        if self.depth or {*RELATIONS, ":"}.intersection(near):
             return token if self.depth else None
         if near[0] in PUNCTUATION or self._cell_before(k) or self._is_least(k):
             return None
@@ -245,7 +245,8 @@ class _Layout:
     def _arrow(self, k: int, token: Token) -> Token | None:
         """An arrow between two relations says that the second follows; a value tends to another in none of them."""
         behind = (self.all[place] for place in self._row_behind(k))
-        first, last = self._at_edge(k, -1), self._at_edge(k, 1)
+        before, last = self._near(k, -1), self._at_edge(k, 1)
+        first = self._at_edge(k, -1) or (before is not None and before.text in PUNCTUATION)
         related = any(_is_relation(one) and one.text != ARROW for one in behind)
         follows = self.depth == 0 and (self.stated or first) and (related or last)
         return self._part(token, IMPLIED) if follows else token

@@ -30,13 +30,13 @@ _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
+    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
     r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
-    rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))"
+    rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
     r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
 )
-_SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
+_SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow|lor)(?![A-Za-z])"
 _INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
 _DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
 _APART = r"(?:(?<=[,;:(~])|(?<=[,;:(~] )|(?<=quad)|(?<=quad ))"  # in a = 2 b, i = 1, 2, ... the b is a factor
@@ -53,7 +53,7 @@ _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each 
 _ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
 _DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
 _GAP = (
-    r"(?<=[-+=&])\{\}|\{\}(?=\s*(?:[-+=<>&]|\\[pm]{2}(?![A-Za-z])))|(?<=[A-Za-z\d}'])\{\}(?=\^\s*\{?\s*\d)"
+    r"(?<=[-+=&])\{\}|\{\}(?=\s*(?:[-+=<>&]|\\[pm]{2}(?![A-Za-z])))"
     r"|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
     r"|\\hspace\*?\s*\{[^{}]*\}"
 )
@@ -67,8 +67,8 @@ _ARROWS = {
     **dict.fromkeys((r"\iff", r"\Leftrightarrow", r"\Longleftrightarrow"), EQUIVALENT),
 }  # fmt: skip
 _PATTERNS = (
-    rf"(?P<blank>\\left\s*\\(?:\{{|lbrace)\s*(?=\s*\\begin\s*\{{(?:{_SYSTEMS})\}})"
-    rf"|(?:{'|'.join(rf'(?<={name}}})' for name in _SYSTEMS.split('|'))})\s*\\right\s*\.|\s+)"
+    rf"(?P<blank>\\left\s*(?:\.|\\(?:\{{|lbrace))(?:\s|\\[,;! ])*(?=\\begin\s*\{{(?:{_SYSTEMS})\}})"
+    rf"|(?:{'|'.join(rf'(?<={name}}})' for name in _SYSTEMS.split('|'))})\s*\\right\s*(?:\.|\\(?:\}}|rbrace))|\s+)"
     r"|(?P<empty>\\(?:left|right)\s*\.)"
     r"|(?P<bar>\\(?:left|right|[bB]igg?[lrm]?)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
     rf"|(?P<silent>{_SILENT})"
@@ -78,7 +78,7 @@ _PATTERNS = (
     r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
     r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
     rf"|\\q(?:c|comma|{_QUICK})\*?(?![A-Za-z])"
-    r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}"
+    r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}|\\(?:text(?:rm|it|bf)?|mathrm|mbox)\s+[A-Za-z\d]"
     rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
     rf"|{_UPRIGHT}(?:\s|~|\\ )*+[A-Za-z]++(?:(?:\s|~|\\ |/)+[A-Za-z]++)*+(?!\())"
     r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"
@@ -91,7 +91,7 @@ _PATTERNS = (
     r"|(?P<arrow>\\x(?:right|Right|mapsto)arrow\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})"
     r"|(?P<command>\\(?:v[abu]\*|[A-Za-z]+|[|{}]))"
     r"|(?P<dots>\.\.\.)"
-    r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
+    r"|(?P<digit>[0-9])|(?P<mark>\{[,.]\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!?])"
 )
 _ALIASES = {
@@ -107,6 +107,7 @@ _ALIASES = {
     r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
     r"\va": r"\vec", r"\vu": r"\hat",
     r"\vb*": r"\boldsymbol", r"\va*": r"\vec", r"\vu*": r"\hat", r"\land": r"\wedge",
+    r"\lt": "<", r"\gt": ">", "±": r"\pm", "∓": r"\mp", r"\varpropto": r"\propto",
     r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
     r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
     r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
@@ -127,6 +128,11 @@ CONDITIONS = re.compile(
     r"|para|si|cuando|donde|solo|pequeñ\w*|en|per|se|quando|dove|piccol\w*|pour|lorsque|quand|où|petit\w*|für|wenn|falls|bei|klein\w*|nur)\b",
     re.I,
 )  # words of a remark by which a formula may hold only sometimes
+LOOSE = {
+    r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
+    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
+    ":": ":", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯",
+}  # fmt: skip
 COLUMN, END_COLUMN, NEXT = r"\column", r"\endcolumn", r"\next"  # signs round the rows of a vector, and between them
 _COLUMNS = frozenset({"pmatrix", "bmatrix", "matrix", "smallmatrix", "psmallmatrix", "Bmatrix", "vmatrix", "Vmatrix"})
 _ENVIRONMENTS = frozenset({
@@ -205,13 +211,25 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
         texts = [found.text for found in tokens[k : k + 5]]
         for size in (2, 3):
             inner = tokens[k + 1 : k + size]
-            alone = bool(inner) and inner[-1].kind == "letter" and (size == 2 or inner[0].kind == "command")
+            alone = bool(inner) and inner[-1].kind in ("letter", "text") and (size == 2 or inner[0].kind == "command")
             if token.text == r"\indices" and texts[1:2] == ["{"]:
                 dropped |= {k, k + 1, _closed(tokens, k + 1)}
-            free = k == 0 or (tokens[k - 1].kind not in _TAKING and tokens[k - 1].text not in ("^", "_", "}", "]"))
-            if token.text == "{" and alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"]):
+            alone = alone or (size == 2 and "".join(texts[1:2])[1:] in FUNCTION_WORDS)
+            free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or _argued(tokens, k))
+            if token.text == "{" and alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"], ["}", "^"]):
                 dropped |= {k, k + size}
     return [token for k, token in enumerate(tokens) if k not in dropped]
+
+
+def _argued(tokens: list[Token], k: int) -> bool:
+    """Do braces end in front of this place that are no script, so that what stands here may be a command's further argument?"""
+    depth, begin = 0, k - 1
+    while begin >= 0 and tokens[k - 1].text == "}":
+        depth += (tokens[begin].text == "}") - (tokens[begin].text == "{")
+        if not depth:
+            return begin == 0 or tokens[begin - 1].text not in ("^", "_")
+        begin -= 1
+    return False
 
 
 @cache
@@ -260,9 +278,11 @@ def _text(text: str) -> tuple[str, str]:
     word = re.sub(r"\s+", " ", bare).strip()
     if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
         return "command", rf"\{word}"
+    if text.startswith(r"\operatorname") and re.fullmatch(r"\\[A-Za-z]+", word):
+        return _command(word)
     if word == "d" and text[0] == "{":
         return "differential", word
-    plain = "" if text.startswith((r"\mathrm", r"\operatorname")) else word.strip(" ,;:.")
+    plain = "" if text.startswith((r"\mathrm", r"\operatorname")) or re.fullmatch(r"\\[a-z]+\s+\w", text) else word.strip(" ,;:.")
     if plain in CONDITIONAL:
         return "row", CONDITION
     if text.startswith(r"\qc"):
@@ -274,14 +294,14 @@ def _text(text: str) -> tuple[str, str]:
 
 def _command(text: str) -> tuple[str, str]:
     text = _ALIASES.get(text, text)
-    letter = LETTERS.get(text[1:]) or (LETTERS.get(text[4:]) if text.startswith(r"\var") else None)
+    letter = LETTERS.get(text[1:].removesuffix("up")) or (LETTERS.get(text[4:]) if text.startswith(r"\var") else None)
     return ("letter", letter) if letter else ("command" if text.startswith("\\") else "sign", text)
 
 
 _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in several ways: its kind and text
     "text": _text,
     "command": _command,
-    "mark": lambda text: ("sign", text),
+    "mark": lambda text: ("sign", text.strip("{}") if "." in text else text),
     "plain": lambda text: ("command", rf"\{text}"),  # sin(x) is no product of three letters
     "differential": lambda text: ("differential", "∂" if "partial" in text else "d"),
     "bar": lambda text: ("sign", r"\rvert" if text.startswith((r"\right", r"\bigr")) else r"\lvert"),
