@@ -13,7 +13,7 @@ from rbpsym.claims.model import Claim, Meaning
 from rbpsym.claims.refute import carried_out
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.grammar import DEGREE
+from rbpsym.expr.latex.numerals import DEGREE
 from rbpsym.expr.places import Path, put, sites
 from rbpsym.field import NOTHING, Scalar, Space, without_even_roots
 from rbpsym.frozen import Frozen, replace

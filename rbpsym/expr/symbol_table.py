@@ -180,7 +180,6 @@ _ACCENTED = (r"\vec", r"\boldsymbol", r"\dot", r"\ddot", r"\hat", r"\bar", r"\ti
 _DIFFERENTIATED = frozenset(("(", "^", "{", "}", *_ACCENTED))  # what a differential d may stand before
 F = TypeVar("F", bound=Callable[..., Any])
 COMMANDS: dict[str, Callable[..., Node]] = {}  # what begins so, read from there; some say None where it does not stand there
-WORDS: dict[str, Callable[..., str]] = {}  # labels and marks
 
 
 def begins(*texts: str) -> Callable[[F], F]:

@@ -7,7 +7,8 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.latex.formal import formal, over_an_index, taken_at
 from rbpsym.expr.latex.functions import SIGNS, operand
 from rbpsym.expr.latex.grammar import argument, begins_factor, between, expression, factor, multiplied
-from rbpsym.expr.latex.names import begins_name, label_after, read_name, read_symbol
+from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
+from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import Token
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 

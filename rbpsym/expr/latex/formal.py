@@ -14,7 +14,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.functions import SIGNS, relation
 from rbpsym.expr.latex.grammar import argument, atom, between, factor, is_vector, term_of
-from rbpsym.expr.latex.names import label_after
+from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, LOOSE, NEXT
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins

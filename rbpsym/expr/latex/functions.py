@@ -25,10 +25,10 @@ from rbpsym.expr.latex.grammar import (
     ends_integrand,
     expression,
     factor,
-    number,
     refuse_number,
 )
 from rbpsym.expr.latex.names import begins_name, read_name
+from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins

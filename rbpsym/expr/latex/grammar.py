@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from fractions import Fraction as Rational
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.names import begins_name, read_name
+from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.rows import OPEN
+from rbpsym.expr.latex.scripts import label_after, mark_above
 from rbpsym.expr.latex.tokens import END_COLUMN, LOOSE, Token
 from rbpsym.expr.limits import number_of
-from rbpsym.expr.symbol_table import COMMANDS, WORDS, LatexReader, begins
+from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
-DEGREE = t.Div(t.Sym("pi"), t.Num(180))
 BELOW = "is this factor above or below the slash?"
 _PLAIN_BARS = frozenset({"|", r"\Vert"})
 
@@ -243,7 +243,7 @@ def factor(reader: LatexReader) -> t.Node:
         reader.take()
         base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
-        if not isinstance(base, t.Num) and (mark := WORDS["mark"](reader, isinstance(base, (t.Sym, t.Vec)))):
+        if not isinstance(base, t.Num) and (mark := mark_above(reader, isinstance(base, (t.Sym, t.Vec)))):
             if isinstance(base, (t.Sym, t.Vec)) and reader.sees_sign("("):  # q^T(t)
                 base = COMMANDS["applied"](reader, base, first)
             whole = t.Formal("marked", (base, t.Word(mark))) if mark != "transposed" else t.Formal(mark, (base,))
@@ -255,7 +255,7 @@ def factor(reader: LatexReader) -> t.Node:
             base = COMMANDS["applied"](reader, base, first, raised=True)
         base = reader.power(base, exponent, start)
     while reader.sees_sign("_", "'", "!", r"\prime"):
-        label = (t.Word(WORDS["label"](reader)),) if reader.sees_sign("_") else ()
+        label = (t.Word(label_after(reader)),) if reader.sees_sign("_") else ()
         kind = "marked" if label or reader.take().text != "!" else "factorial"
         base = reader.spanned(t.Formal(kind, (base, *label)), start)
     return base
@@ -294,7 +294,7 @@ def _differential(reader: LatexReader) -> t.Node:
     """dx, d²x or d(xy) that stands alone."""
     place, italic, start = reader.position, reader.token.kind == "letter", reader.take().start
     if reader.sees_sign("_"):
-        return reader.spanned(t.Formal("∂", (t.Word(WORDS["label"](reader)),)), start)
+        return reader.spanned(t.Formal("∂", (t.Word(label_after(reader)),)), start)
     order = (argument(reader),) if reader.pass_sign("^") else (t.Word("inexact"),) if reader.pass_sign("'") else ()
     inner = atom(reader) if begins_factor(reader) else None
     above = reader.ahead(1 + (reader.ahead().text == "{")).kind if inner is not None and reader.sees_sign("^") else ""
@@ -331,39 +331,6 @@ def _missing(reader: LatexReader) -> RbpsymError:
     if token.kind == "command":
         return reader.error(f"the command “{token.text}” is not known here", UNKNOWN_COMMAND)
     return reader.error(f"“{token.text}” stands where a number or symbol is expected")
-
-
-_GROUPS = re.compile(r"[1-9]\d{0,2}(?:\.\d{3})+(?:\.\d+)?")  # each comma of 1{,}000{,}000 as a point
-_POINTED = re.compile(r"(?<![\d.])(?:0\.\d|\d+\.(?:\d{1,2}|\d{4,5})(?![\d.]))")  # a number whose point parts no thousands
-
-
-def number(reader: LatexReader) -> t.Node:
-    """A number of adjacent digits, with perhaps a decimal mark."""
-    start, digits, commas = reader.token.start, "", 0
-    while reader.token.kind == "digit" or (
-        reader.sees_sign(".", "{,}") and reader.ahead().kind == "digit" and reader.ahead().start == reader.token.end
-    ):
-        token = reader.take()
-        digits += token.text if token.kind == "digit" else "."
-        commas += token.text == "{,}"
-    pointed = [Rational(text) for text in _POINTED.findall(reader.source.text)] if commas and _GROUPS.fullmatch(digits) else []
-    if pointed and not reader.table.comma and (commas > 1 or Rational(digits) not in pointed):
-        digits, commas = digits.replace(".", "", commas), 0
-    if commas and not reader.table.comma and len(digits.partition(".")[2]) % 3 == 0:
-        what = "is this comma a decimal mark, or does it group thousands?"
-        raise reader.source.error(what, start, reader.previous_end, "Write a point, as in 1.500, or no mark, as in 1500.")
-    if digits[:1] == "0" and digits[1:2].isdigit():
-        raise reader.source.error("no number begins with this 0", start, reader.previous_end, "Write indices below, or a point.")
-    if len(digits) > 30 or digits.count(".") > 1:
-        what = "a number of more than 30 digits" if len(digits) > 30 else "two decimal marks"
-        raise reader.source.limit(what, start, reader.previous_end)
-    value = Rational(digits)
-    found = reader.spanned(t.Num(int(value) if value.denominator == 1 else value), start)
-    if not reader.pass_sign("°"):
-        return found
-    if reader.token.text in ("C", "F"):  # a temperature, and no angle
-        return reader.spanned(t.Formal("measured", (found, t.Word(f"°{reader.take().text}"))), start)
-    return reader.spanned(t.mul(found, DEGREE), start)
 
 
 def argument(reader: LatexReader) -> t.Node:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.formal import formal, numeral, taken_at
 from rbpsym.expr.latex.functions import operand, whole_number
-from rbpsym.expr.latex.grammar import DEGREE, argument
+from rbpsym.expr.latex.grammar import argument
+from rbpsym.expr.latex.numerals import DEGREE
 from rbpsym.expr.symbol_table import LatexReader, begins
 
 
