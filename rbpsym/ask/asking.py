@@ -23,6 +23,7 @@ from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, Wor
 from rbpsym.field import granted
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.arrivals import mover
+from rbpsym.mechanics.friction import stops
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.quantities import NUMBER
@@ -110,6 +111,7 @@ def meant_by(study: Study, text: str) -> Bound | None:
 
 
 _VALUE = r"\w+ ?= ?[^\s,=]+"
+TO_THE_END = re.compile(r"(?:the )?total (?:way|angle|change) of (?:the )?(\w+)(?=$|,? with )")  # until friction has stopped it
 WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) (?:the )?\w+|(?:for|in the limit) .+)")
 
 
@@ -121,6 +123,8 @@ def _plain(asked: Asked, text: str) -> str:
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
     named = "|".join(re.escape(name) for name in asked.names if name not in ("rest", "equilibrium"))
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
+    if TO_THE_END.match(plain) and stops(asked.study(asked.lasting).system):
+        plain = TO_THE_END.sub(r"displacement of \1 until \1 comes to rest", plain)
     constants = "|".join(quantity.name for quantity in asked.problem.parameters)
     plain = re.sub(rf"(?<=\w),? (?:where|when|if|for|at) (?=(?:{constants or '(?!)'}) ?= ?)", " with ", plain)
     return " ".join((said[1], said[3], said[2])) if (said := WITHIN.fullmatch(plain)) else plain

@@ -28,6 +28,7 @@ from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.orbit import orbits
+from rbpsym.mechanics.solved import OF_MODE
 from rbpsym.mechanics.stability import essential
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
@@ -279,7 +280,7 @@ def _said(draft: Draft, found: Found) -> dict[str, tuple[str, ...]]:
     """The steps that say what is asked for, and how that is made of them."""
     if not found.told:
         return {}
-    if found.told.startswith(("course", "swing")):
+    if found.told.startswith("swing") or (found.told.startswith("course") and not found.told.endswith(OF_MODE)):
         return {"told": (draft.steps[-1].id,), "turned": ("itself",)}
     said = [_said_of(draft, value) for value in found.values]
     return {"told": tuple(id for id, _ in said), "turned": tuple(turned for _, turned in said)}
@@ -289,7 +290,7 @@ def _said_of(draft: Draft, asked: Scalar) -> tuple[str, str]:
     """The step that says a value, and how that is made of it."""
     known = draft.study.assumptions
     for turned, turn in TURNED.items():
-        value = rationalised(neat(turn(asked) if asked or turned != "the square of its frequency" else asked, known))
+        value = rationalised(neat(turn(asked) if asked or "frequency" not in turned else asked, known))
         saying = []
         for step in draft.steps:
             for left, op, right in t.relations(step.statement):

@@ -18,7 +18,6 @@ from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import Step
 
 TOLD = ("amplitude", "terminal speed", "total way")
-OF_MODE = ("decay rate", "undamped frequency", "damped frequency")
 DRIVEN = {"phase lag": ("", ".force"), **dict.fromkeys(("amplitude", "greatest speed"), (".free", ".driven"))}
 
 
@@ -110,7 +109,7 @@ def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> N
     is_one = len(draft.study.system.independent) == 1
     made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
     shown = _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)
-    phrase = "mode" if key in OF_MODE else f"{key.replace(' ', '_')}{kind}"
+    phrase = "mode" if key in solved.OF_MODE else f"{key.replace(' ', '_')}{kind}"
     data = {"name": name, "law": law, "key": key, "form": known.form, "steady": solutions.steady(known)}
     draft.add(f"{key.replace(' ', '_')}.{name}", "feature", t.equation(made, shown), f"course.{phrase}",
               premises=draft.those(law or f"motion.{name}"), name=t.Sym(name), letter=made, is_result=True, data=data,

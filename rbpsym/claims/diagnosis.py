@@ -266,7 +266,8 @@ RULES: tuple[Rule, ...] = (
 def _moments(relation: t.Chain, ground: Ground) -> Iterator[Repair]:
     """A moment of inertia, or M d², added to a sum or taken from it."""
     study = getattr(ground.world, "study", None)
-    bodies = {"": ""} if study is None else {f" of {body}": f"_{body}" for body in study.system.bodies}
+    turning = {} if study is None else {name: state for name, state in study.system.bodies.items() if state.moment}
+    bodies = {"": ""} if study is None else {f" of {body}": f"_{body}" for body in turning}
     for tail, label in bodies.items():
         moment = "moment of inertia about the centre of mass" if study is None else f"moment of inertia{tail}"
         names = {

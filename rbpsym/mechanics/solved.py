@@ -174,11 +174,16 @@ FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
 }
 
 
+OF_MODE = ("decay rate", "undamped frequency", "damped frequency")
+
+
 def feature(known: Given, key: str) -> Scalar | None:
     """What is told of the whole motion; None where it never swings so, and where kinetic friction acts, with which it ends when
-    the slip stops, as it never does where the last speed is in its sense."""
+    the slip stops, as it never does where the last speed is in its sense. Those of a mode hold as long as it lasts."""
     if settle((*known.valid, *swings(known, key)), known.study.assumptions) is None:
         return None
+    if key in OF_MODE:
+        return FEATURES[key][1](known)
     value = None if key != "terminal speed" and stops(known.study.system) else FEATURES[key][1](known)
     return value if all(known.sense(slip, open_=1) > 0 for slip in last_slips(known, value)) else None
 

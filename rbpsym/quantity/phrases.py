@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING
 from rbpsym.decide.rooted import root_of
 from rbpsym.errors import StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, ORIGIN, PI, Scalar, Space, cartesian, function, names_in, short, substitute, symbol
+from rbpsym.field import NOTHING, ORIGIN, PI, Scalar, Space, cartesian, function, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import scalar, space_derivative, time_derivative
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, stretched, translational_energy
+from rbpsym.mechanics.system import BodyState
 from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import Bound, Phrase, axial, number, parts, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS
@@ -116,8 +117,22 @@ def _displacement(world: ProblemWorld, name: str) -> Bound:
 
 def _turns(world: ProblemWorld, name: str) -> Bound:
     """How often a body, or a coordinate that is an angle, has turned round since the start."""
-    turned = _gone(world, symbol(name) if name in world.coordinates else world.body(name).pose.angle)
+    turned = _gone(world, symbol(name) if name in world.coordinates else _turning(world, name).pose.angle)
     return number(function("sqrt", turned * turned) / PI / 2)
+
+
+def _turning(world: ProblemWorld, name: str) -> BodyState:
+    """A body that may turn. Raises StatementError for a particle, to which nothing gives an angle."""
+    state = world.body(name)
+    if is_zero(state.pose.angle) and world.study.problem.body(name).shape.kind == "particle":
+        angles = " or ".join(f"“{angle}”" for angle in _angles(world))
+        raise StatementError(f"“{name}” is a particle, which does not turn", instead=f"ask for that of {angles or 'a body'}.")
+    return state
+
+
+def _angles(world: ProblemWorld) -> list[str]:
+    coordinates = world.study.problem.coordinates
+    return [c.name for c in coordinates if c.quantity.dimension == NUMBER and c.name not in world.study.system.bodies]
 
 
 def _moment(world: ProblemWorld, name: str, about: str | None) -> Bound:
@@ -268,11 +283,15 @@ def _rate_of_centre(world: ProblemWorld, what: str, name: str | None) -> Bound:
     return plane(value)
 
 
-def _spin(world: ProblemWorld, name: str) -> Bound:
-    """Of a body its angular velocity; of a coordinate that is an angle its rate."""
-    is_angle = name not in world.study.system.bodies and any(
-        c.name == name and c.quantity.dimension == NUMBER for c in world.study.problem.coordinates)  # fmt: skip
-    return _of_coordinate(1)(world, name) if is_angle else axial(world.body(name).omega)
+def _spin(order: int) -> Callable[[ProblemWorld, str], Bound]:
+    def find(world: ProblemWorld, name: str) -> Bound:
+        """Of a body that turns, or of a coordinate that is an angle."""
+        if name in _angles(world):
+            return _of_coordinate(order)(world, name)
+        state = _turning(world, name)
+        return axial(state.alpha if order > 1 else state.omega)
+
+    return find
 
 
 _B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+(?:\([^()]*\))?)", r"([\w, ]+?)"
@@ -299,8 +318,8 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
     (rf"speed of {_P}", lambda world, name: _magnitude(world, f"velocity of {name}"), "speed of BODY.cm"),
     (rf"acceleration of {_P}", _of_point(2), "acceleration of BODY.cm"),
-    (rf"angular velocity of {_B}", _spin, "angular velocity of BODY"),
-    (rf"angular acceleration of {_B}", lambda world, name: axial(world.body(name).alpha), "angular acceleration of BODY"),
+    (rf"angular velocity of {_B}", _spin(1), "angular velocity of BODY"),
+    (rf"angular acceleration of {_B}", _spin(2), "angular acceleration of BODY"),
     (rf"mass of {_B}", lambda world, name: number(sum((s.mass for s in world.bodies(name)), NOTHING)), "mass of BODY"),
     (rf"moment of inertia of {_B}{_ABOUT}", _moment, "moment of inertia of BODY about O"),
     (rf"angular momentum of {_B}{_ABOUT}{_PART}", _angular_momentum, "angular momentum of BODY about O"),

@@ -29,6 +29,8 @@ from tests.ask.law import one_value_a_letter
 
 HERE = Path(__file__).parent / "unseen"
 ANSWERS = (
+    ("plank-on-rollers", "frequency of x", "sqrt(mu*g/a)"),
+    ("plank-on-rollers", "period of x", "2*pi*sqrt(a/(mu*g))"),
     ("rod-under-cart", "largest x", "m*ell*sin(theta_0)/(M + m)"),
     ("rod-under-cart", "largest displacement of cart.cm", "m*ell*sin(theta_0)/(M + m)"),
     ("rod-under-cart", "least theta", "-theta_0"),

@@ -39,6 +39,8 @@ WRONG = [
     ("rod-pendulum", "frequency of M", "is no coordinate"),
     ("rod-pendulum", "impulse of F when struck begins", "no phase “struck”"),
     ("rod-pendulum", "direction of mass of rod", "is no vector"),
+    ("elastic-pendulum", "angular velocity of bob", "“bob” is a particle, which does not turn"),
+    ("elastic-pendulum", "number of turns of bob until theta = 0", "ask for that of “theta”"),
     ("sliding-ladder", "N_w where theta = 2", "does not come to this value"),
     ("sliding-ladder", "F_y in equilibrium", "means nothing"),
     ("sliding-ladder", "N_w in equilibrium", "no stable equilibrium"),

@@ -126,6 +126,7 @@ TURNED: Mapping[str, Callable[[Scalar], Scalar]] = {
     "its opposite": lambda value: -value,
     "its magnitude": lambda value: value,
     "its square": lambda value: value * value,
+    "its frequency": lambda value: PI * 2 / value,
     "the square of its frequency": lambda value: (PI * 2 / value) ** 2,
 }
 
