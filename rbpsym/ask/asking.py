@@ -72,11 +72,12 @@ def letters(study: Study) -> dict[str, str]:
 
 # what a book calls a quantity of this name: along a line, of an angle
 STEMS: Mapping[str, tuple[str, str]] = {
-    "period": ("T", "T"), "frequency": ("Omega", "Omega"), "moment of inertia": ("I", "I"),
+    "period": ("T", "T"), "frequency": ("vartheta", "vartheta"), "moment of inertia": ("I", "I"),
     "speed": ("v", "omega"), "velocity": ("v", "omega"), "acceleration": ("a", "alpha"),
     "angular velocity": ("omega", "omega"), "angular acceleration": ("alpha", "alpha"), "time": ("t", "t"),
-    "decay rate": ("gamma", "gamma"),
+    "decay rate": ("gamma", "gamma"), "impulse": ("J", "J"), "energy lost": ("E_lost", "E_lost"),
 }  # fmt: skip
+AT_REST = re.compile(r"(?:the )?(?:(?:stable|unstable) )?equilibri(?:um|a) of (\w+)")
 BEST = re.compile(r"(?:the )?(?:(largest|greatest|maximum|highest)|(smallest|least|minimum|lowest)) (\w+)")
 ASKED = re.compile(rf"(?:the )?(?:(?:lowest|highest|damped) )?({'|'.join(STEMS)})\b(?: of (?:the )?(\w+)\b)?")
 
@@ -86,6 +87,8 @@ def _stem(text: str, study: Study) -> str:
     the letter alone."""
     if (best := BEST.fullmatch(text)) and best[3] in (*study.system.coordinates, *study.system.unknowns):
         return study.letters.free(f"{best[3]}_{'max' if best[1] else 'min'}")
+    if rests := AT_REST.fullmatch(text):
+        return study.letters.free(f"{rests[1]}_eq")
     if not (said := ASKED.match(text)):
         return LETTER
     turns = any(said[2] == c.name and c.quantity.dimension == NUMBER for c in study.problem.coordinates)

@@ -19,7 +19,7 @@ from rbpsym.proof.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
 from rbpsym.statement.model import Phase
 
 # of a later phase: what is new in it
-CHAPTERS = ("kinematics", "inertia", "instant", "motion", "energy", "contact", "oscillations", "course")
+CHAPTERS = ("kinematics", "inertia", "instant", "motion", "reactions", "energy", "contact", "oscillations", "course")
 NEW: Mapping[str, Collection[str]] = {
     "kinematics": ("constraint", "no_slip", "taut", "tied"),
     "inertia": (),

@@ -183,7 +183,7 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     known = {id: shown[row] for id, row in rows if row in shown}
     new = [*(step for step in before if step.id not in known), *last]
     if any(step.id in equal for step in new):
-        new = new[:-1]  # what is asked has its name already
+        new = [_asked_alone(step, found) if step.id in equal else step for step in new[:-1]]  # it has its name already
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)
     inner = {id for step in before if step.id in seen for id in step.reasons}
@@ -192,6 +192,12 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
         yield Paragraph(said.say("question.given", steps=[StepRef(id) for id in seen if id in needed]))
     yield from Teller(said).steps(new)
     shown |= {ends(step.statement): Ref(said.prefix + step.id) for step in new if step not in last}
+
+
+def _asked_alone(step: Step, found: Answer) -> Step:
+    """Of what a step says the row that is asked for."""
+    [row, *others] = [row for row in t.rows(step.statement) if _comes_to(row) in found.nodes]
+    return step if others else replace(step, statement=row)
 
 
 def _comes_to(statement: t.Node) -> t.Node | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+from rbpsym.chapters.methods.newton_euler import EACH_BODY
 from rbpsym.document.breaking import lines, table_width
 from rbpsym.document.model import Block, Display, Inlines, Math, Paragraph, Table, Text
 from rbpsym.document.places import point_name
@@ -68,7 +69,7 @@ def long_forces(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     shown = [step for step in derivation.steps if step.id in said.shown]
     net = [step for step in shown if step.phrase.startswith("torque.net")]
     taken = [(t.rows(step.statement)[0].items[0].name, [b.name for b in step.slots["bodies"].slots["bodies"]]) for step in net]
-    about = {step.id.partition(".")[2] for step in shown if step.rule == "work" or step.phrase == "newton_euler.body"}
+    about = {step.id.partition(".")[2] for step in shown if step.rule == "work" or step.phrase in EACH_BODY}
     told: set[t.Node] = set()
     for step in steps:
         body, (vector, *torques) = step.slots["body"].name, t.rows(step.statement)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Set
 
 from rbpsym.ask.asking import Refused, own_answers
+from rbpsym.chapters.methods.newton_euler import EACH_BODY
 from rbpsym.document.needless import is_struck
 from rbpsym.expr import tree as t
 from rbpsym.proof.step import STANDARD, Derivation, DerivedPhase, Step
@@ -27,7 +28,10 @@ def used(derivation: Derivation, whole: Derivation) -> frozenset[str]:
     """Ids of the steps that are conclusions, or from which the next phase begins, and of all that they rest on or refer to.
     What is asked is asked of the `whole` motion."""
     both = _in_both_parts(derivation)
-    ends = [step.id for step in _ends(derivation, both, _asked(whole))]
+    asked = _asked(whole)
+    ends = [step.id for step in _ends(derivation, both, asked)]
+    if asked is not None and derivation is not whole and not any(s.statement in asked for s in derivation.chapter("energy")):
+        ends = [id for id in ends if derivation.step(id).chapter != "energy"]  # of a later phase what is asked alone
     ends += [id for phase in derivation.phases[:1] for step in phase.begins for id in step.reasons]
     steady = () if is_struck(derivation) else filter(solved_zero, derivation.chapter("motion"))
     ends += [id for step in steady for id in step.reasons]
@@ -136,7 +140,7 @@ def _is_balanced(step: Step, derivation: Derivation) -> bool:
     body = step.id.partition(".")[2]
     found = (s for s in derivation.chapter("motion") if s.id.startswith(("push.", "balance.")) and s.id.endswith(f".{body}"))
     own = [s for s in found if s.id.startswith("push.") or s.phrase in ABOUT_CENTRE]
-    return step.phrase == "newton_euler.body" and len(own) == len(t.rows(step.statement))
+    return step.phrase in EACH_BODY and len(own) == len(t.rows(step.statement))
 
 
 def led_to(steps: Iterable[Step], ends: Iterable[str]) -> frozenset[str]:

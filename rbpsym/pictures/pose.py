@@ -9,7 +9,7 @@ from typing import Any
 
 from rbpsym.errors import NoNumber, NotApplicable, RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, Vector, derivative
+from rbpsym.field import Scalar, Vector, derivative, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.compiled import entries_of
@@ -24,6 +24,7 @@ Point = tuple[float, float]
 LEAST_ANGLE, SHOWN_ANGLE, LEAST_SHARE = 0.3, 0.6, 0.2
 DRIVEN_ANGLE = 0.9
 ROUNDS = 30
+HALVINGS = 5
 FLAT = 1e-9  # of a row: less is nothing new
 
 
@@ -42,7 +43,20 @@ class DrawnPose(Frozen, eq=False):
         if system.implicit and not system.independent and "t" not in self.given:
             numbers = numbers | {"t": shown_time(system, numbers)}
         numbers = numbers | {n: number(v, numbers) for n, v in system.dependent.items()}
-        return fitted(system, numbers) if system.implicit else numbers
+        return fitted(system, numbers) if system.implicit else self._come_to(numbers)
+
+    def _come_to(self, numbers: dict[str, float]) -> dict[str, float]:
+        """Nearer and nearer to the start, as long as the motion from there does not come so far."""
+        system = self.study.system
+        known = {} if self.study.at_start or len(system.independent) != 1 else self.study.squares
+        for name, square in known.items():
+            begun = math.nan if name in self.given else at(system.scope.start.get(name, symbol(name)), numbers)
+            for _ in range(HALVINGS):
+                if not at(square, numbers) < 0 or math.isnan(begun):
+                    break
+                numbers |= {name: (numbers[name] + begun) / 2}
+            numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
+        return numbers
 
     @cached_property
     def where(self) -> Callable[[PointRef], Vector]:

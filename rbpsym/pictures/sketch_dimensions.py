@@ -202,14 +202,14 @@ def _coordinate_angles(pose: DrawnPose) -> Iterator[AngleMark]:
     for coordinate in pose.study.problem.coordinates:
         if coordinate.quantity.dimension.length:
             continue
-        found = _turning_body(pose, coordinate.name)
-        if found is None:
-            yield from _polar_angle(pose, coordinate.name)
+        found, polar = _turning_body(pose, coordinate.name), tuple(_polar_angle(pose, coordinate.name))
+        at = _vertex(pose, found[0]) if found else (0.0, 0.0)
+        if found is None or (polar and _is_middle(pose, found[0], at)):  # rather than a turn about its own axis
+            yield from polar
             continue
         name, sense = found
         direction = pose.value(pose.study.system.bodies[name].pose.angle)
         value = pose.numbers[coordinate.name]
-        at = _vertex(pose, name)
         hung = _hanging(pose, name, at, sense * value)
         direction = _drawn_axis(pose, name, at, direction) if hung is None else hung
         reach = _reach(pose, name, at, direction)
@@ -245,10 +245,15 @@ def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:
             return
 
 
+def _is_middle(pose: DrawnPose, name: str, at: Point) -> bool:
+    """Is it the centre of a round body?"""
+    return pose.study.problem.body(name).shape.kind in ROUND and math.dist(at, pose.center(name)) < CLOSE
+
+
 def _reach(pose: DrawnPose, name: str, at: Point, direction: float) -> float:
     """How far the line at which the angle ends must be drawn: nothing on a round body or beside it shows it."""
     shape = pose.study.problem.body(name).shape
-    if shape.kind in ROUND and math.dist(at, pose.center(name)) < CLOSE:
+    if _is_middle(pose, name, at):
         return max(pose.node(shape.sizes[key]) for key in ("radius", "outer") if key in shape.sizes)
     if shape.kind in ("rod", "particle", "rectangle", "triangle", *PARTLY_ROUND):
         return 0.0

@@ -20,6 +20,7 @@ from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.expr.glyphs import Notation
+from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.languages import phrases
 from rbpsym.proof.step import Derivation
@@ -279,7 +280,9 @@ def bench_of(problem: Problem, numbers: Mapping[str, NumberRange] | None = None)
 def _scenery(bench: ProblemBench, wishes: tuple[Wish, ...]) -> Scenery:
     """An oscillation is timed if a frequency may be asked for."""
     is_timed = not wishes or any(not w.about or any(a.startswith(("frequency", "*")) for a in w.about) for w in wishes)
-    return scenery(bench.study, bench.wishes, is_timed)
+    begun = bench.later[0].study.problem.coordinates if bench.later else ()
+    ends = {each.name: scalar(each.start) for each in begun if each.start is not None}
+    return scenery(bench.study, bench.wishes, is_timed, ends)
 
 
 def _planned(bench: ProblemBench, sight: Scenery, part: SheetPart) -> PlannedPart:

@@ -11,10 +11,11 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
-from rbpsym.field import NOTHING, Scalar, calculus, is_zero
+from rbpsym.field import NOTHING, Scalar, calculus, is_zero, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Coordinate
@@ -145,19 +146,20 @@ REASONS: Mapping[str, str] = {
 }
 
 
-def scenery(study: Study, wishes: Mapping[str, NumberRange], is_timed: bool) -> Scenery:
-    """The scenery of a problem; `wishes` are ranges by name; `is_timed`: an oscillation is to be measured."""
+def scenery(study: Study, wishes: Mapping[str, NumberRange], is_timed: bool, ends: Mapping[str, Scalar]) -> Scenery:
+    """The scenery of a problem; `wishes` are ranges by name; `is_timed`: an oscillation is to be measured; `ends`: where the
+    next phase begins, by coordinate."""
     names = named_quantities(study.problem)
     ranges = {**default_ranges(study.problem), **{n: r for n, r in wishes.items() if n in names}}
     coordinate = followed(study)
-    if coordinate is not None and coordinate not in wishes and not _gets_anywhere(study, ranges, coordinate):
+    if coordinate is not None and coordinate not in wishes and not _gets_anywhere(study, ranges, coordinate, ends):
         coordinate = None
-    return _scenery(study, ranges, coordinate, wishes.get(coordinate or ""), is_timed)
+    return _scenery(study, ranges, coordinate, ends, wishes.get(coordinate or ""), is_timed)
 
 
-def _gets_anywhere(study: Study, ranges: Mapping[str, NumberRange], coordinate: str) -> bool:
+def _gets_anywhere(study: Study, ranges: Mapping[str, NumberRange], coordinate: str, ends: Mapping[str, Scalar]) -> bool:
     """Whether it leaves its start at all in some of the drawn situations."""
-    trial, draws = _scenery(study, ranges, coordinate, None, False), Draws(b"trial", study.problem.name)
+    trial, draws = _scenery(study, ranges, coordinate, ends), Draws(b"trial", study.problem.name)
     for _ in range(TRIALS):
         numbers = {name: si(range_.draw(draws)) for name, range_ in ranges.items()}
         if not isinstance(trial.placed(coordinate, draws, numbers), str):
@@ -166,11 +168,16 @@ def _gets_anywhere(study: Study, ranges: Mapping[str, NumberRange], coordinate: 
 
 
 def _scenery(
-    study: Study, ranges: Mapping[str, NumberRange], coordinate: str | None, wished: NumberRange | None, is_timed: bool
+    study: Study,
+    ranges: Mapping[str, NumberRange],
+    coordinate: str | None,
+    ends: Mapping[str, Scalar],
+    wished: NumberRange | None = None,
+    is_timed: bool = False,
 ) -> Scenery:
     sizes = (*_sound(study), *_ordered(study, ranges))
     still = (*_held_in_the_middle(sizes, ranges), *(_measurable(study, ranges) if is_timed else ()))
-    along = () if coordinate is None else tuple(_kept(study, coordinate))
+    along = () if coordinate is None else tuple(_kept(study, coordinate, ends))
     return Scenery(
         study,
         ranges,
@@ -216,8 +223,6 @@ def _sound(study: Study) -> Iterator[tuple[str, Scalar]]:
 
 def _ordered(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[str, Scalar]]:
     """Lengths keep the order that they have in the example (a hole stays smaller than its disk)."""
-    from rbpsym.field.scalar import symbol
-
     lengths = [q.name for q in study.problem.parameters if q.dimension == LENGTH and q.sign == "positive"]
     middle = middles(ranges)
     for first in lengths:
@@ -238,10 +243,12 @@ def _measurable(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tup
                 yield "frequency", high - square
 
 
-def _kept(study: Study, coordinate: str) -> Iterator[tuple[str, Scalar]]:
-    """The speed along the way, forces that can only push, and friction that suffices."""
-    known = {coordinate, *named_quantities(study.problem)}
+def _kept(study: Study, coordinate: str, ends: Mapping[str, Scalar]) -> Iterator[tuple[str, Scalar]]:
+    """The speed along the way, the way that is left in this phase, forces that can only push, and friction that suffices."""
+    known, start = {coordinate, *named_quantities(study.problem)}, study.system.scope.start[coordinate]
     yield "way", study.squares[coordinate]
+    if coordinate in ends and names_in(ends[coordinate]) <= known:
+        yield "way", (ends[coordinate] - symbol(coordinate)) * (ends[coordinate] - start)
     forces = study.reactions_along_motion or {}
     for element in study.problem.constraints:
         for name in pushes(element):
@@ -258,9 +265,6 @@ def _start(study: Study, coordinate: str | None) -> Evaluate:
     """(place, speed, acceleration) of the coordinate at the start."""
     if coordinate is None:
         return lambda numbers: [math.nan] * 3
-    from rbpsym.field.calculus import substitute
-    from rbpsym.mechanics.motion import along_motion
-
     start = study.system.scope.start
     push = along_motion((study.dynamics.accelerations or {})[f"{coordinate}_ddot"], study.squares)
     assert push is not None, coordinate

@@ -358,7 +358,9 @@ def _own_name(study: Study, text: str) -> str:
     found = found_in(study, text)
     named = getattr(found, "named", ())
     system = study.system
-    names = (*system.unknowns, *system.accelerations, *(f"{c}{rate}" for c in system.coordinates for rate in ("", "_dot")))
+    later = (element.name for phase in study.problem.phases for element in phase.problem.constraints)
+    rates = (f"{c}{rate}" for c in system.coordinates for rate in ("", "_dot"))
+    names = dict.fromkeys((*system.unknowns, *system.accelerations, *rates, *later))
     given = (q.name for q in study.problem.parameters if q.name == getattr(found, "symbol", ""))
     return next((name for name in names if named == (symbol(name),)), next(given, ""))
 
@@ -366,6 +368,7 @@ def _own_name(study: Study, text: str) -> str:
 # steps by which a later phase begins: how what they tell is asked for
 STARTS: Mapping[str, str] = {"after.speeds": "speed", "state.speed": "speed", "moment": "time", "energy.lost": "blow",
                              "energy.taken": "friction"}  # fmt: skip
+GAINED = "phases.lost.gained"  # what a blow does not take but gives
 
 
 def _starts(derivation: Derivation) -> Iterator[Target]:
@@ -378,6 +381,7 @@ def _starts(derivation: Derivation) -> Iterator[Target]:
             name = next((s for s in speeds if value == study.system.scope.start.get(s)), "") if variant == "speed" else variant
             if value is None or not name:
                 continue
+            variant = "gain" if known[id].phrase == GAINED else variant
             speeds = [speed for speed in speeds if speed != name]
             of = (lambda study, s=name: study.system.scope.start.get(s)) if variant == "speed" else lambda _, v=value: v
             dimension = dimension_of(row.items[-1], study.problem.dimensions)

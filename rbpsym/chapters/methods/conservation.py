@@ -11,7 +11,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, short, substitute, symbol, tidy
 from rbpsym.mechanics import energy
 from rbpsym.proof.draft import Draft
-from rbpsym.proof.step import StepRef
+from rbpsym.proof.step import FULL, STANDARD, StepRef
 
 NAME = "energy"
 
@@ -63,18 +63,20 @@ def _changes(draft: Draft, forces: list[str], nodes: list[t.Node]) -> None:
     powers = [value for name in (*forces, *driving) if (value := net_power(draft, name))]
     if not powers or draft.study.dynamics.accelerations is None:
         return
-    known = {n: v for n, v in energy.potentials(draft.study.system).items() if v}
+    known = {n: v for n, v in energy.potentials(draft.study.system).items() if v and _varies(draft, v)}
     total = sum(draft.study.kinetic, NOTHING) + sum(known.values(), NOTHING)
-    letter = draft.define(draft.free("E", "tot"), total)
     letters = [t.Sym(draft.free("K", "tot")), *(t.Sym(draft.free(f"U_{name}")) for name in known)]
-    draft.add(
-        "energy.letter",
-        "identity",
-        t.equation(letter, t.add(*letters)),
-        "energy.total",
-        count=len(letters),
-        premises=["kinetic", *(f"potential.{name}" for name in known)],
-    )
+    letter, source = letters[0], "kinetic"
+    if known:
+        letter, source = draft.define(draft.free("E", "tot"), total), "energy.letter"
+        draft.add(
+            source,
+            "identity",
+            t.equation(letter, t.add(*letters)),
+            "energy.total",
+            count=len(letters),
+            premises=["kinetic", *(f"potential.{name}" for name in known)],
+        )
     more = [t.Sym(name) if name in draft.study.system.unknowns else t.Vec(name) for name in driving]
     draft.add(
         "energy.change",
@@ -83,9 +85,14 @@ def _changes(draft: Draft, forces: list[str], nodes: list[t.Node]) -> None:
         "energy.changes",
         forces=[*nodes, *more],
         count=len(powers),
-        premises=["energy.letter", *draft.those(*(f"dissipation.{name}" for name in forces))],
+        premises=[source, *draft.those(*(f"dissipation.{name}" for name in forces))],
         is_result=True,
     )
+
+
+def _varies(draft: Draft, value: Scalar) -> bool:
+    """Does a potential energy change as the system moves?"""
+    return any(depends_on(value, name) for name in (*draft.study.system.coordinates, "t"))
 
 
 def _kinetic(draft: Draft) -> None:
@@ -131,6 +138,7 @@ def _potentials(draft: Draft) -> None:
             premises=[f"force.{f.name}.{f.on}" for f in forces],
             data={"forces": forces, "value": value},
             force=t.Vec(name),
+            level=STANDARD if _varies(draft, value) else FULL,
         )
 
 
@@ -163,12 +171,8 @@ def _conserved(draft: Draft, value: Scalar) -> None:
     letters = [t.Sym(draft.free("K", "tot"))]
     letters += [t.Sym(draft.free(f"U_{n}")) for n, v in energy.potentials(draft.study.system).items() if v]
     shown = _as_sum(draft)
-    letter = draft.define(draft.free("E", "tot"), value)
-    items = (
-        [letter, t.add(*letters), shown]
-        if draft.study.potential is not None and not draft.study.system.has_clock
-        else [letter, draft.show(value)]
-    )
+    letter = draft.define(_letter(draft), value)
+    items = [letter, t.add(*letters), shown] if _is_whole(draft) else [letter, draft.show(value)]
     whole = "energy.conserved" if draft.study.potential is not None else "energy.effective"
     phrase = "energy.relative" if draft.study.system.has_clock else whole
     ideal = list(dict.fromkeys(force.name for force in draft.study.system.forces if force.unknowns))
@@ -184,6 +188,16 @@ def _conserved(draft: Draft, value: Scalar) -> None:
         ideal=[name_node(draft, name) for name in ideal],
         variant={0: none, 1: "one"}.get(len(ideal), "many"),
     )
+
+
+def _is_whole(draft: Draft) -> bool:
+    """Is what is kept the energy K + U of all bodies?"""
+    return draft.study.potential is not None and not draft.study.system.has_clock
+
+
+def _letter(draft: Draft) -> str:
+    """What is kept by a letter of its own: E is K + U alone."""
+    return draft.free("E", "tot") if _is_whole(draft) else draft.free("E_rel" if draft.study.system.has_clock else "E_eff")
 
 
 def _works_beside(draft: Draft) -> Iterator[str]:
@@ -248,7 +262,7 @@ def _acceleration(draft: Draft, kept: Scalar) -> Mapping[str, Scalar] | None:
     speed = t.Sym(f"{name}_dot")
     slope, rest = derivative(inner, f"{name}_ddot"), substitute(inner, {f"{name}_ddot": NOTHING})
     inside = t.add(draft.show_brief(slope * symbol(f"{name}_ddot")), *([draft.show(rest, factor=True)] if rest else []))
-    statement = t.equation(t.Deriv(t.Sym(draft.free("E", "tot"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
+    statement = t.equation(t.Deriv(t.Sym(_letter(draft))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
     draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"), speed=speed)
     value = short(-(rest / slope))
     draft.add(

@@ -7,14 +7,16 @@ from collections.abc import Mapping
 from rbpsym.chapters.forces import force_node, torque_node
 from rbpsym.chapters.methods import statics
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, short, tidy
+from rbpsym.field import EX, EY, Scalar, Vector, is_zero, short, tidy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.mechanics.system import Force
 from rbpsym.present.signs import positive_first
 from rbpsym.proof.draft import Draft, length
 from rbpsym.proof.step import FULL, STANDARD, BodyRef, Step, StepRef
 
 NAME = "newton-euler"
+EACH_BODY = ("newton_euler.body", "newton_euler.along")  # phrases of the equations of a body
 LONGEST = 150  # nodes of a force that is worth showing in standard detail
 LARGEST = 8  # bodies times degrees of freedom: beyond this the elimination grows too large
 
@@ -29,12 +31,15 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
 
 
 def _equations(draft: Draft, name: str, level: int) -> Step | None:
-    """F_x = M a_x, F_y = M a_y, τ_cm = I α of one body."""
+    """F = M a in two directions and τ_cm = I α of one body."""
     state, rows = draft.study.system.bodies[name], []
     forces = draft.study.system.on(name)
-    for axis in ("x", "y"):
-        pushes = [draft.show(tidy(getattr(f.vector, axis))) for f in forces if getattr(f.vector, axis)]
-        left = draft.show(tidy(state.mass * getattr(state.acceleration, axis)))
+    slanted = _slanted(forces)
+    for way in (EX, EY) if slanted is None else (slanted[1], slanted[1].turned()):
+        left = draft.show(tidy(state.mass * way.dot(state.acceleration)))
+        if slanted and t.is_negative(left):
+            way, left = -way, left.arg if isinstance(left, t.Neg) else draft.show(tidy(-state.mass * way.dot(state.acceleration)))
+        pushes = [draft.show(push) for f in forces if (push := tidy(way.dot(f.vector)))]
         if pushes or left != t.ZERO:
             push = t.add(*positive_first(pushes))
             rows.append(t.equation(left, push) if left != t.ZERO else t.equation(push, t.ZERO))
@@ -50,12 +55,24 @@ def _equations(draft: Draft, name: str, level: int) -> Step | None:
         f"free_body.{name}",
         "balance",
         t.system(rows),
-        "newton_euler.body",
+        EACH_BODY[bool(slanted)],
         body=BodyRef(name),
+        way=force_node(draft, slanted[0]) if slanted else t.Vec(name),
         level=level,
         forces=[force_node(draft, f) for f in forces],
         premises=[f"force.{f.name}.{f.on}" for f in forces],
     )
+
+
+def _slanted(forces: list[Force]) -> tuple[Force, Vector] | None:
+    """The first unknown force with its direction, where that is neither level nor upright and all the others are along it or
+    across it: then each equation holds unknown forces of one direction."""
+    ways = [(f, f.vector.derivative(name)) for f in forces for name in f.unknowns]
+    ways = [(f, way) for f, way in ways if way]
+    if not ways or not (way := ways[0][1]).x or not way.y or not is_zero(way.dot(way) - 1):
+        return None
+    alike = all(is_zero(way.dot(other)) or is_zero(way.cross(other)) for _, other in ways)
+    return ways[0] if alike else None
 
 
 def _reactions(draft: Draft, chosen: list[Step], bodies: list[Step]) -> None:

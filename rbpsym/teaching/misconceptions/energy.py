@@ -76,15 +76,21 @@ def _losses(element: Element) -> bool:
 
 def _energy_kept(study: Study) -> Iterator[Site]:
     """Energy kept though a bearing, a damper or friction takes some."""
-    if any(map(_losses, study.problem.elements)):
-        yield Site({}, partial(change.with_elements, study, _lossless))
+    taking = [_taking(study, element) for element in study.problem.elements if _losses(element)]
+    if taking:
+        yield Site({"forces": taking, "count": len(taking)}, partial(change.with_elements, study, _lossless))
+
+
+def _taking(study: Study, element: Element) -> t.Node:
+    """The force, or the couple, by which an element takes energy."""
+    name = element.name if element.kind in DAMPERS else element["friction"]
+    return t.Vec(name) if any(force.vector for force in study.system.named(name)) else t.Sym(name)
 
 
 def _damping_left_out(study: Study) -> Iterator[Site]:
     """It moves as if a damper, or what resists from outside in a bearing, were not there."""
     for element in study.problem.of_kind(*DAMPERS):
-        letter = t.Vec if any(force.vector for force in study.system.named(element.name)) else t.Sym
-        yield Site({"force": letter(element.name)}, partial(change.with_element, study, element, None))
+        yield Site({"force": _taking(study, element)}, partial(change.with_element, study, element, None))
 
 
 def _lossless(element: Element) -> Element | None:

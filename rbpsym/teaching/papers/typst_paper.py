@@ -23,19 +23,25 @@ LEAST = 0.6  # of the room for an answer, where the page has no more to share ou
 def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = False) -> str:
     """The Typst source of a paper, a key or a solution."""
     document = numbered(document)
-    page = page_for(document, PAPER, COLUMN)
+    page = page_for(document, {**PAPER, Section: kept} if is_key else PAPER, COLUMN)
     told = head(worksheet, document, page, typst_text, typst_string, is_key=is_key)
     return shell("worksheet.typ", body=body(document, page), **told)
 
 
-def section(part: Section, page: Page) -> str:
+def kept(part: Section, page: Page) -> str:
     """A section; one without a title is its blocks, kept on one page if they fit one."""
-    if part.title:
-        return titled_section(part, page)
-    text = blocks(part.blocks, page)
-    is_kept = bool(part.blocks) and isinstance(part.blocks[0], Lead) and fits_a_page(part.blocks)
-    room = 1 + sum(block.height for block in part.blocks if isinstance(block, EmptySpace))  # a share of what the page leaves
-    return f"#block(breakable: false, width: 100%, above: 1em)[\n{text}\n]\n#v(1em)\n#v({room}fr)" if is_kept else text
+    text = titled_section(part, page) if part.title else blocks(part.blocks, page)
+    return f"#block(breakable: false, width: 100%, above: 1em)[\n{text}\n]\n" if _is_task(part) else text
+
+
+def section(part: Section, page: Page) -> str:
+    """The same with its share of what the page leaves, for the answer."""
+    room = 1 + sum(block.height for block in part.blocks if isinstance(block, EmptySpace))
+    return kept(part, page) + (f"#v(1em)\n#v({room}fr)" if _is_task(part) else "")
+
+
+def _is_task(part: Section) -> bool:
+    return not part.title and bool(part.blocks) and isinstance(part.blocks[0], Lead) and fits_a_page(part.blocks)
 
 
 def lead(block: Lead, page: Page) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from fnmatch import fnmatchcase
 
 from rbpsym.document.model import Paragraph
+from rbpsym.document.needless import is_struck
 from rbpsym.frozen import replace
 from rbpsym.teaching.bench import PHASE, ItemSetting, Prepared, ProblemBench
 from rbpsym.teaching.model import Item
@@ -32,7 +33,7 @@ def tasks(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepare
     """What can be made of a wish in each phase that it names; of a motion in phases each task says in which one it asks."""
     of_phase = [(b, tuple(a.partition(".")[2] for a in wish.about if _is_of(a, b))) for b in bench.later]
     own = tuple(a for a in wish.about if not any(_is_of(a, b) for b in bench.later))
-    phases = bench.study.problem.phases
+    phases = () if is_struck(bench.derivation) else bench.study.problem.phases  # what is struck at once has no phase before
     for task in TASKS[wish.kind](bench, scenery, replace(wish, about=own)) if own or not wish.about else ():
         yield _told(task, "lead.first", phases[0].name) if phases and task.kind_asked != "question" else task
     for later, about in of_phase:
@@ -42,7 +43,8 @@ def tasks(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepare
             raise wish.error(f"{wish.kind} asks about the first phase alone", f"leave out “{PHASE}{later.phase}.”.")
         for task in TASKS[wish.kind](later, replace(scenery, coordinate=None), replace(wish, about=about)):
             begins = task.kind_asked == "start" or (task.step and later.derivation.step(task.step).chapter == "phase")
-            told = _told(task, "lead.begins" if begins else "lead.later", phases[later.phase - 2].name)
+            name = bench.study.problem.phases[later.phase - 2].name
+            told = _told(task, "lead.begins" if begins else "lead.later", name)
             yield replace(told, phase=f"{PHASE}{later.phase}.")
 
 

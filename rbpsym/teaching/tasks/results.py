@@ -33,20 +33,22 @@ def formulas(bench: b.ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[b.
 
 def _formula_task(bench: b.ProblemBench, wish: Wish, target: Target) -> b.Prepared:
     found = bench.pool.of(target)
-    anticipated = tuple(Anticipated(d.slip, d.formula) for d in found)
     right = b.formula_of(bench, target)
     names = in_order(bench, names_in(target.known(bench.study)))
+    asked = "formula" if names else "number"  # of a pure number it is not said of what it is made
 
     def make(setting: b.ItemSetting) -> Item:
         follows = tuple(follow_ons(bench, target, setting.before, "formula"))
-        slots = {**target.slots, "left": target.left, "names": [t.Sym(name) for name in names]}
-        asks = spoken(setting.said, f"ask.formula.{target.kind}", **slots)
+        slots = {**target.slots, "left": target.left, "names": [t.Sym(name) for name in names], "place": ()}
+        asks = spoken(setting.said, f"ask.{asked}.{target.kind}", **slots)
         prompt = (Paragraph((*asks, *hint(bench, setting, target, wish.level))),)
+        real = (d for d, value in zip(found, setting.values, strict=True) if in_print(value, target, True) is not None)
+        anticipated = tuple(Anticipated(d.slip, d.formula) for d in real)
         key = FormulaKey(right, target.left, names, anticipated, follows)
         solution = worked(bench, setting, target, None)
         return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=4)
 
-    return b.Prepared("formula", target, (), make, content=b.asks_for(bench, target))
+    return b.Prepared("formula", target, tuple(d.value for d in found), make, content=b.asks_for(bench, target))
 
 
 def in_order(bench: b.ProblemBench, names: frozenset[str]) -> tuple[str, ...]:
