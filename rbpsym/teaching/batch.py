@@ -80,9 +80,7 @@ def known_plan(source: str) -> WorksheetPlan:
     return found
 
 
-def papers(
-    order: Order, students: Sequence[Student | None], who: Crew, told: Callable[[int, int], None]
-) -> list[list[str]]:
+def papers(order: Order, students: Sequence[Student | None], who: Crew, told: Callable[[int, int], None]) -> list[list[str]]:
     """Writes the papers of all students; the paths written, student by student.
 
     Processes of this machine write their papers themselves; a cluster sends them, and they are written here.
@@ -201,9 +199,7 @@ def _read(path: Path) -> dict[str, Any]:
         found = None
     if isinstance(found, dict) and all(isinstance(found.get(key), kind) for key, kind in FRAME.items()):
         return found
-    raise RbpsymError(
-        "this is no record of papers", instead="delete it, and make the papers again.", place=Place(str(path))
-    )
+    raise RbpsymError("this is no record of papers", instead="delete it, and make the papers again.", place=Place(str(path)))
 
 
 def record_of(name: str, folders: Iterable[Path]) -> Path | None:

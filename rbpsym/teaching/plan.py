@@ -152,12 +152,7 @@ def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Ite
 
 
 def _items(
-    part: PlannedPart,
-    chosen: list[tuple[int, int]],
-    situation: Situation,
-    said: Words,
-    draws: Draws,
-    before: tuple[Item, ...],
+    part: PlannedPart, chosen: list[tuple[int, int]], situation: Situation, said: Words, draws: Draws, before: tuple[Item, ...]
 ) -> tuple[Item, ...] | Wish:
     """The items; the wish of the first that can't be made at these numbers."""
     states = (generic_state(bench) for bench in (*part.bench.later, part.bench))

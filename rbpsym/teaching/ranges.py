@@ -143,10 +143,7 @@ def default_ranges(problem: Problem) -> dict[str, NumberRange]:
     """A range for each constant of a problem, around its example."""
     generic = sample(problem)
     turned = angles(problem)
-    return {
-        name: _around(name, dimension, problem, generic, turned)
-        for name, dimension in named_quantities(problem).items()
-    }
+    return {name: _around(name, dimension, problem, generic, turned) for name, dimension in named_quantities(problem).items()}
 
 
 def _around(name: str, dimension: Dimension, problem: Problem, generic: Mapping[str, float], turned: Set[str]) -> NumberRange:
@@ -284,9 +281,7 @@ def _measure(item: SourceItem, named: Named, what: str) -> Measure:
     if named.sign in SIGNS and not SIGNS[named.sign](measure.value):
         raise item.error(f"“{named.name}” must be {named.sign} in this problem", "give another number")
     if not named.lower - NOISE <= si(measure) <= named.upper + NOISE:
-        raise item.error(
-            f"“{named.name}” is not {measure_text(measure)} in this problem", _between(named, measure.unit)
-        )
+        raise item.error(f"“{named.name}” is not {measure_text(measure)} in this problem", _between(named, measure.unit))
     if figures(measure.value) > MOST_DIGITS:
         raise item.error(f"{what} has more than {MOST_DIGITS} significant figures", "round it")
     return measure
@@ -302,9 +297,7 @@ SIGNS: Mapping[str, Callable[[Fraction], bool]] = {
 def _between(named: Named, unit: str) -> str:
     """The declared range in words."""
     ends = {"from": named.lower, "up to": named.upper}
-    told = [
-        f"{word} {value / scale_of(unit):.4g}{unit_text(unit)}" for word, value in ends.items() if math.isfinite(value)
-    ]
+    told = [f"{word} {value / scale_of(unit):.4g}{unit_text(unit)}" for word, value in ends.items() if math.isfinite(value)]
     return f"it goes {' '.join(told)}"
 
 
@@ -312,22 +305,16 @@ def _check_range(row: SourceTable, found: NumberRange, units: set[str]) -> None:
     if len(units) > 1:
         raise row.value_error("step", "“from”, “to” and “step” must be in the same unit", f"write all in {found.unit}")
     if found.step <= 0:
-        raise row.value_error(
-            "step", "the step must be greater than 0", f'write a fixed number: "{row.data["from"]}", or a step'
-        )
+        raise row.value_error("step", "the step must be greater than 0", f'write a fixed number: "{row.data["from"]}", or a step')
     if found.low > found.high:
         raise row.value_error("to", "the range ends before it begins", "exchange “from” and “to”")
     if (found.high - found.low) / found.step > MOST_NUMBERS:
         raise row.value_error("step", f"this makes more than {MOST_NUMBERS} numbers", "write a greater step")
-    needed = max(
-        figures(found.low + k * found.step) for k in range(min(40, int((found.high - found.low) / found.step) + 1))
-    )
+    needed = max(figures(found.low + k * found.step) for k in range(min(40, int((found.high - found.low) / found.step) + 1)))
     if needed > found.digits:
         key = "digits" if "digits" in row else "step"
         hint = f"write digits = {needed}, or a greater step" if needed <= MOST_DIGITS else "write a greater step"
-        raise row.value_error(
-            key, f"{found.digits} significant figures do not tell the numbers of this range apart", hint
-        )
+        raise row.value_error(key, f"{found.digits} significant figures do not tell the numbers of this range apart", hint)
 
 
 def _told(item: SourceItem, call: Callable[[], Measure]) -> Measure:

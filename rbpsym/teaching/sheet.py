@@ -100,9 +100,7 @@ def _texts(table: SourceTable, key: str) -> dict[str, str]:
         return dict.fromkeys(languages(), value)
     if not isinstance(value, Mapping):
         raise table.value_error(
-            key,
-            f"“{key}” must be a text, not {kind_of(value)}",
-            f'write {key} = "..." or {key} = {{ en = "...", es = "..." }}',
+            key, f"“{key}” must be a text, not {kind_of(value)}", f'write {key} = "..." or {key} = {{ en = "...", es = "..." }}'
         )
     inner = table.table(key, key)
     inner.check_keys(languages(), f"the languages of “{key}”")
@@ -113,9 +111,7 @@ def _rows(table: SourceTable, key: str, written: str) -> list[SourceTable]:
     """The tables of a list, at least one."""
     value = table.data[key]
     if not isinstance(value, (list, tuple)) or not value or not all(isinstance(row, Mapping) for row in value):
-        raise table.error(
-            f"“{key}” must be one or more tables", f"write {written} with two brackets, once for each", key
-        )
+        raise table.error(f"“{key}” must be one or more tables", f"write {written} with two brackets, once for each", key)
     return table.rows(key, key)
 
 
@@ -133,9 +129,7 @@ def _part(row: SourceTable, folder: Path) -> SheetPart:
 def _problem(row: SourceTable, folder: Path) -> Problem:
     """By its name in the library, or a file beside the worksheet."""
     if ("name" in row) == ("file" in row):
-        raise row.error(
-            "a problem is named or its file is given, one of both", 'write name = "sliding-..." or file = "my.toml"'
-        )
+        raise row.error("a problem is named or its file is given, one of both", 'write name = "sliding-..." or file = "my.toml"')
     try:
         if "name" in row:
             return load_problem(find_problem(row.string("name")))
@@ -191,9 +185,7 @@ def _levels(row: SourceTable) -> list[int]:
     found = list(value) if isinstance(value, (list, tuple)) else [value]
     if not found or any(isinstance(one, bool) or one not in LEVELS for one in found):
         raise row.value_error(
-            "level",
-            "“level” must be a whole number from 0 (much help) to 3 (none), or a list of these",
-            "write level = 1",
+            "level", "“level” must be a whole number from 0 (much help) to 3 (none), or a list of these", "write level = 1"
         )
     return found
 
@@ -203,11 +195,7 @@ def _strings(row: SourceTable, key: str) -> tuple[str, ...]:
     value = row.data.get(key, ())
     if isinstance(value, str):
         return (value,)
-    if (
-        not isinstance(value, (list, tuple))
-        or (key in row and not value)
-        or not all(isinstance(item, str) for item in value)
-    ):
+    if not isinstance(value, (list, tuple)) or (key in row and not value) or not all(isinstance(item, str) for item in value):
         raise row.value_error(key, f"“{key}” must be a text or a list of texts", f'write {key} = ["..."]')
     return tuple(value)
 
@@ -217,9 +205,7 @@ def _points(row: SourceTable) -> Fraction | None:
         return None
     value = row.data["points"]
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 < value <= MOST_POINTS:
-        raise row.value_error(
-            "points", f"“points” must be a number above 0 and up to {MOST_POINTS}", "write points = 3"
-        )
+        raise row.value_error("points", f"“points” must be a number above 0 and up to {MOST_POINTS}", "write points = 3")
     return Fraction(str(value))
 
 
@@ -270,9 +256,7 @@ def standard_sheet(bench: ProblemBench, scenery: Scenery) -> Sheet:
     problem = bench.study.problem
     wishes = tuple(_usual_wishes(bench, scenery))
     if not wishes:
-        raise RbpsymError(
-            f"no task can be made of “{problem.name}”", instead="write a worksheet file with tasks of your own."
-        )
+        raise RbpsymError(f"no task can be made of “{problem.name}”", instead="write a worksheet file with tasks of your own.")
     return Sheet(problem.name, dict(problem.title), (SheetPart(problem, {}, wishes),), text=problem.text)
 
 

@@ -195,9 +195,7 @@ def _from_long(
         key = (_cell(cells, who).strip(), _cell(cells, code).strip())
         found = _ITEM.fullmatch(_cell(cells, item).strip())
         if not found:
-            raise ReadError(
-                f"“{_cell(cells, item)[:40]}” is no item", instead="Items are 1, 2, 3.1, …", place=Place(file, line)
-            )
+            raise ReadError(f"“{_cell(cells, item)[:40]}” is no item", instead="Items are 1, 2, 3.1, …", place=Place(file, line))
         answers = held.setdefault(key, {})
         if found[1] in answers:
             raise ReadError(f"item {found[1]} of “{key[0] or key[1]}” is answered twice", place=Place(file, line))

@@ -280,9 +280,7 @@ def work_symbol(derivation: Derivation, letter: str, force: str, on: str) -> str
 
 
 _TURN = t.Mul((t.TWO, t.Sym("pi")))
-_PERIOD = RootReading(
-    t.Sym("T"), lambda node: t.Div(_TURN, t.Sqrt(node)), lambda square: math.tau / math.sqrt(square), TIME
-)
+_PERIOD = RootReading(t.Sym("T"), lambda node: t.Div(_TURN, t.Sqrt(node)), lambda square: math.tau / math.sqrt(square), TIME)
 
 
 def _frequencies(derivation: Derivation) -> Iterator[Target]:
@@ -368,7 +366,6 @@ def _own_name(study: Study, text: str) -> str:
 # steps by which a later phase begins: how what they tell is asked for
 STARTS: Mapping[str, str] = {"after.speeds": "speed", "state.speed": "speed", "moment": "time", "energy.lost": "blow",
                              "energy.taken": "friction"}  # fmt: skip
-GAINED = "phases.lost.gained"  # what a blow does not take but gives
 
 
 def _starts(derivation: Derivation) -> Iterator[Target]:
@@ -381,7 +378,7 @@ def _starts(derivation: Derivation) -> Iterator[Target]:
             name = next((s for s in speeds if value == study.system.scope.start.get(s)), "") if variant == "speed" else variant
             if value is None or not name:
                 continue
-            variant = "gain" if known[id].phrase == GAINED else variant
+            variant = "gain" if known[id].phrase == "phases.lost.gained" else variant
             speeds = [speed for speed in speeds if speed != name]
             of = (lambda study, s=name: study.system.scope.start.get(s)) if variant == "speed" else lambda _, v=value: v
             dimension = dimension_of(row.items[-1], study.problem.dimensions)

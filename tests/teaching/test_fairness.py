@@ -5,11 +5,17 @@ from __future__ import annotations
 import csv
 import io
 import math
+from pathlib import Path
 
 import pytest
 
 from rbpsym.errors import RbpsymError
+from rbpsym.field import symbol
+from rbpsym.frozen import replace
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.loader import load_problem
 from rbpsym.statement.units import read_unit
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.grading.choices import judge_choice
 from rbpsym.teaching.grading.desk import Desk, grade_worksheet
 from rbpsym.teaching.grading.formula import Sought, judge_formula
@@ -18,6 +24,8 @@ from rbpsym.teaching.grading.quantity import read_quantity
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.model import ChoiceKey, ExplanationKey, FormulaKey, NumberKey, Option, Student
 from rbpsym.teaching.plan import plan_of
+from rbpsym.teaching.sheet import sheet_of_text
+from rbpsym.teaching.situations import scenery
 from rbpsym.teaching.spreadsheets import parse_answers
 from rbpsym.typeset.machine import to_machine
 
@@ -136,3 +144,36 @@ def test_words_before_a_letter_are_no_hindrance(typed, place):
     options = tuple(Option(()) for _ in range(4))
     assert judge_choice(typed, ChoiceKey(options, place)).credit == 1
     assert judge_choice("in between", ChoiceKey(options, place)).is_for_teacher
+
+
+SLOPE = """
+title = "Slope"
+[[problem]]
+name = "ring-on-incline"
+[[problem.task]]
+kind = "choose"
+about = "acceleration.s"
+[[problem.task]]
+kind = "formula"
+about = "reaction.f"
+"""
+
+
+def test_an_option_may_be_told_by_its_formula_and_a_is_the_acceleration():
+    sheet = plan_of(sheet_of_text(SLOPE)).worksheet(Student("ana"), "s")
+    choice, _ = sheet.items
+    right = choice.key.options[choice.key.right].formula
+    found = marked(sheet, q1=to_machine(right), q2="M a")
+    assert found["1"].points == found["1"].most  # as if its letter stood there
+    assert found["2"].judgement.status.value == "unfinished"  # F = m a is true, and a is not what f shall be told in
+    other = next(option for option in choice.key.options if option.slip)
+    assert marked(sheet, q1=to_machine(other.formula))["1"].judgement.slip == other.slip
+
+
+def test_places_that_are_asked_about_lie_in_their_own_phase():
+    """A weight that falls freely for 20 cm is not looked at after a metre of it."""
+    problem = load_problem(Path(__file__).parents[2] / "docs/examples/events/begins.toml")
+    study = Study(replace(problem, phases=()))
+    sight = scenery(study, {}, False, {"y": symbol("L")})
+    for _, situation in zip(range(20), sight.situations(Draws(b"seed", "places")), strict=False):
+        assert situation.numbers["h"] < situation.numbers["y"] < situation.numbers["L"]

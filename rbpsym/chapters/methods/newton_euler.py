@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from rbpsym.chapters.forces import force_node, torque_node
 from rbpsym.chapters.methods import statics
@@ -39,7 +39,8 @@ def _equations(draft: Draft, name: str, level: int) -> Step | None:
         left = draft.show(tidy(state.mass * way.dot(state.acceleration)))
         if slanted and t.is_negative(left):
             way, left = -way, left.arg if isinstance(left, t.Neg) else draft.show(tidy(-state.mass * way.dot(state.acceleration)))
-        pushes = [draft.show(push) for f in forces if (push := tidy(way.dot(f.vector)))]
+        parts = (tidy(way.dot(f.vector)) for f in forces)
+        pushes = [draft.show(part) for part in parts if part]
         if pushes or left != t.ZERO:
             push = t.add(*positive_first(pushes))
             rows.append(t.equation(left, push) if left != t.ZERO else t.equation(push, t.ZERO))
@@ -64,7 +65,7 @@ def _equations(draft: Draft, name: str, level: int) -> Step | None:
     )
 
 
-def _slanted(forces: list[Force]) -> tuple[Force, Vector] | None:
+def _slanted(forces: Iterable[Force]) -> tuple[Force, Vector] | None:
     """The first unknown force with its direction, where that is neither level nor upright and all the others are along it or
     across it: then each equation holds unknown forces of one direction."""
     ways = [(f, f.vector.derivative(name)) for f in forces for name in f.unknowns]

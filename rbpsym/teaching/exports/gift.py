@@ -121,9 +121,4 @@ LACKS: Mapping[str, str] = {
     "blanks": "a formula can't be compared: the blanks are asked as an essay that the teacher marks",
     "rubric": "the rubric and the sample answer are not carried: they stand in the key",
 }
-GIFT = Platform(
-    "GIFT",
-    tag=lambda path, alt: f"<em>[{alt}]</em>",
-    kinds={m.OrderKey: order, m.SignsKey: signs},
-    lacks=LACKS,
-)
+GIFT = Platform("GIFT", tag=lambda path, alt: f"<em>[{alt}]</em>", kinds={m.OrderKey: order, m.SignsKey: signs}, lacks=LACKS)

@@ -165,12 +165,7 @@ LACKS: Mapping[str, str] = {
 MOODLE = Platform(
     "Moodle",
     folder="@@PLUGINFILE@@/",
-    kinds={
-        m.FormulaKey: q.typed_formula,
-        m.BlanksKey: q.typed_blanks,
-        m.SlipKey: slip,
-        m.ExplanationKey: q.essay_with_sample,
-    },
+    kinds={m.FormulaKey: q.typed_formula, m.BlanksKey: q.typed_blanks, m.SlipKey: slip, m.ExplanationKey: q.essay_with_sample},
     lacks=LACKS,
     dropdown=dropdown,
 )

@@ -64,9 +64,7 @@ def table(formula: SetFormula, picture: Callable[[d.FigureBlock], str], marks: M
         **HTML,
         d.Text: lambda inline, page: str(escape(inline.text)),
         d.Math: lambda inline, page: formula(inline.node, page.notation, False),
-        d.Ref: lambda inline, page: str(
-            escape(marks.get(inline.label) or inline.mark or word("elsewhere", page.language))
-        ),
+        d.Ref: lambda inline, page: str(escape(marks.get(inline.label) or inline.mark or word("elsewhere", page.language))),
         d.Display: lambda block, page: _display(block, page, formula),
         d.Table: _table_html,
         d.Callout: lambda block, page: f"<div>{_titled(block, page)}{page.blocks(block.blocks, '')}</div>",

@@ -61,8 +61,7 @@ def question(item: m.Item, desk: ExportDesk) -> dict[str, str | bytes]:
         told=lambda option: attribute(feedback(option.slip, desk.worksheet), desk),
         left=(Math(item.key.left), Text(" =")) if hasattr(item.key, "left") else (),
         legend=Markup(q.legend(form.names, desk)) if isinstance(form, q.TypedFormulas) else "",
-        has_reason=isinstance(item.key, m.ExplanationKey)
-        or bool(isinstance(item.key, m.ComparisonKey) and item.rubric),
+        has_reason=isinstance(item.key, m.ExplanationKey) or bool(isinstance(item.key, m.ComparisonKey) and item.rubric),
         is_pure=isinstance(form, q.Number) and not read_unit(form.key.measure.unit).dimension,
     )
     files: dict[str, str | bytes] = {
@@ -96,8 +95,7 @@ def server(answers: Mapping[str, object]) -> str:
 def attribute(inlines: Inlines, desk: ExportDesk) -> str:
     """Inlines within an attribute: text and formulas between dollars."""
     shown = (
-        f"${to_latex(part.node, desk.worksheet.notation)}$" if isinstance(part, Math) else desk.plain((part,))
-        for part in inlines
+        f"${to_latex(part.node, desk.worksheet.notation)}$" if isinstance(part, Math) else desk.plain((part,)) for part in inlines
     )
     return "".join(shown)
 
@@ -124,9 +122,7 @@ def order(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> OrderBlocks:
 
 def _number(form: q.Number, item: m.Item, desk: ExportDesk) -> tuple[str, dict[str, object]]:
     unit = form.key.measure.unit.replace("^", "**")
-    return "number", {
-        "number": f"{form.exact:.10g} {unit}" if read_unit(form.key.measure.unit).dimension else form.exact
-    }
+    return "number", {"number": f"{form.exact:.10g} {unit}" if read_unit(form.key.measure.unit).dimension else form.exact}
 
 
 def _formulas(form: q.TypedFormulas, item: m.Item, desk: ExportDesk) -> tuple[str, dict[str, object]]:

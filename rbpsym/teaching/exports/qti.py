@@ -40,9 +40,7 @@ def package(desk: ExportDesk) -> dict[str, bytes]:
     sheet = desk.worksheet
     title, names = desk.plain(sheet.title), {item.id: identifier(f"item {item.id}") for item in sheet.items}
     files = {f"{names[item.id]}.xml": question(item, desk, names[item.id], title) for item in sheet.items}
-    files["test.xml"] = written(
-        "qti-test.xml", code=sheet.code, own=identifier(sheet.code), title=title, names=names.values()
-    )
+    files["test.xml"] = written("qti-test.xml", code=sheet.code, own=identifier(sheet.code), title=title, names=names.values())
     files |= desk.pictures
     files["imsmanifest.xml"] = written(
         "qti-manifest.xml", own=identifier(f"package {sheet.code}"), names=names.values(), pictures=desk.pictures

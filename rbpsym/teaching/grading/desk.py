@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from rbpsym.document.writers.page import plain_text as bare
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
@@ -14,7 +15,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
 from rbpsym.teaching.grading import judgement as j
-from rbpsym.teaching.grading.choices import judge_choice, judge_order, judge_signs, place_of
+from rbpsym.teaching.grading.choices import LETTERS, judge_choice, judge_order, judge_signs, place_of
 from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.ground import GradingGround, book, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
@@ -111,10 +112,30 @@ def decided(mark: Mark, told: str) -> Mark:
 def _formula(text: str, key: m.FormulaKey, item: m.Item, case: Case) -> Judgement:
     ground = case.ground(item, key.value, key.left)
     carried = tuple(own for follow in key.follows if (own := own_formula(follow, case)) is not None)
-    found = judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
-    if found.status is Status.WRONG and found.slip is None and with_numbers_put_in(text, key, item, case):
+    return _sought(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried), item, case)
+
+
+def _sought(text: str, sought: Sought, item: m.Item, case: Case) -> Judgement:
+    """The judgement on a formula; one in which numbers of the paper stand for letters goes to the teacher."""
+    found = judge_formula(text, sought)
+    if found.status is Status.WRONG and found.slip is None and with_numbers_put_in(text, sought.value, item, case):
         return Judgement(Status.UNDECIDED, remarks=(Remark("numbers put in"),))
     return found
+
+
+def _choice(text: str, key: m.ChoiceKey, item: m.Item, case: Case) -> Judgement:
+    """An option by its letter, else by what it says: the one formula that is equal, or words that no other option has."""
+    found = judge_choice(text, key)
+    if found.status is not Status.INVALID:
+        return found
+    said = [set(re.findall(r"\w+", bare(option.content, case.worksheet.notation).lower())) for option in key.options]
+    own = set(re.findall(r"\w+", text.lower()))
+    told = [k for k, words in enumerate(said) if own & words.difference(*(said[:k] + said[k + 1 :]))]
+    if isinstance(key, m.ComparisonKey):
+        return replace(judge_choice(LETTERS[told[0]], key).with_remark("open"), teacher=True) if len(told) == 1 else found
+    formulas = [(k, option.formula) for k, option in enumerate(key.options) if option.formula is not None]
+    same = [(k, f) for k, f in formulas if judge_formula(text, Sought(f, case.ground(item, f), item.asked.name)).credit == 1]
+    return judge_choice(LETTERS[same[0][0]], key).with_remark("read as", formula=same[0][1]) if len(same) == 1 else found
 
 
 def _number(text: str, key: m.NumberKey, item: m.Item, case: Case) -> Judgement:
@@ -124,7 +145,7 @@ def _number(text: str, key: m.NumberKey, item: m.Item, case: Case) -> Judgement:
 
 def _comparison(text: str, key: m.ComparisonKey, item: m.Item, case: Case) -> Judgement:
     """The choice earns the first line of the rubric; the reasons are the teacher's to mark."""
-    found = judge_choice(text, key)
+    found = _choice(text, key, item, case)
     if not item.rubric or not item.points:
         return found
     share = min(item.rubric[0].points / item.points, Fraction(1))
@@ -138,7 +159,7 @@ def _explanation(text: str, key: m.ExplanationKey, item: m.Item, case: Case) -> 
 
 def _blanks(text: str, key: m.BlanksKey, item: m.Item, case: Case) -> Judgement:
     typed = blank_texts(text, key, item.id, case.answers)
-    found = [_blank(typed.get(blank.number, ""), blank, key.names, case.ground(item, blank.value)) for blank in key.blanks]
+    found = [_blank(typed.get(blank.number, ""), blank, key.names, item, case) for blank in key.blanks]
     if all(one.status is Status.EMPTY for one in found):
         return j.EMPTY
     whole = sum((blank.points for blank in key.blanks), Fraction(0))
@@ -150,30 +171,30 @@ def _blanks(text: str, key: m.BlanksKey, item: m.Item, case: Case) -> Judgement:
             remarks += [Remark("blank", {"number": str(blank.number)}), *one.remarks]
     parts = tuple((str(blank.number), one.credit) for one, blank in zip(found, key.blanks, strict=True))
     slip = next((one.slip for one in found if one.slip), None)
-    return Judgement(
-        status, credit, tuple(remarks), slip, parts=parts, teacher=any(one.is_for_teacher for one in found)
-    )
+    return Judgement(status, credit, tuple(remarks), slip, parts=parts, teacher=any(one.is_for_teacher for one in found))
 
 
-def _blank(text: str, blank: m.Blank, names: tuple[str, ...], ground: GradingGround) -> Judgement:
-    return judge_formula(text, Sought(blank.value, ground, None, frozenset(names), blank.anticipated))
+def _blank(text: str, blank: m.Blank, names: tuple[str, ...], item: m.Item, case: Case) -> Judgement:
+    ground = case.ground(item, blank.value)
+    return _sought(text, Sought(blank.value, ground, None, frozenset(names), blank.anticipated), item, case)
 
 
 def blank_texts(text: str, key: m.BlanksKey, id: str, answers: Answers) -> dict[int, str]:
-    """What stands in each blank: from columns “3.1”, “3.2”, or from one cell, separated by semicolons or lines."""
+    """What stands in each blank: from columns “3.1”, “3.2”, or from one cell, separated by semicolons or lines, or by as many
+    commas as it takes."""
     numbers = [blank.number for blank in key.blanks]
     own = {number: answers[f"{id}.{number}"] for number in numbers if f"{id}.{number}" in answers}
     if own:
         return own
-    return dict(zip(numbers, re.split(r"[;\n]", text), strict=False))
+    by_commas = re.split(r",\s", text)
+    parts = by_commas if len(by_commas) == len(numbers) > 1 else re.split(r"[;\n]", text)
+    return dict(zip(numbers, parts, strict=False))
 
 
 def _slip(text: str, key: m.SlipKey, item: m.Item, case: Case) -> Judgement:
     if not text.strip():
         return j.EMPTY
-    found = re.match(
-        r"\s*(?:line|línea|linea)?\s*[(\[]?([A-Za-z]|\d{1,3})[)\].:,]?(?:\s+|$|(?<=[:)\].,]))", text, re.IGNORECASE
-    )
+    found = re.match(r"\s*(?:line|línea|linea)?\s*[(\[]?([A-Za-z]|\d{1,3})[)\].:,]?(?:\s+|$|(?<=[:)\].,]))", text, re.IGNORECASE)
     place = place_of(found[1], len(key.lines)) if found else None
     if found is None or place is None:
         options = f"1 – {len(key.lines)}"
@@ -209,7 +230,7 @@ def _says_the_same(text: str, sides: tuple[t.Node, ...], ground: GradingGround) 
 JUDGES: Mapping[type, Callable[[str, Any, m.Item, Case], Judgement]] = {
     m.FormulaKey: _formula,
     m.NumberKey: _number,
-    m.ChoiceKey: lambda text, key, item, case: judge_choice(text, key),
+    m.ChoiceKey: _choice,
     m.ComparisonKey: _comparison,
     m.OrderKey: lambda text, key, item, case: judge_order(text, key),
     m.SignsKey: lambda text, key, item, case: judge_signs(text, key),

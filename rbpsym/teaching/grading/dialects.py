@@ -16,9 +16,7 @@ from rbpsym.teaching.grading.words import CALLED, OTHER_FUNCTIONS, WORD, lookup
 NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)"
 INVERSES = MappingProxyType({"sen": "asin", "tg": "atan", "senh": "asinh", "tgh": "atanh"})
 _MINUS_ONE = r"\s*(?:(?:\^|\*\*)\s*(?:[({]\s*)?[-−–]\s*1(?!\d)\s*[)}]?|⁻¹)\s*"
-_INVERSE = re.compile(
-    rf"(?<![A-Za-z\\])(a?(?:sinh|cosh|tanh|senh|tgh|sin|cos|tan|sen|tg)){_MINUS_ONE}(?=[\w(\\√|{{\[])"
-)
+_INVERSE = re.compile(rf"(?<![A-Za-z\\])(a?(?:sinh|cosh|tanh|senh|tgh|sin|cos|tan|sen|tg)){_MINUS_ONE}(?=[\w(\\√|{{\[])")
 _LATEX_INVERSE = re.compile(rf"\\(sinh|cosh|tanh|sin|cos|tan){_MINUS_ONE}")
 
 
@@ -137,9 +135,7 @@ def mixed_numbers(text: str, book: Book) -> str:
     text = re.sub(r"(?<![\w.,^])(\d+)\s?([¼½¾⅐-⅞])", r"(\1+\2)", text)
     text = re.sub(r"(?<![\w.,^)\]/*])(\d{1,3})\s+(\d{1,3})\s*/\s*(\d{1,3})(?![\w.,])", _mixed, text)
     text = re.sub(rf"(?<![\w.])({NUMBER})\s*%(?!\s*[\w(])", r"(\1/100)", text)
-    return re.sub(
-        r"(?<![\w.,^])(\d{1,3})((?:[ \u2009\u202f]\d{3})+)(?![\w.,])", lambda f: re.sub(r"\s", "", f[0]), text
-    )
+    return re.sub(r"(?<![\w.,^])(\d{1,3})((?:[ \u2009\u202f]\d{3})+)(?![\w.,])", lambda f: re.sub(r"\s", "", f[0]), text)
 
 
 def _small_fraction(found: re.Match[str]) -> str:
@@ -182,9 +178,7 @@ def latex(text: str, book: Book) -> str:
     """LaTeX with what the reader knows for other commands: \\sin^{-1}, 60^\\circ, \\over, \\sfrac, 1\\frac{3}{4}."""
     text = _LATEX_INVERSE.sub(r"\\arc\1 ", text)
     text = re.sub(
-        rf"(?<![\d.])({NUMBER})\s*(?:\^\s*\{{?\s*\\circ\s*\}}?|\\degree(?![A-Za-z])|°)",
-        r"\\left(\1\\cdot\\pi/180\\right)",
-        text,
+        rf"(?<![\d.])({NUMBER})\s*(?:\^\s*\{{?\s*\\circ\s*\}}?|\\degree(?![A-Za-z])|°)", r"\\left(\1\\cdot\\pi/180\\right)", text
     )
     text = re.sub(r"\\(?:s|nice|x|c|l)frac(?![A-Za-z])", r"\\frac", text)
     text = re.sub(r"\\div(?![A-Za-z])", "/", text)

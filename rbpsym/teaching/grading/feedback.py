@@ -153,9 +153,7 @@ def _row(mark: Mark, worksheet: Worksheet) -> dict[str, object]:
 
 def visible(text: str, kept: str = " ") -> str:
     """Text in which no character is invisible: controls and marks of direction are shown by their codes."""
-    return "".join(
-        " " if category(c) == "Zs" else c if c.isprintable() or c in kept else f"⟨U+{ord(c):04X}⟩" for c in text
-    )
+    return "".join(" " if category(c) == "Zs" else c if c.isprintable() or c in kept else f"⟨U+{ord(c):04X}⟩" for c in text)
 
 
 def _html(inlines: Inlines, worksheet: Worksheet) -> Markup:

@@ -44,10 +44,7 @@ class Book(Frozen):
 
 
 def book(
-    names: Iterable[str],
-    notation: Mapping[str, str] | None = None,
-    language: str = "en",
-    called: Mapping[str, str] | None = None,
+    names: Iterable[str], notation: Mapping[str, str] | None = None, language: str = "en", called: Mapping[str, str] | None = None
 ) -> Book:
     """The book of some names; `notation` draws one name as another (`theta_dot` as `omega`).
 
@@ -150,7 +147,7 @@ def ground_of(study: Study, language: str = "en") -> GradingGround:
     names = {*dimensions, *named, *system.unknowns}
     scalars = {**named, **system.tied()}
     return GradingGround(
-        book(names, problem.notation, language, problem.names_in(language)),
+        book(names, {**_along_a_line(study), **problem.notation}, language, problem.names_in(language)),
         study.assumptions,
         system.scope.with_scalars({**system.scope.scalars, **scalars}),
         dimensions,
@@ -158,6 +155,15 @@ def ground_of(study: Study, language: str = "en") -> GradingGround:
         lambda value: with_squares(study.on_motion(value), study.squares),
         True,
     )
+
+
+def _along_a_line(study: Study) -> dict[str, str]:
+    """v and a of the only coordinate, if that goes along a line."""
+    names = study.system.independent
+    if len(names) != 1 or study.problem.dimensions[names[0]] != LENGTH:
+        return {}
+    rates = {f"{names[0]}_dot": "v", f"{names[0]}_ddot": "a"}
+    return {rate: letter for rate, letter in rates.items() if letter not in study.problem.dimensions}
 
 
 _NAMED = {"I": MASS * LENGTH**2, "omega": TIME**-1, "alpha": TIME**-2}
@@ -171,6 +177,8 @@ def named_quantities(study: Study) -> dict[str, Scalar]:
     found = {f"I_{name}": state.moment for name, state in bodies.items()}
     found |= {f"omega_{name}": state.omega for name, state in bodies.items() if state.omega}
     found |= {f"alpha_{name}": state.alpha for name, state in bodies.items() if state.alpha}
+    moments = [state.moment for state in bodies.values() if state.moment]
+    found |= {"I": moments[0]} if len(moments) == 1 else {}
     turning = {state.omega for state in bodies.values() if state.omega}
     if len(bodies) == 1:
         [state] = bodies.values()

@@ -53,15 +53,9 @@ def class_list(
     names = {student.id: student.name for student in roster}
     known, refused = _once(tuple(row if row.student else replace(row, student=codes.get(row.code, "")) for row in rows))
     unknown = tuple((row, _unknown(row, names)) for row in known if row.student and row.student not in names)
-    kept = tuple(
-        replace(row, name=names.get(row.student, "")) for row in known if not row.student or row.student in names
-    )
-    exchanged = tuple(
-        _exchanged(row, codes[row.code]) for row in kept if codes.get(row.code, row.student) != row.student
-    )
-    absent = tuple(
-        student for student in roster if student.id not in {row.student for row in rows} | {r.student for r in kept}
-    )
+    kept = tuple(replace(row, name=names.get(row.student, "")) for row in known if not row.student or row.student in names)
+    exchanged = tuple(_exchanged(row, codes[row.code]) for row in kept if codes.get(row.code, row.student) != row.student)
+    absent = tuple(student for student in roster if student.id not in {row.student for row in rows} | {r.student for r in kept})
     missing = (f"no answers: {', '.join(map(_called, absent))}.",) if absent else ()
     return ClassList(kept, (*refused, *unknown), (*exchanged, *missing), names, absent)
 
@@ -94,8 +88,6 @@ def _once(rows: tuple[AnswerRow, ...]) -> tuple[tuple[AnswerRow, ...], tuple[tup
 
 
 # ---
-
-
 
 
 class GradingOrder(Handout):
@@ -251,9 +243,7 @@ def _graded(found: list[dict[str, Any]], table: AnswerTable, listed: ClassList) 
 
 def _row(one: dict[str, Any], items: list[str]) -> list[str]:
     if "error" in one:
-        return [one["student"], one["code"], "", "", "all", *([""] * (2 * len(items) - 1)), one["error"]][
-            : 5 + 2 * len(items)
-        ]
+        return [one["student"], one["code"], "", "", "all", *([""] * (2 * len(items) - 1)), one["error"]][: 5 + 2 * len(items)]
     held = {item: (points, said) for item, points, said in one["items"]}
     cells = [cell for item in items for cell in held.get(item, ("", ""))]
     return [one["student"], one["code"], one["total"], one["most"], " ".join(one["teacher"]), *cells]

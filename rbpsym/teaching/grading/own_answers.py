@@ -21,7 +21,7 @@ from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.quantity import read_quantity
 from rbpsym.teaching.grading.reading import read_all, read_formula
-from rbpsym.teaching.model import BlanksKey, FollowOn, FormulaKey, Item, NumberKey
+from rbpsym.teaching.model import BlanksKey, FollowOn, Item, NumberKey
 
 if TYPE_CHECKING:
     from rbpsym.teaching.grading.desk import Case
@@ -57,19 +57,19 @@ def own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
         return None
 
 
-def with_numbers_put_in(text: str, key: FormulaKey, item: Item, case: Case) -> bool:
+def with_numbers_put_in(text: str, key: t.Node, item: Item, case: Case) -> bool:
     """Does an answer without some of the symbols agree with the key at the numbers of the paper, as far as numbers tell?"""
-    ground, given = case.ground(item, key.value), case.worksheet.part_of(item.id).given
+    ground, given = case.ground(item, key), case.worksheet.part_of(item.id).given
     numbers = {name: float(m.value) * read_unit(m.unit).factor for name, m in given.items()}
     for tree in _read(text, ground):
         try:
-            own, right = scalar(tree, ground.scope), scalar(key.value, ground.scope)
-            free = sorted((t.names(tree) | t.names(key.value)) - numbers.keys())
+            own, right = scalar(tree, ground.scope), scalar(key, ground.scope)
+            free = sorted((t.names(tree) | t.names(key)) - numbers.keys())
             states = [{**numbers, **{name: 0.3 + 0.17 * (k + n) for n, name in enumerate(free)}} for k in range(3)]
             pairs = [(number(own, state), number(right, state)) for state in states]
         except (RbpsymError, ZeroDivisionError):
             continue
-        if t.names(tree) - {"pi"} < t.names(key.value) and all(abs(a - b) <= ROUNDED * abs(b) for a, b in pairs):
+        if t.names(tree) - {"pi"} < t.names(key) and all(abs(a - b) <= ROUNDED * abs(b) for a, b in pairs):
             return True
     return False
 

@@ -53,9 +53,7 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺−", "012345678
 _FACTOR = re.compile(r"\s*(?:[*·]\s*)?(?:\(\s*)*(?:pi|sin|cos|tan|sen|sqrt|\d)")  # behind a number what is no unit
 
 
-_SENSE = re.compile(
-    rf"\b(?:{in_any('sense')})\b|\b(?:{in_any('way')})\s*$", re.IGNORECASE
-)
+_SENSE = re.compile(rf"\b(?:{in_any('sense')})\b|\b(?:{in_any('way')})\s*$", re.IGNORECASE)
 
 
 def read_quantity(text: str, language: str = "en") -> Typed:
@@ -63,9 +61,7 @@ def read_quantity(text: str, language: str = "en") -> Typed:
     if len(text) > LONGEST:
         raise ReadError(f"this is too long for a number: {len(text)} characters", instead="Enter the number alone.")
     if _SENSE.search(text):
-        raise ReadError(
-            "a direction in words is not read", instead="Give the number with its sign and unit; counter-clockwise is positive."
-        )
+        raise ReadError("a direction in words is not read", instead="Give the number with its sign and unit.")
     told = _bare(text, language)
     if not told:
         raise ReadError("there is no answer", instead="Enter a number with its unit, as in 4.2 m/s^2.")

@@ -47,8 +47,7 @@ MADE: Mapping[str, Made] = MappingProxyType({
     "cotan": FUNCTIONS["cot"], "tangent": FUNCTIONS["tan"], "sine": FUNCTIONS["sin"], "cosine": FUNCTIONS["cos"],
     **dict.fromkeys(("asec", "arcsec"), _of_reciprocal("acos")), **dict.fromkeys(("acsc", "arccsc"), _of_reciprocal("asin")),
 })  # fmt: skip
-PLAIN = (t.Num, t.Sym, t.Add, t.Neg, t.Mul, t.Div, t.Pow, t.Sqrt, t.Fn, t.Abs, t.Group, t.Deriv, t.Chain,
-         t.Integral)
+PLAIN = (t.Num, t.Sym, t.Add, t.Neg, t.Mul, t.Div, t.Pow, t.Sqrt, t.Fn, t.Abs, t.Group, t.Deriv, t.Chain, t.Integral)
 EULER = "e"
 
 

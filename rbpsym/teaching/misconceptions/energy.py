@@ -272,9 +272,7 @@ def _joined(half: str, item: ForceWork) -> ForceWork:
 def _torque_about_axis(study: Study) -> Iterator[Site]:
     """The torque about the fixed axis, instead of the centre of mass, in the rotational work."""
     for name, arm in change.arms(study).items():
-        forces = tuple(
-            replace(f, couple=f.couple + arm.cross(f.vector)) if f.on == name else f for f in study.system.forces
-        )
+        forces = tuple(replace(f, couple=f.couple + arm.cross(f.vector)) if f.on == name else f for f in study.system.forces)
         system = replace(study.system, forces=forces)
         yield Site({"body": BodyRef(name)}, partial(change.with_kinematics, study, system))
 

@@ -18,7 +18,18 @@ from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
 from rbpsym.proof.step import BodyRef
 from rbpsym.teaching.misconceptions import model as change
-from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site, Sites, of_forces, weights
+from rbpsym.teaching.misconceptions.model import (
+    FORCES,
+    MOTION,
+    NO_FORCES,
+    WELL,
+    Misconception,
+    Site,
+    Sites,
+    of_forces,
+    weights,
+    without,
+)
 from rbpsym.teaching.targets import axes
 
 HALF = UNITY / 2
@@ -231,11 +242,10 @@ def _wrong_sense(study: Study) -> Iterator[Site]:
             yield Site({"body": BodyRef(name)}, partial(change.with_parts, study, system=system))
 
 
-def _inertia_of_others(study: Study) -> Iterator[Site]:
-    """One body of several is accelerated for nothing: its M a is left out."""
-    for name, state in study.system.bodies.items():
-        if len(study.system.bodies) > 1 and name not in axes(study) and state.acceleration != ORIGIN:
-            yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, mass=NOTHING))
+def _shifted(study: Study) -> list[tuple[str, dict[str, Any]]]:
+    """Of several bodies those that are accelerated and turn about no axis."""
+    bodies = study.system.bodies
+    return [(n, {}) for n, s in bodies.items() if len(bodies) > 1 and n not in axes(study) and s.acceleration != ORIGIN]
 
 
 def _changed(
@@ -268,7 +278,7 @@ MISCONCEPTIONS = (
     _changed("one-of-two-parts-of-string", _strings_with_two_parts, lambda s, f: replace(f, vector=f.vector * HALF), MOTION),
     _changed("action-along-reaction", _reactions, _opposite, MOTION),
     _changed("third-law-forgotten", _reactions, lambda s, f: None, MOTION),
-    Misconception("inertia-of-one-body-left-out", _inertia_of_others, MOTION),
+    Misconception("inertia-of-one-body-left-out", without("mass", _shifted), MOTION),  # its M a is for nothing
     Misconception("centripetal-outward", _speeds_squared(-1), FORCES, WELL),
     # the accelerations of a rotation about the point that is at rest just now: that point has one of its own
     Misconception("instantaneous-center-for-accelerations", _speeds_squared(0, _all_turn_freely), FORCES, WELL),

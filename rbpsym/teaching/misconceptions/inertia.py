@@ -13,7 +13,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import BodyRef
 from rbpsym.teaching.misconceptions import model as change
-from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site, Sites
+from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site, Sites, without
 from rbpsym.teaching.targets import axes
 
 ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "shell": Fraction(2, 3)}
@@ -45,12 +45,6 @@ def _shifted(times: int) -> Sites:
                 yield _moment(study, name, state.moment + state.mass * square * times, point=t.Sym(label))
 
     return sites
-
-
-def _spin_dropped(study: Study) -> Iterator[Site]:
-    """I_cm of one body left out: it is taken for a point mass at its centre."""
-    for name, _ in change.spinning(study):
-        yield _moment(study, name, NOTHING)
 
 
 def _all_at_centers(study: Study) -> Iterator[Site]:
@@ -110,7 +104,8 @@ def _mass_dropped(study: Study) -> Iterator[Site]:
 
 
 MISCONCEPTIONS = (
-    Misconception("spin-dropped", _spin_dropped, SPIN, NO_INERTIA),
+    # a body taken for a point mass at its centre
+    Misconception("spin-dropped", without("moment", lambda s: ((n, {}) for n, _ in change.spinning(s))), SPIN, NO_INERTIA),
     Misconception("all-mass-at-centers", _all_at_centers, SPIN, NO_INERTIA),
     Misconception("parallel-axis-forgotten", _shifted(-1), SPIN, NO_INERTIA),  # I_O - M d² for I_cm: the whole is I_cm
     Misconception("parallel-axis-twice", _shifted(1), SPIN, NO_INERTIA),

@@ -19,7 +19,18 @@ from rbpsym.statement.model import Body, Element, Turn
 from rbpsym.statement.solids import put_into
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.energy import with_energy
-from rbpsym.teaching.misconceptions.model import ENERGY, FORCES, MOTION, NO_INERTIA, SPIN, WELL, Misconception, Site, of_elements
+from rbpsym.teaching.misconceptions.model import (
+    ENERGY,
+    FORCES,
+    MOTION,
+    NO_INERTIA,
+    SPIN,
+    WELL,
+    Misconception,
+    Site,
+    of_elements,
+    without,
+)
 
 SHOWN_AT_ONCE = frozenset({"acceleration", "frequency"})
 
@@ -47,9 +58,7 @@ def _welded(study: Study, element: Element, body: str) -> Study:
     own = study.problem.body(body).angle
     used = {n for b in study.problem.bodies if b.name != body for n in _names(b)}
     gone = (t.names(own) if own else set()) - used
-    weld = Element(
-        element.name, "weld", {**element.values, "angle": None, "couple": f"tau_{element.name}"}, element.place
-    )
+    weld = Element(element.name, "weld", {**element.values, "angle": None, "couple": f"tau_{element.name}"}, element.place)
     problem = replace(
         study.problem,
         bodies=tuple(replace(b, angle=None) if b.name == body else b for b in study.problem.bodies),
@@ -64,12 +73,9 @@ def _names(body: Body) -> set[str]:
     return {name for node in nodes if node is not None for name in t.names(node)}
 
 
-def _welded_as_free(study: Study) -> Iterator[Site]:
-    """A body that is fixed to another is taken not to turn with it: its I_cm is missing."""
-    for element in study.problem.of_kind("weld"):
-        name = element["points"][1].body
-        if name is not None and study.system.bodies[name].moment:
-            yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))
+def _welded_ones(study: Study) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    names = (element["points"][1].body for element in study.problem.of_kind("weld"))
+    return ((name, {}) for name in names if name is not None and study.system.bodies[name].moment)
 
 
 def _spin_of_carrier(study: Study) -> Iterator[Site]:
@@ -202,12 +208,10 @@ def _turned(study: Study, force: Force) -> Force:
 # --- strings
 
 
-def _held_is_weight(study: Study) -> Iterator[Site]:
-    """The tension (or the force of the joint) equals the weight of what hangs on it: that body's M a is forgotten."""
-    for element in study.problem.of_kind("string", "pin"):
-        for name in _hanging(study, element):
-            slots = {"force": t.Sym(element.name), "body": BodyRef(name)}
-            yield Site(slots, partial(change.with_inertia, study, name, mass=NOTHING))
+def _held(study: Study) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """What hangs on a string or a joint, with that."""
+    held = study.problem.of_kind("string", "pin")
+    return ((name, {"force": t.Sym(element.name)}) for element in held for name in _hanging(study, element))
 
 
 def _hanging(study: Study, element: Element) -> list[str]:
@@ -217,25 +221,22 @@ def _hanging(study: Study, element: Element) -> list[str]:
     return sorted(own - others) if len(study.system.bodies) > 1 else []
 
 
-def _pulley_at_rest(study: Study) -> Iterator[Site]:
-    """A string's tension is the same on both sides of a round body that it turns: its I_cm is left out."""
-    for element in study.problem.of_kind("string"):
-        for turn in element["path"][1:-1]:  # on a body at an end it is wound, and there is one side
-            name = turn.body
-            if turn.sense and name is not None and study.system.bodies[name].moment:
-                yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))
+def _pulleys(study: Study) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """Round bodies that a string turns; on a body at its end it is wound, and there is one side."""
+    turns = (turn for element in study.problem.of_kind("string") for turn in element["path"][1:-1])
+    return ((n.body, {}) for n in turns if n.sense and n.body is not None and study.system.bodies[n.body].moment)
 
 
 MISCONCEPTIONS = (
     Misconception("free-taken-as-welded", _free_as_welded, SPIN, WELL),
-    Misconception("welded-taken-as-free", _welded_as_free, SPIN, NO_INERTIA),
+    Misconception("welded-taken-as-free", without("moment", _welded_ones), SPIN, NO_INERTIA),
     Misconception("spin-of-carrier", _spin_of_carrier, frozenset({"momentum", "kinetic"}), WELL),
     Misconception("rim-and-hub-alike", _one_radius, MOTION),
     Misconception("rolling-taken-as-sliding", of_elements(_rolling, _touching, _slots), MOTION),
     Misconception("friction-is-mu-n", _friction_is_mu_n, MOTION),
     Misconception("friction-wrong-way", _friction_wrong_way, MOTION),
-    Misconception("tension-is-weight", _held_is_weight, MOTION | FORCES),
-    Misconception("same-tension-on-both-sides", _pulley_at_rest, MOTION),
+    Misconception("tension-is-weight", without("mass", _held), MOTION | FORCES),
+    Misconception("same-tension-on-both-sides", without("moment", _pulleys), MOTION),
     Misconception("rolls-while-slipping", of_elements(_slipping, _as_rolling, _slots), MOTION),
     Misconception("friction-along-slip", _along_the_slip, MOTION),
     Misconception("kinetic-friction-left-out", of_elements(_slipping, lambda e: e.with_values(coefficient=None), _slots), MOTION),

@@ -8,7 +8,7 @@ from typing import Any
 
 from rbpsym.errors import NoNumber
 from rbpsym.expr.tree import Node, Vec
-from rbpsym.field import Scalar, Vector, is_zero
+from rbpsym.field import NOTHING, Scalar, Vector, is_zero
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.numbers import number, sample
@@ -122,9 +122,7 @@ Pick = Callable[[Study], Iterable[Force]]
 Wrong = Callable[[Study, Force], Force | None]
 
 
-def of_forces(
-    pick: Pick, wrong: Wrong, drawn: Callable[[str], Node] = Vec
-) -> Sites:
+def of_forces(pick: Pick, wrong: Wrong, drawn: Callable[[str], Node] = Vec) -> Sites:
     """At each force that is picked the study in which it alone is another one, or none."""
 
     def sites(study: Study) -> Iterator[Site]:
@@ -144,6 +142,14 @@ def of_elements(
 ) -> Sites:
     """At each element of the statement that is picked the study in which it alone is another one."""
     return lambda study: (Site(slots(e), partial(with_element, study, e, wrong(e))) for e in pick(study))
+
+
+def without(part: str, pick: Callable[[Study], Iterable[tuple[str, Mapping[str, Any]]]]) -> Sites:
+    """At each body that is picked the study in which it has no “moment” (of inertia) or no “mass”; with what else is said."""
+    return lambda study: (
+        Site({"body": BodyRef(name), **slots}, partial(with_inertia, study, name, **{part: NOTHING}))
+        for name, slots in pick(study)
+    )
 
 
 def of_bodies(pick: Callable[[Study], Iterable[tuple[str, Mapping[str, Any]]]]) -> Sites:
@@ -167,6 +173,7 @@ def with_reactions(study: Study, found: Mapping[str, Scalar]) -> Study:
 def with_elements(study: Study, change: Callable[[Element], Element | None]) -> Study:
     """Interactions and constraints of the statement changed (None drops one), all else derived anew."""
     problem = study.problem
+
     def kept(elements: tuple[Element, ...]) -> tuple[Element, ...]:
         return tuple(filter(None, map(change, elements)))
 

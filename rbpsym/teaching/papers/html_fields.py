@@ -63,9 +63,7 @@ def _comment(slip: m.Slip, item: m.Item, worksheet: m.Worksheet, page: Page) -> 
 
 
 def _field(label: str, about: str) -> str:
-    return (
-        f'<label>{label} <input type="text" autocomplete="off" spellcheck="false" aria-label="{escape(about)}"></label>'
-    )
+    return f'<label>{label} <input type="text" autocomplete="off" spellcheck="false" aria-label="{escape(about)}"></label>'
 
 
 def _number(key: m.NumberKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
@@ -139,8 +137,7 @@ def _order(key: m.OrderKey, item: m.Item, worksheet: m.Worksheet, page: Page) ->
 
 def _slip(key: m.SlipKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     radios = "".join(
-        f'<label class="beside"><input type="radio" name="t{item.id}" value="{k}"> {k + 1}</label>'
-        for k in range(len(key.lines))
+        f'<label class="beside"><input type="radio" name="t{item.id}" value="{k}"> {k + 1}</label>' for k in range(len(key.lines))
     )
     comments = ["" if k != key.wrong else _comment(key.slip, item, worksheet, page) for k in range(len(key.lines))]
     label = escape(plain_text("paper.line", page.language))

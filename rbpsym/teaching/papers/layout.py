@@ -238,9 +238,7 @@ KEYS: Mapping[type, Area] = {
 
 
 def _criterion(criterion: m.Criterion, worksheet: m.Worksheet) -> d.Inlines:
-    points = say(
-        "paper.points_each", worksheet.language, points=number_text(criterion.points, worksheet.notation.decimal)
-    )
+    points = say("paper.points_each", worksheet.language, points=number_text(criterion.points, worksheet.notation.decimal))
     return (d.Strong(points), d.Text(" "), *criterion.text)
 
 

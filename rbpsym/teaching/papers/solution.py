@@ -86,9 +86,7 @@ def part_sections(part: m.Part, worksheet: m.Worksheet, derivation: Derivation) 
     chapters = derivation_sections(part.problem, derivation, language, level)
     labels = {label for chapter in chapters for label in labels_in(chapter)}
     found += chapters
-    blocks: list[Block] = (
-        [Paragraph(say("solution.numbers", language, given=numbers(part, worksheet)))] if part.given else []
-    )
+    blocks: list[Block] = [Paragraph(say("solution.numbers", language, given=numbers(part, worksheet)))] if part.given else []
     for item in part.items:
         blocks += [block for block in solution_blocks(item, worksheet) if references(block) <= labels]
     return [*found, Section(say("solution.answers", language), tuple(blocks), level=level)]

@@ -184,8 +184,8 @@ def _choices_of(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Tar
 
 
 def _with_numbers(bench: b.ProblemBench, scenery: Scenery, target: Target) -> tuple[Distractor, ...]:
-    """The known wrong values that are numbers at the place that is asked about."""
-    known = b.known_names(bench, scenery)
+    """The known wrong values that are numbers at the place that is asked about, which is told only where the right one asks."""
+    known = b.known_names(bench, scenery) if scenery.coordinate in number_names(bench, target) else set(scenery.ranges)
     return tuple(d for d in bench.pool.of(target) if d.along is not None and names_in(d.along) <= known)
 
 

@@ -119,7 +119,6 @@ def _reads_well(wrong: Step, right: Step) -> bool:
     return not is_empty and length(wrong.statement) <= 2 * length(right.statement) + 6
 
 
-
 def _prepared(bench: ProblemBench, wish: Wish, target: Target, found: tuple[Told, ...]) -> Prepared:
     def make(setting: ItemSetting) -> Item:
         told = setting.draws.one_of(found)
