@@ -357,8 +357,7 @@ def _own_name(study: Study, text: str) -> str:
     named = getattr(found, "named", ())
     system = study.system
     later = (element.name for phase in study.problem.phases for element in phase.problem.constraints)
-    rates = (f"{c}{rate}" for c in system.coordinates for rate in ("", "_dot"))
-    names = dict.fromkeys((*system.unknowns, *system.accelerations, *rates, *later))
+    names = (*system.unknowns, *system.accelerations, *(f"{c}{r}" for c in system.coordinates for r in ("", "_dot")), *later)
     given = (q.name for q in study.problem.parameters if q.name == getattr(found, "symbol", ""))
     return next((name for name in names if named == (symbol(name),)), next(given, ""))
 
