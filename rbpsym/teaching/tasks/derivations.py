@@ -143,7 +143,12 @@ def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Ste
                 left -= len(chosen[id])
         statements, _ = _with_blanks(bench, steps, chosen)
         shown = bench.given.prints | printed(bench.study, statements.values(), t.walk)  # a vector line may lead to it
-        told = {id: [gap for gap in own if wanted_values(bench.study, [gap.node]) & shown] for id, own in chosen.items()}
+        told: dict[str, list[Gap]] = {id: [] for id in chosen}
+        before: dict[t.Node, str] = {}
+        for step, gap in [(each, gap) for each in steps for gap in chosen.get(each.id, ())]:
+            is_handed_on = before.get(gap.node) in step.reasons  # one answer fills one blank
+            told[step.id] += [gap] if is_handed_on or wanted_values(bench.study, [gap.node]) & shown else []
+            before[gap.node] = step.id
         if not any(told.values()):
             solved = _solved(bench, steps, chosen)
             told = {step.id: chosen[step.id] for step in steps if step.id in chosen and _follows(bench, step, solved)}
