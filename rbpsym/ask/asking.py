@@ -114,6 +114,9 @@ def meant_by(study: Study, text: str) -> Bound | None:
 
 
 _VALUE = r"\w+ ?= ?[^\s,=]+"
+TURNED_ROUND = re.compile(
+    r"\b(after|until|for) (?:it has made |the first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?(?=$|,? with )"
+)
 TO_THE_END = re.compile(r"(?:the )?total (?:way|angle|change) of (?:the )?(\w+)(?=$|,? with )")  # until friction has stopped it
 WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) (?:the )?\w+|(?:for|in the limit) .+)")
 
@@ -126,6 +129,7 @@ def _plain(asked: Asked, text: str) -> str:
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
     named = "|".join(re.escape(name) for name in asked.names if name not in ("rest", "equilibrium"))
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
+    plain = TURNED_ROUND.sub(lambda said: f"{'where' if said[1] == 'after' else 'until'} number of turns = {said[2]}", plain)
     if TO_THE_END.match(plain) and stops(asked.study(asked.lasting).system):
         plain = TO_THE_END.sub(r"displacement of \1 until \1 comes to rest", plain)
     constants = "|".join(quantity.name for quantity in asked.problem.parameters)

@@ -10,6 +10,7 @@ Kleppner & Kolenkow, ch. 7; Goldstein, 1.4; the projection is Jourdain's (Kane's
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from math import prod
 
 from rbpsym.errors import LimitError
@@ -223,7 +224,8 @@ def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> di
         if not asking(system) or any(is_nonzero(system, value, images) for *_, value in known):
             raise unheld(system, known, images)
         equations = [(body, way, linear_row(value, unknowns)) for body, way, value in rows]
-        raise contradictory(system, _in_the_way(equations, unknowns, lambda value: not is_nonzero(system, value, images)))
+        holds = partial(_vanishes, system, images)
+        raise contradictory(system, _in_the_way(equations, unknowns, holds), _alone(equations, unknowns, holds))
     return {name: _on_motion(solution.values[name], images) for name in unknowns}
 
 
@@ -244,6 +246,17 @@ def _products(value: Scalar, accelerations: Mapping[str, Scalar]) -> int:
     common = prod(len(den) for den in {image.den for image in images})
     found = sum(len(row[name].num) * len(accelerations[name].num) for name in row if name != CONSTANT)
     return common * (found + len(row[CONSTANT].num))
+
+
+def _vanishes(system: System, images: Mapping[str, Scalar], value: Scalar) -> bool:
+    return not is_nonzero(system, value, images)
+
+
+def _alone(equations: Sequence[tuple[str, str, Row]], unknowns: tuple[str, ...], holds: Callable[[Scalar], bool]) -> list[str]:
+    """The bodies whose own equations have no solution, whatever the forces on them are."""
+    bodies = dict.fromkeys(body for body, _, _ in equations)
+    own = {name: solve_rows([row for body, _, row in equations if body == name], unknowns) for name in bodies}
+    return [name for name, rest in own.items() if not all(map(holds, rest.left))]
 
 
 def _in_the_way(

@@ -59,11 +59,14 @@ def massless(system: System, block: tuple[int, ...]) -> StatementError:
     )
 
 
-def contradictory(system: System, held: Sequence[str] = ()) -> StatementError:
-    """Named is the body without which there is a solution, if it is the only one of `held`; the constraints that the poses do
-    not keep by themselves; the bodies of which the pose alone holds one, `held`; or else all constraints."""
+def contradictory(system: System, held: Sequence[str] = (), alone: Sequence[str] = ()) -> StatementError:
+    """Named are the bodies that no forces on them can keep on their way, `alone`; the body without which there is a solution, if
+    it is the only one of `held`; the constraints that the poses do not keep by themselves; the bodies of which the pose alone
+    holds one, `held`; or else all constraints."""
     if beside := _beside(system):
         return beside
+    if alone:
+        return _not_held(system, alone)
     if len(held) == 1 or (held and not asking(system)):
         return _not_held(system, held)
     names = asking(system) or tuple(element.name for element in system.problem.constraints)

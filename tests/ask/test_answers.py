@@ -18,6 +18,7 @@ from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
 
 ANSWERS = [
+    ("brake-drum", "speed of phi after 2 turns", "sqrt(omega_0^2 - 8*pi*mu*P*r*ell/(I*a))"),
     ("brake-drum", "total angle of phi", "I*a*omega_0^2/(2*mu*P*r*ell)"),
     ("sliding-ladder", "N_w", "3*M*g*cos(theta)*(3*sin(theta) - 2*sin(theta_0))/4"),
     ("sliding-ladder", "what is N_w at the start?", "3*M*g*sin(theta_0)*cos(theta_0)/4"),

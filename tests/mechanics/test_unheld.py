@@ -89,3 +89,36 @@ def test_not_a_constraint_that_only_finds_an_angle() -> None:
         assert Study(load_text(HOOP)).dynamics
     held = HOOP + 'Q = { type = "guide", point = "bead.center", circle = "hoop.center", radius = "r" }\n'
     assert Study(load_text(held)).dynamics.accelerations.keys() == {"phi_ddot", "theta_ddot"}
+
+
+def test_on_a_slanting_string_both_weights_are_named() -> None:
+    """Each lacks what keeps it upright below; without either one, the other still does."""
+    text = """
+title = "Two weights on a rope over a peg that is between them"
+[parameters]
+m = "mass: mass of each"
+h = "length: distance"
+g = "acceleration: gravity"
+[points]
+Q = ["0", "5*h"]
+[coordinates.y]
+dimension = "length"
+start = "h"
+[coordinates.z]
+dimension = "length"
+start = "0"
+[bodies.one]
+shape = "particle"
+mass = "m"
+center = ["-h", "z"]
+[bodies.two]
+shape = "particle"
+mass = "2*m"
+center = ["h", "y"]
+[interactions]
+W = { type = "gravity" }
+[constraints]
+T = { type = "string", path = ["one.center", { around = "Q" }, "two.center"] }
+"""
+    with pytest.raises(StatementError, match="the pose of the body “one” or “two” says more than its constraints hold"):
+        assert Study(load_text(text)).dynamics
