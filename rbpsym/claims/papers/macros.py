@@ -135,7 +135,8 @@ def unexpanded(latex: str, fix: str, macros: Mapping[str, Macro]) -> str:
     bodies = ((one.start(), one[0], _filled(macros[one[0]], [])) for one in _COMMAND.finditer(latex) if one[0] in macros)
     inside = ((place, name, body.lstrip().replace(old, new, 1)) for place, name, body in bodies if old in body)
     for place, part, other in (*spots, *inside):
-        behind, gap = latex[place + len(part) :], " " * (other[:1].isalpha() and bool(re.search(r"\\[A-Za-z]+$", latex[:place])))
+        behind, inner = latex[place + len(part) :], part[:1] == "\\" and other[:1].isalpha()
+        gap = " " * (inner and bool(re.search(r"\\[A-Za-z]+$", latex[:place])))  # \alpha\half is no \alpham
         found = f"{latex[:place]}{gap}{other if behind[:1].isalpha() else other.rstrip() or other}{behind}"
         with suppress(RbpsymError):
             if "".join(expanded(found, macros).split()) == wanted:
