@@ -86,7 +86,6 @@ SAME = [
     (r"\left[x^2\right]_{x = 0} = a", r"\left. x^2 \right|_{x = 0} = a"),
     (r"a = 2 b, i = 1, 2, \ldots, n", "a = 2 b"),
     (r"a = b \quad i, k = 1, 2, \ldots, n", "a = b"),
-    (r"a \cdot 1{,}000{,}000.5 = 0.25 b", r"a \cdot 1000000.5 = 0.25 b"),
     (r"a = b \quad \textcircled{1} \\ ②\ k = g", "a=b, k=g"),
     (r"a = b \xrightarrow[x]{k = \frac{g}{m}} k = g \leadsto b = m", "a=b, k=g, b=m"),
     (r"\longrightarrow a = b \quad \longrightarrow \quad k = g \quad \longrightarrow", "a=b, k=g"),

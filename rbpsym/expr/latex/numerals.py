@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction as Rational
 
 from rbpsym.expr import tree as t
 from rbpsym.expr.symbol_table import LatexReader
 
 DEGREE = t.Div(t.Sym("pi"), t.Num(180))
-_GROUPS = re.compile(r"[1-9]\d{0,2}(?:\.\d{3})+(?:\.\d+)?")  # each comma of 1{,}000{,}000 as a point
-_POINTED = re.compile(r"(?<![\d.])(?:0\.\d|\d+\.(?:\d{1,2}|\d{4,5})(?![\d.]))")  # a number whose point parts no thousands
 
 
 def number(reader: LatexReader) -> t.Node:
@@ -22,9 +19,6 @@ def number(reader: LatexReader) -> t.Node:
         token = reader.take()
         digits += token.text if token.kind == "digit" else "."
         commas += token.text == "{,}"
-    pointed = [Rational(text) for text in _POINTED.findall(reader.source.text)] if commas and _GROUPS.fullmatch(digits) else []
-    if pointed and not reader.table.comma and (commas > 1 or Rational(digits) not in pointed):
-        digits, commas = digits.replace(".", "", commas), 0
     if commas and not reader.table.comma and len(digits.partition(".")[2]) % 3 == 0:
         what = "is this comma a decimal mark, or does it group thousands?"
         raise reader.source.error(what, start, reader.previous_end, "Write a point, as in 1.500, or no mark, as in 1500.")

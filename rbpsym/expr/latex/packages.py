@@ -75,8 +75,3 @@ def _number(reader: LatexReader) -> t.Node:
     head = reader.take()
     found = numeral(reader)
     return reader.spanned(t.mul(found, DEGREE), head.start) if head.text == r"\ang" else found
-
-
-@begins(r"\overset", r"\underset", r"\stackrel")
-def _over_a_sign(reader: LatexReader) -> t.Node:
-    raise reader.error("a mark over a sign or symbol can't be read", "Write the sign or symbol alone.")
