@@ -37,12 +37,11 @@ def derive(problem: Problem, *, simulation: bool = True, study: Study | None = N
     if not problem.phases:
         return first
     try:
-        return replace(first, phases=_phases(problem, first.steps))
-    except NotApplicable:
-        left_out = Skipped("phases", "skipped.phases")
+        phases = _phases(problem, first.steps)
+        left_out = [Skipped("phases", "skipped.phases")] if len(phases) < len(problem.phases) else []
     except LimitError:
-        left_out = Skipped("phases", "skipped.too_long", {"method": "phases"})
-    return replace(first, skipped=(*first.skipped, left_out))
+        phases, left_out = (), [Skipped("phases", "skipped.too_long", {"method": "phases"})]
+    return replace(first, phases=phases, skipped=(*first.skipped, *left_out))
 
 
 WORDS: Mapping[str, Any] = {  # what only the words and the drawing of a problem depend on
@@ -100,7 +99,7 @@ def _written(draft: Draft, write: Callable[[Draft], None]) -> bool:
 
 
 def _phases(problem: Problem, before: tuple[Step, ...]) -> tuple[DerivedPhase, ...]:
-    """The later phases. Raises NotApplicable where the end of one has no closed form, LimitError where they grow too long."""
+    """The later phases, as far as the ends of those before them are known. Raises LimitError where they grow too long."""
     from rbpsym.chapters.impulses import hand_overs
 
     with granted(MOST_IN_ALL):

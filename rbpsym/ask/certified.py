@@ -42,7 +42,6 @@ from rbpsym.typeset.text import to_text
 LETTER = "Q"
 ANSWERS = ("ask.answer", "ask.there")
 COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, at a place that was not found")
-NAMED = {solutions.WEAK: "underdamped", solutions.CRITICAL: "critically damped", solutions.STRONG: "overdamped"}
 LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
@@ -88,8 +87,6 @@ def certified(
     valid = _valid(draft, found, lasts, earlier, steps)
     is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))
     says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
-    courses = found.moment.courses.values() if found.moment and not question.manner else ()
-    says = next((f"in the {NAMED[one.case]} case" for one in courses if one.case in NAMED and one.valid), says)
     says = _behind(draft, last) if found.told.endswith("phase lag") else says
     asked_ = tuple(dict.fromkeys((*held, *valid)))
     return Answer(question, found.study, values, nodes, verdict, found.of, asked_, (*earlier, *steps), says=says)

@@ -21,7 +21,7 @@ from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import kinetic_energy
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.impulse import approach, is_holding, restitutions
-from rbpsym.mechanics.phases import Stage, stages
+from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.facts import Fact
 from rbpsym.proof.step import FULL, STANDARD, BodyRef, Step, StepRef
@@ -255,12 +255,9 @@ def _lost(draft: Draft, blow: Blow) -> None:
 
 
 def hand_overs(problem: Problem) -> list[tuple[Phase, Stage, Draft]]:
-    """Each later phase, its mechanics, and the draft of the steps from the end of the one before to its start.
-
-    Raises NotApplicable where the end of a phase has no closed form.
-    """
-    all_stages = stages(problem)
-    rows = zip(problem.phases, all_stages, all_stages[1:], strict=False)
+    """Each later phase that is known, its mechanics, and the draft of the steps from the end of the one before to its start."""
+    found, _ = known_stages(problem)
+    rows = zip(problem.phases, found, found[1:], strict=False)
     return [(phase, stage, hand_over(k, phase, before, stage)) for k, (phase, before, stage) in enumerate(rows, 1)]
 
 

@@ -48,7 +48,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     draft.add(f"equilibrium.{place}", "equilibrium", t.system(rows), f"oscillations.{nature}" + (".alone" if item.stable else ""),
               level=FULL, premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
               names=[t.Sym(name) for name in item.at], others=[t.Sym(name) for name in names if name not in item.at],
-              count=len(rows), place=rows, told=linear, data={**item.facts, "proved": proved, "factors": item.linear.factors},
+              count=len(rows), place=rows, data={**item.facts, "proved": proved, "factors": item.linear.factors},
               obligations=draft.asked(item.valid))  # fmt: skip
     if linear:
         _linearized(draft, item, place, f"oscillations.linear.{LINEAR[proved]}", rows)

@@ -24,7 +24,6 @@ from rbpsym.expr.tree import Chain, Node
 from rbpsym.field import granted
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.quantity.bound import World
-from rbpsym.statement.source import did_you_mean
 
 if TYPE_CHECKING:
     from rbpsym.claims.diagnosis import Diagnosis
@@ -205,11 +204,10 @@ def phase_of(world: ProblemWorld, setting: Setting) -> ProblemWorld:
     """The world of the phase of a setting; the whole problem's if it names none. Raises StatementError."""
     if not setting.phase:
         return world
-    names = [stage.name for stage in world.stages]
-    if setting.phase not in names:
-        hint = did_you_mean(setting.phase, names, "phases")
-        raise StatementError(f"there is no phase “{setting.phase}”", instead=hint, place=setting.place)
-    return world.phase(names.index(setting.phase))
+    try:
+        return world.phase(world.named(setting.phase))
+    except StatementError as error:
+        raise StatementError(error.what, instead=error.instead, place=setting.place) from None
 
 
 def problem_path(name: str, folder: Path, setting: Setting | None = None) -> Path:

@@ -338,16 +338,14 @@ def _lasting(steps: list[Step], teller: telling.Teller) -> Iterator[Block]:
 
 
 def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
-    """Each position of rest; of one that is not shown with its formulas at least the sentence.
-
-    One that is `told` of has its sentence with the motion close to it.
-    """
+    """Each position of rest; of one that is not shown with the motion close to it, or its formulas, at least the sentence."""
     teller = telling.Teller(said)
     yield from _intro("oscillations", derivation, said)
-    silent = [s for s in derivation.chapter("oscillations") if s.rule == "equilibrium" and not s.slots["told"]]
+    close = {id for step in steps if step.rule == "linearization" for id in step.reasons}
+    silent = [s for s in derivation.chapter("oscillations") if s.rule == "equilibrium" and s.id not in close]
     unstable = [step for step in silent if step.phrase == "oscillations.unstable" and step not in steps]
     for step in derivation.chapter("oscillations"):
-        if step in steps and step.slots.get("told", False):
+        if step in steps and step.id in close:
             yield telling.display(step, said)
             yield from teller.conditions([step])
         elif step in steps:

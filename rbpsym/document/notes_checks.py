@@ -101,7 +101,8 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
         *(() if is_still(derivation) else _oracles(summary, said, ground)),
     ]
     lead = said.say("checks.roads", ground=ground)
-    skipped = [left_out(found, said) for found in derivation.skipped if said.is_full and not is_still(derivation)]
+    is_long = said.is_full and not is_still(derivation)
+    skipped = [left_out(found, said) for found in derivation.skipped if is_long or found.method == "phases"]
     if not said.is_full or is_told:
         told = (Paragraph(sentences([part for part in (intro, *items, *skipped) if part])), *(() if whole else (own,)))
         return Section(said.say("section.checks"), told, said.prefix + "section.checks", level)

@@ -18,7 +18,7 @@ from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
 from rbpsym.elements.events import EVENTS
-from rbpsym.errors import NoNumber, NotApplicable, StatementError
+from rbpsym.errors import NoNumber, StatementError
 from rbpsym.explorer.events import force_labels, label, strikes
 from rbpsym.explorer.stage import LAST, Began, PhaseEnding, StagePhase, loose, phase, start_name
 from rbpsym.expr import tree as t
@@ -28,7 +28,7 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.languages import part_of
 from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.numbers import angles, bound, number, sample
-from rbpsym.mechanics.phases import Stage, stages
+from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.figures.outlines import OUTLINES
 from rbpsym.pictures.figures.scene import COLORS
@@ -118,11 +118,9 @@ def _require_start(study: Study, numbers: dict[str, float]) -> None:
 
 
 def problem_stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
-    """All phases of a problem; the first alone, and True, where the next has no closed form."""
-    try:
-        return stages(problem), False
-    except NotApplicable:
-        return (Stage(problem.name, Study(problem)),), True
+    """The phases of a problem, and whether there are others, which have no closed form."""
+    found, reason = known_stages(problem)
+    return found, reason is not None
 
 
 def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...], notation: Notation) -> StagePhase:

@@ -173,19 +173,18 @@ def time_until(world: ProblemWorld, name: str, text: str) -> Bound:
 def _stage(world: ProblemWorld, name: str | None, force: str = "") -> tuple[int, HandOver]:
     """Which phase a name is of, and how it begins; without a name, the only phase that begins with a blow, or with one in which
     that force has an impulse."""
-    names = [stage.name for stage in world.stages]
+    if name is None and world.study.problem.phases:
+        world.named(world.study.problem.phases[-1].name)  # one that is not known might begin with a blow, too
     apart = {one.name: one.began for one in world.stages if name is None and one.began is not None and one.began.is_blow}
     struck = [one for one, began in apart.items() if {force, f"{force}_x"} & began.impulses.keys()]
     blows = struck or [*apart]
     if name is None and len(blows) != 1:
         told = f"write “… when {' begins” or “… when '.join(blows)} begins”." if blows else "the problem has no blow."
         raise StatementError("the blow is not named", instead=told)
-    name = name or blows[0]
-    place = names.index(name) if name in names else 0
+    place = world.named(name or blows[0])
     began = world.stages[place].began
-    if not place or began is None:
-        known = did_you_mean(name, names[1:], "phases") if names[1:] else "the problem has no [[phases]]."
-        raise StatementError(f"there is no phase “{name}” that begins", instead=known)
+    if began is None:
+        raise StatementError(f"there is no phase “{name}” that begins")
     return place, began
 
 

@@ -16,7 +16,7 @@ from rbpsym.field import NOTHING, ORIGIN, Scalar, Space, Vector, kept, substitut
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import pair, position
-from rbpsym.mechanics.phases import stages
+from rbpsym.mechanics.phases import known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.quantities import TIME, Dimension
@@ -43,8 +43,19 @@ class ProblemWorld(Frozen):
 
     @kept
     def stages(self) -> tuple[Stage, ...]:
-        """The phases of the motion, the first included. Raises NotApplicable."""
-        return stages(self.study.problem)
+        """The phases of the motion that are known, the first included."""
+        return known_stages(self.study.problem)[0]
+
+    def named(self, phase: str) -> int:
+        """The place of a phase. Raises NotApplicable for one that is not known, StatementError for none at all."""
+        names, (found, reason) = [each.name for each in self.study.problem.phases], known_stages(self.study.problem)
+        if reason is not None and phase in names[len(found) - 1 :]:
+            raise reason
+        names = [self.stages[0].name, *names]
+        if phase not in names:
+            known = did_you_mean(phase, names[1:], "phases") if names[1:] else "the problem has no [[phases]]."
+            raise StatementError(f"there is no phase “{phase}”", instead=known)
+        return names.index(phase)
 
     @kept
     def _phases(self) -> dict[int, ProblemWorld]:

@@ -9,6 +9,7 @@ from functools import cache
 import pytest
 
 from rbpsym.document.notes import notation_of
+from rbpsym.mechanics.friction import slips
 from rbpsym.pictures.figures.scene import Label, Polyline, placed
 from rbpsym.pictures.plots.following import PlottedMotion, motion
 from rbpsym.pictures.plots.panel import Panel, scene
@@ -87,3 +88,11 @@ def test_the_energy_of_a_conservative_motion_stays(name: str) -> None:
             values = leg.values(leg.study.first_integral)
             size = max(map(abs, leg.values(sum(leg.study.kinetic)))) or 1.0
             assert max(values) - min(values) < 1e-4 * size
+
+
+@by_name
+def test_what_slips_keeps_its_sense_where_it_is_drawn(name: str) -> None:
+    moving, _ = drawn(name)
+    for leg in moving.whole.legs:
+        for slip in map(leg.values, slips(leg.study.system).values()):
+            assert min(slip) >= -1e-6 * max(map(abs, slip))

@@ -148,7 +148,7 @@ def test_the_small_oscillation_has_the_derived_frequency() -> None:
 
 
 def test_numbers_of_the_author_have_units_and_generic_ones_are_groups() -> None:
-    real, generic = scales(derived("sliding-ladder").study.problem), scales(derived("").study.problem)
+    real, generic = scales(derived("sliding-ladder").study), scales(derived("").study)
     assert real.of(ENERGY).node == t.Word("J")
     assert real.numbers["M"] == 10
     assert generic.of(ENERGY).node == t.mul(t.Sym("M"), t.Sym("g"), t.Sym("ell"))

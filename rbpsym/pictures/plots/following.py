@@ -6,7 +6,7 @@ Conditions that stay as equations hold at the start and are kept by the rates.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -19,9 +19,9 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.arrivals import ArrivalState as Ending
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import spare
+from rbpsym.mechanics.friction import slips, spare
 from rbpsym.mechanics.numbers import bound
-from rbpsym.mechanics.phases import stages
+from rbpsym.mechanics.phases import known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.numeric.formulas import compiled
 from rbpsym.numeric.integration import Event, followed
@@ -149,6 +149,8 @@ def leg(
     flow, is_open = Flow(study, given), ending is None and not math.isfinite(end)
     start = flow.pushed(flow.start()) if is_open else flow.start()
     events = dict(watched(flow, start, is_open))
+    if ending is None:  # the formulas hold as long as each friction keeps its sense
+        events |= {f"slip {name}": least(flow, [slip]) for name, slip in slips(study.system).items()}
     if ending is not None and ending.time is not None:
         end = at(ending.time, given)
     elif ending is not None:
@@ -213,12 +215,14 @@ def watched(flow: Flow, start: State, is_open: bool) -> Iterator[tuple[str, Even
         enough = SHAKEN if is_shaken else TURNINGS if len(flow.shown) == 1 else SEVERAL
         yield "turn", Event(lambda _, state: state[place], enough if is_open else math.inf)
 
-
-    def least(values: Callable[[Numbers], np.ndarray]) -> Callable[[float, State], float]:
-        return lambda _, state: float(values(flow.numbers(state)).min())
-
     for name, gaps in giving_way(study).items():
-        yield name, Event(least(compiled(gaps)), math.inf)
+        yield name, least(flow, gaps, math.inf)
+
+
+def least(flow: Flow, gaps: Sequence[Scalar], most: float = 1) -> Event:
+    """The least of some values vanishes."""
+    values = compiled(gaps)
+    return Event(lambda _, state: float(values(flow.numbers(state)).min()), most)
 
 
 # --- derivation with the numbers of its motion, phase by phase
@@ -297,7 +301,7 @@ def motion(derivation: Derivation) -> PlottedMotion:
 
     Raises NotApplicable where there is none, or where the end of a phase has no closed form.
     """
-    found = scales(derivation.study.problem)
+    found = scales(derivation.study)
     require_motion(derivation.study)
     return PlottedMotion(derivation, found, Journey(tuple(legs(derivation, found))))
 
@@ -305,7 +309,7 @@ def motion(derivation: Derivation) -> PlottedMotion:
 def legs(derivation: Derivation, found: Scales) -> Iterator[Leg]:
     """The phases one after the other; the last one is not followed much longer than those before it took."""
     problem, began = derivation.study.problem, 0.0
-    endings = [stage.began.before for stage in stages(problem)[1:] if stage.began is not None] if problem.phases else []
+    endings = [stage.began.before for stage in known_stages(problem)[0][1:] if stage.began is not None] if problem.phases else []
     parts = [("", derivation), *((phase.name, phase.derivation) for phase in derivation.phases)]
     for (name, part), ending in zip(parts, [*endings, None], strict=False):
         if part.study.at_start:

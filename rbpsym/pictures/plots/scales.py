@@ -9,7 +9,9 @@ from fractions import Fraction
 from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.numbers import angles, sample
+from rbpsym.mechanics.numbers import angles, floating, sample
+from rbpsym.mechanics.pushing import begins, begun_numbers
+from rbpsym.mechanics.study import Study
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
 from rbpsym.statement.units import unit_of, unit_text
@@ -56,12 +58,16 @@ class Scales(Frozen):
         return {name: power for name, power in found.items() if power}
 
 
-def scales(problem: Problem) -> Scales:
-    """The author's example where it has all numbers, else generic numbers. Raises NotApplicable without a scale."""
+def scales(study: Study) -> Scales:
+    """The author's example where it has all numbers, else generic numbers. Raises NotApplicable without a scale, or where the
+    motion does not begin as it is stated with these numbers: a contact would have to pull."""
+    problem = study.problem
     declared = [q for q in problem.parameters if q.name not in problem.implicit]
-    if declared and all(q.name in problem.example for q in declared):
-        return Scales(sample(problem, problem.example))
-    return Scales(sample(problem), base(declared))
+    is_given = bool(declared) and all(q.name in problem.example for q in declared)
+    numbers = sample(problem, problem.example) if is_given else begun_numbers(study)
+    if any(floating(demand.value, numbers) < 0 for demand in begins(study)):
+        raise NotApplicable("with these numbers the motion does not begin as it is stated")
+    return Scales(numbers) if is_given else Scales(numbers, base(declared))
 
 
 def base(parameters: list[Quantity]) -> tuple[Quantity, ...]:

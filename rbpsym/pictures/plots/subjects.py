@@ -366,7 +366,7 @@ def motions(first: Derivation, second: Derivation) -> tuple[PlottedMotion, Plott
         require_motion(one.study)
     if first.phases or second.phases:
         raise NotApplicable("a motion in phases is not put beside another")
-    found, own = (scales(one.study.problem) for one in (first, second))
+    found, own = (scales(one.study) for one in (first, second))
     numbers = (found, Scales({**own.numbers, **found.numbers}, found.base))
     pairs = list(zip((first, second), numbers, strict=True))
     end = max(next(legs(one, scale)).moments[-1] for one, scale in pairs)
