@@ -12,6 +12,7 @@ from rbpsym.field import Scalar, kept
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.arrivals import ArrivalState, with_starts
 from rbpsym.mechanics.at_start import StartStudy, study_of
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.instant import has_start
 from rbpsym.mechanics.phases import HandOver, Stage, known_stages
 from rbpsym.mechanics.pushing import check_start
@@ -111,6 +112,11 @@ class Asked(Frozen):
         return ProblemWorld(study_of(self.problem))
 
     @kept
+    def lasted(self) -> dict[int, tuple[tuple[Demand, ...], tuple[str, ...]]]:
+        """What phases ask for to last up to their ends, as far as that was looked at."""
+        return {}
+
+    @kept
     def _worlds(self) -> dict[int, ProblemWorld]:
         return {}
 
@@ -119,6 +125,10 @@ class Asked(Frozen):
         if place not in self._worlds:
             self._worlds[place] = ProblemWorld(self.study(place))
         return self._worlds[place]
+
+    def place(self, study: Study) -> int:
+        """The place of the phase of which this is the mechanics."""
+        return next((k for k in range(len(self.names)) if self.study(k) is study), 0)
 
     @property
     def lasting(self) -> int:

@@ -56,7 +56,7 @@ def certified(
     """The answer, which is given the letter (its own one, where that is none of those that it has to be kept `apart` from),
     with its steps and its verdict; the ground of another answer (`is_ground`) is a formula, and does not say how far the
     motion lasts."""
-    place = found.moment.place if found.moment else asked_place(asked, found.study)
+    place = found.moment.place if found.moment else asked.place(found.study)
     begun, earlier = before(asked, place, found)
     for k, part in enumerate(found.since):
         first = certified(asked, question, part, f"{letter}_{k}")
@@ -96,11 +96,6 @@ def _behind(draft: Draft, last: Step) -> str:
     """Behind what a phase lag is."""
     cause = draft.context.steps[last.data["told"][0]].slots.get("cause")
     return f"behind {'the force' if cause is None else to_text(cause, Notation(draft.study.problem.notation))}"
-
-
-def asked_place(asked: Asked, study: Study) -> int:
-    """The place of a phase among all."""
-    return next((k for k in range(len(asked.names)) if asked.study(k) is study), 0)
 
 
 def _grounds(draft: Draft, found: Found) -> None:

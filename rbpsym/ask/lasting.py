@@ -129,10 +129,31 @@ def slipping(study: Study, state: ArrivalState) -> Iterator[Demand]:
 
 def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
     """What is asked of the parameters, and of the state where it is told along the motion, for what was found to be that of
-    the motion as it is stated; what of that is not decided. Raises StatementError where that surely does not last so far."""
-    study, (kind, _, place) = found.study, found.told.partition(" ")
-    if kind == "phase":
-        return asked.began(int(place)).before.valid, ()
+    the motion as it is stated, through the phases before; what of that is not decided. Raises StatementError where that surely
+    does not last so far."""
+    kind, _, place = found.told.partition(" ")
+    number = int(place) if kind == "phase" else found.moment.place if found.moment else asked.place(found.study)
+    before, own = lasted(asked, number), ((), ()) if kind == "phase" else _in_phase(found)
+    return (*before[0], *own[0]), (*before[1], *own[1])
+
+
+def lasted(asked: Asked, number: int) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
+    """The same for the phases before that of this number to last up to their ends."""
+    lasting = [k for k in range(number) if asked.problem.phases[k].event != "at once"]
+    asked.lasted.update((k, _to_end(asked, k)) for k in lasting if k not in asked.lasted)
+    return tuple(d for k in lasting for d in asked.lasted[k][0]), tuple(d for k in lasting for d in asked.lasted[k][1])
+
+
+def _to_end(asked: Asked, number: int) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
+    study, phase = asked.study(number), asked.problem.phases[number]
+    state = clear(study, asked.began(number + 1).before)
+    lasts, doubts = lasts_to(study, Moment(number, state, "event", phase))
+    return (*begins(study), *state.valid, *lasts), doubts
+
+
+def _in_phase(found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
+    """The same of its own phase alone."""
+    study, (kind, _, _) = found.study, found.told.partition(" ")
     if kind in ("course", "swing"):
         return _decided(lambda: (*begins(study), *_on_way(study, None)))
     if kind == "oscillations":

@@ -202,7 +202,7 @@ def _found(
     world, refused = scene(asked, place), list[NeverThere]()
     for number in range(world.number, world.number + 1 if world.is_named else len(asked.names)):
         try:
-            world = world if number == world.number else AskedPhase(asked.study(number), asked=asked, number=number)
+            world = world if number == world.number else scene(asked, number, is_named=False)
             return world, find(world, *words)
         except NeverThere as error:
             refused.append(error)

@@ -84,10 +84,9 @@ def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> R
     def is_plain(low: Extreme) -> bool:
         return not any(depends_on(demand.value, name) for demand in low.asked)
 
-    lows = least(value, along, given, is_plain) or least(value, along, given, lambda low: True)
-    if lows is None:
-        return None
-    return common([_of_low(low, name, along, given) for low in lows], given.without(along))
+    found = least(value, along, given, is_plain)
+    found = found if found and found[1] else least(value, along, given, lambda low: True)
+    return found and common([_of_low(low, name, along, given) for low in found[1]], given.without(along))
 
 
 def _of_low(low: Extreme, name: str, along: str, given: Assumptions) -> Region | None:
@@ -148,8 +147,8 @@ def by_order(regions: Sequence[Region | None], beside: Sequence[Region | None], 
     shared = tuple(dict.fromkeys(demand for one in every for demand in one.asked))
     side = SIDES[sense]
     cases: list[Region] = []
-    for one in regions:
-        if one is not None and getattr(one, side) is not None:
+    for one in {getattr(one, side): one for one in regions if one is not None}.values():
+        if getattr(one, side) is not None:
             found = replace(one, lower=None) if sense > 0 else replace(one, upper=None)
             order = [demand for two in every if two is not one for demand in _behind(two, found, sense)]
             asked = settle((*shared, *order), given)

@@ -10,7 +10,7 @@ from rbpsym.ask.answer import found_of
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.found import Found
-from rbpsym.ask.lasting import asks, compared
+from rbpsym.ask.lasting import asks, compared, lasted
 from rbpsym.ask.question import Question, is_jump, read_question
 from rbpsym.ask.zeros import where_met, zeros
 from rbpsym.decide.assumptions import Assumptions
@@ -65,7 +65,7 @@ class AskedPhase(ProblemWorld):
 
     def afresh(self) -> AskedPhase:
         """The same phase of which nothing is asked yet."""
-        return replace(self, used=[], lasting=[], doubts=[], standing=[], senses=[])
+        return scene(self.asked, self.number, is_named=self.is_named)
 
     @property
     def demands(self) -> tuple[Demand, ...]:
@@ -75,10 +75,11 @@ class AskedPhase(ProblemWorld):
         return tuple(dict.fromkeys(d for part in (*moments, *asked, self.lasting) for d in part))
 
 
-def scene(asked: Asked, place: int | None = None) -> AskedPhase:
-    """The phase of that place; the first one that does not end at once."""
-    meant = asked.meant(place)
-    return AskedPhase(asked.study(meant), asked=asked, number=meant, is_named=place is not None)
+def scene(asked: Asked, place: int | None = None, *, is_named: bool = True) -> AskedPhase:
+    """The phase of that place, with what those before it ask for; the first one that does not end at once."""
+    meant, is_named = asked.meant(place), is_named and place is not None
+    lasting, doubts = lasted(asked, meant)
+    return AskedPhase(asked.study(meant), asked=asked, number=meant, is_named=is_named, lasting=[*lasting], doubts=[*doubts])
 
 
 def seen(world: AskedPhase, phrase: str) -> Scalar:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rbpsym.ask import optima
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.question import SUPERLATIVES, read_question
-from rbpsym.ask.seen import AskedPhase, moving, never_told, place_in, seen
+from rbpsym.ask.seen import AskedPhase, moving, never_told, place_in, scene, seen
 from rbpsym.ask.zeros import precedes, settled_sign, where_met
 from rbpsym.decide.verdict import undecided
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
@@ -31,7 +31,7 @@ def extremum(
     parts, every = list[AskedPhase](), list[Finding]()
     for place in _known(world, phrase, last):
         try:
-            parts.append(AskedPhase(asked.study(place), asked=asked, number=place, is_named=True))
+            parts.append(scene(asked, place))
             every.append(_in_phase(parts[-1], superlative, phrase, over))
         except (NotApplicable, StatementError) as error:
             name = asked.names[place]

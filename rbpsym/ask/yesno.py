@@ -140,12 +140,13 @@ def _least(condition: Wanted, demands: Sequence[Demand]) -> Iterator[Part]:
             limits = of_symbol(condition.along, given)
             yield value, Extreme((limits.lower, limits.upper)[ends.index(-1)], None), Demand(-UNITY)
             continue
-        lows = least(value, condition.along, given, lambda low: not low.asked)  # whatever the parameters are
-        if not lows:
+        found = least(value, condition.along, given, lambda low: not low.asked)  # whatever the parameters are
+        if found is None or not found[1]:
             raise Undecided("where it is least on the way is not decided")
+        one, lows = found
         told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
         strict = condition.end is not None and op == ">="
-        yield from ((value, low, _of_low(low, way if strict else op)) for low, way in zip(lows, told, strict=True))
+        yield from ((one, low, _of_low(low, way if strict else op)) for low, way in zip(lows, told, strict=True))
 
 
 def _always(condition: Wanted) -> bool:

@@ -11,7 +11,7 @@ from rbpsym.decide.rooted import neat, root_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError
 from rbpsym.field import ONE, ZERO, Poly, atoms, cosine, generator, names_in, short, sine, with_exponentials_joined
-from rbpsym.field.normal import is_zero, normal
+from rbpsym.field.normal import in_one_angle, is_zero, normal
 from rbpsym.field.roots import without_even_roots
 from rbpsym.field.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.frozen import Frozen, replace
@@ -36,7 +36,7 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
     queue = list(demands)
     while queue:
         demand = queue.pop(0)
-        value = short(without_even_roots(with_exponentials_joined(demand.value)))
+        value = short(without_even_roots(in_one_angle(with_exponentials_joined(demand.value))))
         item = _without_inverse(Demand(Scalar(value.num * value.den) if len(value.den) > 1 else value, demand.op), given)
         found = sign(item.value, given)
         if found.kind in FAILS[item.op]:

@@ -9,7 +9,7 @@ import pytest
 
 from rbpsym.ask import asking, branches, parameters
 from rbpsym.ask.found import Answer
-from tests.ask import law
+from tests.ask import law, told
 
 
 @pytest.fixture(autouse=True)
@@ -23,6 +23,7 @@ def _kept(make: Callable[..., Answer]) -> Callable[..., Answer]:
     def lawful(*args, **words):
         found = make(*args, **words)
         law.keep(found)
+        told.keep(found)
         return found
 
     return lawful
