@@ -94,12 +94,10 @@ def least(
     for each in (value, *([] if other is None else [other]), *_by_linear(value, along, given)):
         found = extremes(each, along, given, -1)
         if found is not None and all(low.crossing is None and fits(low) for low in found):
-            return (value, [_of_itself(value, along, low) for low in found]) if each is other else (each, found)
+            own = (low.place is not None and low.value and short(substitute(value, {along: low.place})) for low in found)
+            lows = [replace(low, value=one) if one else low for low, one in zip(found, own, strict=True)]
+            return (value, lows) if each is other else (each, found)
     return None
-
-
-def _of_itself(value: Scalar, along: str, low: Extreme) -> Extreme:
-    return low if low.place is None or not low.value else replace(low, value=short(substitute(value, {along: low.place})))
 
 
 def _by_linear(value: Scalar, along: str, given: Assumptions) -> Iterator[Scalar]:

@@ -33,10 +33,6 @@ _WAY = rf"(?:(?:from (?:the )?{_START} )?(?:until|up to|to)|between (?:the )?{_S
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
 
 
-def _over_there(world: AskedPhase, best: str, phrase: str, name: str, place: str) -> Finding:
-    return through.extremum(world, best, f"{phrase} {place}", name, None, None)
-
-
 _GOES = r"(?:->|→|tends to|goes to)"
 LIMIT = rf"(.+) (?:in the limit|(?:for|as|when)(?= \w+ ?{_GOES})) {_N} ?(?:{_GOES}|to) ?(.+)"
 Rows = tuple[tuple[str, Callable[..., Finding]], ...]
@@ -72,7 +68,8 @@ ROWS: Rows = (
     (rf"{_BEST} (.+) {_FOR} (.+)", ahead.bounded),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: ahead.which(world, None, name, text)),
     (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
-    (rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)", _over_there),
+    (rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)",
+     lambda w, best, phrase, name, place: through.extremum(w, best, f"{phrase} {place}", name, None, None)),
     (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )

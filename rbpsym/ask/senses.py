@@ -16,7 +16,7 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import PI, Scalar, depends_on, is_zero
+from rbpsym.field import PI, depends_on, is_zero
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.study import Study
@@ -111,10 +111,6 @@ def _is_same(found: Answer, other: Answer, rest: list[Demand]) -> bool:
     return (
         other.verdict.is_proved
         and told == (other.relation, other.says, other.holds_so, other.each, other.equation, other.at, len(other.values))
-        and all(_is_zero(a - b, given) for a, b in zip(found.values, other.values, strict=True))
+        and all(is_zero(neat(a - b, given)) for a, b in zip(found.values, other.values, strict=True))
         and all(one in rest or settle([one], given) == () for one in _demands(other))
     )
-
-
-def _is_zero(gap: Scalar, given: Assumptions) -> bool:
-    return is_zero(gap) or is_zero(neat(gap, given))

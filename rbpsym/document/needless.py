@@ -27,7 +27,7 @@ def needless(derivation: Derivation) -> frozenset[str]:
         for step in derivation.steps
         if _repeats_motion(step, derivation)
         or _is_rest(step)
-        or (still and _is_velocity(step))
+        or (still and step.chapter == "kinematics" and step.rule in ("differentiation", "identity"))
         or (struck and (step.rule in ALONG_MOTION or step.chapter == "contact"))
     )
 
@@ -36,10 +36,6 @@ def is_still(derivation: Derivation) -> bool:
     """Can nothing move?"""
     system = derivation.study.system
     return not system.independent and not system.has_clock
-
-
-def _is_velocity(step: Step) -> bool:
-    return step.chapter == "kinematics" and step.rule in ("differentiation", "identity")
 
 
 def is_struck(derivation: Derivation) -> bool:

@@ -22,7 +22,7 @@ from rbpsym.document.places import locator
 from rbpsym.document.used import reaches_beyond, retold, used
 from rbpsym.document.words import Words
 from rbpsym.expr.glyphs import Notation
-from rbpsym.proof.step import Derivation, DerivedCourse, Lesson, Step
+from rbpsym.proof.step import Derivation, DerivedCourse, Lesson
 from rbpsym.statement.course import CoursePart
 from rbpsym.statement.model import Problem
 from rbpsym.statement.own_text import OwnParagraph
@@ -47,14 +47,10 @@ STANDARD = 2
 
 def brief_steps(derivation: Derivation) -> frozenset[str]:
     """Ids of the steps that a book would print, and of the angular momenta that they start from."""
-    kept = [step for step in derivation.steps if step.is_result or _is_brief(step)]
+    kept = [s for s in derivation.steps if s.is_result or (s.level <= STANDARD and s.rule in RULES.get(s.chapter, ()))]
     cited = {id for step in kept if step.chapter == "motion" for id in step.reasons}
     momenta = {step.id for step in derivation.chapter("momentum") if step.id in cited}
     return frozenset(step.id for step in kept) | momenta
-
-
-def _is_brief(step: Step) -> bool:
-    return step.level <= STANDARD and step.rule in RULES.get(step.chapter, ())
 
 
 def _forces(derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -127,11 +127,8 @@ def new_steps(phase: Derivation, shown: frozenset[str], told: frozenset[str], ch
     """The steps of a later phase that are not a repetition of the first one's, of which these were `told`."""
     kept = (step for step in phase.steps if step.id in shown and (step.chapter in chapters or _is_nothing(step)))
     again = CHAPTERS if chapters == CHAPTERS else ("inertia",)
-    return frozenset(step.id for step in kept if _is_new(step) or (step.id not in told and step.chapter in again))
-
-
-def _is_new(step: Step) -> bool:
-    return step.chapter not in NEW or step.rule in NEW[step.chapter]
+    is_new = {step.id for step in kept if step.rule in NEW.get(step.chapter, (step.rule,))}
+    return frozenset(s.id for s in kept if s.id in is_new or (s.id not in told and s.chapter in again))
 
 
 def _is_nothing(step: Step) -> bool:

@@ -70,7 +70,7 @@ def model(problem: Problem, language: str) -> Model:
     """The model of a problem, with all its phases where these have a closed form."""
     said = Words(language, problem)
     notation = said.notation
-    parts, partial = problem_stages(problem)
+    parts, unknown = known_stages(problem)
     study = parts[0].study
     if any(part.study.at_start for part in parts):
         raise StatementError(
@@ -100,7 +100,7 @@ def model(problem: Problem, language: str) -> Model:
     ends = (parts[0], *parts[1:][-1:])
     free = tuple(filter(None, (loose(part.study, names, _ground(parts)) for part in ends)))
     alt = plain("explorer.picture", language, parts=list(map(said.body, problem.body_names)))
-    return Model(data, phases, alt, partial, free if len(free) == len(ends) else ())
+    return Model(data, phases, alt, unknown is not None, free if len(free) == len(ends) else ())
 
 
 def _require_start(study: Study, numbers: dict[str, float]) -> None:
@@ -115,12 +115,6 @@ def _require_start(study: Study, numbers: dict[str, float]) -> None:
                 f"with the numbers of the example there is no start: “{name}” has no value",
                 instead="give other numbers under [example].",
             )
-
-
-def problem_stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
-    """The phases of a problem, and whether there are others, which have no closed form."""
-    found, reason = known_stages(problem)
-    return found, reason is not None
 
 
 def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...], notation: Notation) -> StagePhase:

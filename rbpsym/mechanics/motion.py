@@ -75,7 +75,7 @@ def _reduced(system: System, dynamics: Dynamics, integral: Scalar | None) -> dic
 def from_integral(system: System, integral: Scalar, name: str, known: Mapping[str, Scalar]) -> Scalar | None:
     """q̇² from (½ m(q) q̇² + U(q)) at start and now, the squares of the other speeds being known."""
     speed = f"{name}_dot"
-    if any(other not in system.scope.start for other in (name, *_coordinates_in(integral, system))):
+    if any(n not in system.scope.start for n in (name, *system.coordinates, "t") if n == name or depends_on(integral, n)):
         return None
     now: Scalar | None = integral
     for other, square in known.items():
@@ -93,10 +93,6 @@ def from_integral(system: System, integral: Scalar, name: str, known: Mapping[st
 def _at_rest(value: Scalar, name: str, square: Scalar) -> Scalar:
     """The value with a speed that is known to stay zero."""
     return value if square else substitute(value, {f"{name}_dot": NOTHING})
-
-
-def _coordinates_in(value: Scalar, system: System) -> list[str]:
-    return [name for name in (*system.coordinates, "t") if depends_on(value, name)]
 
 
 def _decoupled(system: System, dynamics: Dynamics) -> dict[str, Scalar]:

@@ -21,7 +21,7 @@ from rbpsym.pictures.pose import DrawnPose, Moving, other_numbers, require_motio
 from rbpsym.pictures.sketch_dimensions import angles
 from rbpsym.pictures.sketch_supports import arrows
 from rbpsym.proof.step import Derivation
-from rbpsym.statement.model import Body, PlacedShape, Shape
+from rbpsym.statement.model import Body, Shape
 from rbpsym.statement.solids import copies, leaves
 
 
@@ -88,13 +88,10 @@ def _sizes(pose: DrawnPose, shape: Shape) -> dict[str, float]:
 
 
 def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
-    for part in (one for leaf in leaves(shape) for one in copies(leaf, _often(pose, leaf))):
+    often = ((leaf, 1 if leaf.count is None else max(2, round(pose.node(leaf.count)))) for leaf in leaves(shape))
+    for part in (one for leaf, count in often for one in copies(leaf, count)):
         at = (pose.node(part.at[0]), pose.node(part.at[1]))
         yield SketchPart(part.shape.kind, _sizes(pose, part.shape), at, pose.node(part.angle), part.removed)
-
-
-def _often(pose: DrawnPose, part: PlacedShape) -> int:
-    return 1 if part.count is None else max(2, round(pose.node(part.count)))
 
 
 def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:

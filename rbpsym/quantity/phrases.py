@@ -271,10 +271,6 @@ def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
     return Bound(root_of(square, signs), about=(name, about))
 
 
-def _centre(world: ProblemWorld, name: str | None) -> Bound:
-    return replace(plane(world.centre(name or "system")), about=(name or "system", None))
-
-
 def _rate_of_centre(world: ProblemWorld, what: str, name: str | None) -> Bound:
     """How the centre of mass of a body, of several or of all moves: P/M, and its rate."""
     value = Space(world.centre(name or "system"))
@@ -346,7 +342,8 @@ PHRASES: tuple[Phrase, ...] = (
      "linear momentum of BODY"),
     (rf"total angular momentum{_ABOUT}", lambda world, about: _angular_momentum(world, "system", about, None),
      "total angular momentum about O"),
-    (rf"cent(?:re|er) of mass(?: of {_B})?", _centre, "centre of mass of BODY"),
+    (rf"cent(?:re|er) of mass(?: of {_B})?",
+     lambda w, name: replace(plane(w.centre(name or "system")), about=(name or "system", None)), "centre of mass of BODY"),
     (rf"(velocity|acceleration) of (?:the )?cent(?:re|er) of mass(?: of {_B})?", _rate_of_centre,
      "velocity of the centre of mass"),
     (rf"speed of ((?:the )?cent(?:re|er) of mass(?: of {_B})?)", lambda world, of, *_: _magnitude(world, f"velocity of {of}"),

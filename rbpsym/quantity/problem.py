@@ -48,14 +48,14 @@ class ProblemWorld(Frozen):
 
     def named(self, phase: str) -> int:
         """The place of a phase. Raises NotApplicable for one that is not known, StatementError for none at all."""
-        names, (found, reason) = [each.name for each in self.study.problem.phases], known_stages(self.study.problem)
-        if reason is not None and phase in names[len(found) - 1 :]:
+        (found, reason), names = known_stages(self.study.problem), [each.name for each in self.study.problem.phases]
+        place = next((k for k, stage in enumerate(found) if stage.name == phase), None)
+        if reason is not None and place is None and phase in names:
             raise reason
-        names = [self.stages[0].name, *names]
-        if phase not in names:
-            known = did_you_mean(phase, names[1:], "phases") if names[1:] else "the problem has no [[phases]]."
+        if place is None:
+            known = did_you_mean(phase, names, "phases") if names else "the problem has no [[phases]]."
             raise StatementError(f"there is no phase “{phase}”", instead=known)
-        return names.index(phase)
+        return place
 
     @kept
     def _phases(self) -> dict[int, ProblemWorld]:

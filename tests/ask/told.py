@@ -13,9 +13,10 @@ import numpy as np
 from rbpsym.ask.found import Answer
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, names_in, symbol
+from rbpsym.field import UNITY, Scalar, names_in, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.numeric.formulas import compiled
+from rbpsym.proof.step import Step
 
 COUNT, CLEAR = 4000, 1e-9
 SIGNED = ("positive", "nonnegative")
@@ -23,19 +24,29 @@ Numbers = dict[str, np.ndarray]
 
 
 def keep(found: Answer) -> None:
-    """Raises AssertionError where a PROVED answer rests on a fact of the parameters that is neither declared nor told: a check
-    takes it as given, and it holds for some of the numbers with which the answer is told, not for all (for none: what is
-    checked is the contrary of what is told)."""
+    """Raises AssertionError where a PROVED answer rests on a fact of the parameters that is neither declared nor told: it holds
+    for some of the numbers with which the answer is told, but not for all. (It holds for none where the contrary of the answer
+    is checked. A claim may be checked in several cases, of which one holds.)"""
     declared, fixed = set(facts(found.study.assumptions)), {"pi", *(q.name for q in found.study.problem.parameters)}
-    given = {fact for step in found.grounds for one in given_in(step.data) for fact in facts(one)} - declared
-    if not given or not found.verdict.is_proved:
+    claims = dict[tuple[str, str], list[list[Scalar]]]()
+    for step in found.grounds:
+        claim = step.rule, str([step.data.get(key) for key in ("value", "values", "holds")])
+        own = [fact for fact in supposed(step, found) if fact not in declared and names_in(fact) <= fixed]
+        claims.setdefault(claim, []).append(own)
+    if not any(map(any, claims.values())) or not found.verdict.is_proved:
         return
     places = [drawn(found, [one for one in (*declared, *told) if names_in(one) <= fixed], image) for told, image in cases(found)]
-    for fact in (one for one in given if names_in(one) <= fixed):
-        held = [at(fact, numbers) > -CLEAR for numbers in places]
-        assert any(each.all() for each in held) or not any(each.any() for each in held), (
-            f"“{found.question.text}” supposes that {fact} >= 0, and does not say so"
-        )
+    for (rule, _), grounds in claims.items():
+        met = [np.any([np.all([holds(one, numbers) for one in (UNITY, *own)], 0) for own in grounds], 0) for numbers in places]
+        said = f"the check “{rule}” of “{found.question.text}” supposes {grounds}, which is not told"
+        assert any(each.all() for each in met) or not any(each.any() for each in met), said
+
+
+def supposed(step: Step, found: Answer) -> Iterator[Scalar]:
+    """What a check takes as given, but for what it says of that along which it looks, and of a symbol that has no value."""
+    looked = {step.data.get("along"), *([found.symbol] if not found.values else []), step.data.get("name")}
+    looked -= {found.symbol} if found.values else set()
+    yield from (fact for given in given_in(step.data) for fact in facts(given) if not names_in(fact) & looked)
 
 
 def given_in(data: object) -> Iterator[Assumptions]:
@@ -59,7 +70,7 @@ def facts(given: Assumptions) -> Iterator[Scalar]:
 def cases(found: Answer) -> Iterator[tuple[list[Scalar], dict[str, Scalar]]]:
     """What is told with each value of the answer, and what the symbol is there."""
     values = found.values or (None,)
-    for value, own in zip(values, found.each or ((),) * len(values), strict=True):
+    for value, own in zip(values, found.each or ((),) * len(values), strict=False):
         told = [one for node in (*found.valid, *own) for one in said(t.relations(node))]
         if value is None or not found.symbol:
             yield told, {}
@@ -86,9 +97,14 @@ def drawn(found: Answer, known: list[Scalar], image: dict[str, Scalar]) -> Numbe
         numbers[q.name] = size if q.sign in SIGNED else size * chance.choice([-1, 1], COUNT)
     numbers |= {name: at(value, numbers) for name, value in image.items()}
     for value in known:
-        fits = at(value, numbers) > -CLEAR
+        fits = holds(value, numbers)
         numbers = {name: each[fits] for name, each in numbers.items()}
     return numbers
+
+
+def holds(fact: Scalar, numbers: Numbers) -> np.ndarray:
+    """Where it is not negative."""
+    return at(fact, numbers) > -CLEAR
 
 
 def at(value: Scalar, numbers: Numbers) -> np.ndarray:

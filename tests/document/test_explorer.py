@@ -17,8 +17,9 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.document.files import data_folder
-from rbpsym.explorer.page import explorer, model, problem_stages
+from rbpsym.explorer.page import explorer, model
 from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.phases import known_stages
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from tests.architecture.source import ROOT
@@ -46,7 +47,7 @@ MOVING = [name for name, path in FILES.items() if can_move(path) and name not in
 def test_the_script_agrees_with_the_derivation(name: str) -> None:
     problem = load_problem(FILES[name])
     found = model(problem, "en")
-    parts, _ = problem_stages(problem)
+    parts, _ = known_stages(problem)
     for moment in explored.run(found):
         assert moment["end"]["kind"] not in ("numbers", "singular"), moment["end"]
         assert moment["unfit"] in (None, "slack"), (
@@ -70,7 +71,7 @@ def test_works_and_motion_are_those_of_the_derivation(name: str) -> None:
     """Works against their closed forms; the motion against the square of the speed and an independent integration."""
     problem = load_problem(FILES[name])
     found = model(problem, "en")
-    study = problem_stages(problem)[0][0].study
+    study = known_stages(problem)[0][0].study
     for moment in explored.run(found, (0.3, 0.9), seconds=explored.run(found, (0.0,))[0]["first"]):
         numbers = explored.state_numbers(found, moment)
         for coordinate, square in study.squares.items():
@@ -176,7 +177,7 @@ def test_impulses_are_those_of_the_derivation(name: str) -> None:
     """Their sizes and the energy lost; and the energy that is left is that before without it."""
     problem = load_problem(FILES[name])
     found = model(problem, "en")
-    parts, _ = problem_stages(problem)
+    parts, _ = known_stages(problem)
     [moment] = explored.run(found, (1.0,))
     numbers = {one["name"]: one["value"] for one in found.data["numbers"]}
     began = [part.began for part in parts[1:] if part.began.is_blow]
@@ -309,7 +310,7 @@ def test_two_systems_from_different_files_show_their_numbers(tmp_path: Path) -> 
 def agree(name: str, place: int, read: dict[str, float]) -> None:
     """The numbers of a page are those that the derivation gives for its state."""
     problem = load_problem(FILES[name])
-    parts, _ = problem_stages(problem)
+    parts, _ = known_stages(problem)
     phase = int(read[f"{place}.phase"])
     study = parts[phase].study
     numbers = {key.removeprefix("p."): value for key, value in read.items() if key.startswith("p.")}

@@ -4,7 +4,10 @@ import re
 
 import pytest
 
+from rbpsym.derive import derive
 from rbpsym.expr import tree as t
+from rbpsym.statement.loader import load_text
+from tests.ask.test_unseen import HERE
 from tests.library.derived import FOLLOWED, derived, problem
 from tests.proof.test_assertions import said_in
 
@@ -31,3 +34,16 @@ def test_the_belt_runs_on_with_a_time_of_its_own():
 
 def test_what_is_constant_is_said_to_be_constant_also_where_something_is_driven():
     assert "Along the motion B, D and N are constant" in said_in(derived("cylinder-on-belt"))
+
+
+def test_phases_are_told_up_to_the_first_that_is_not_known():
+    found = derive(load_text((HERE / "rod-strikes-puck.toml").read_text(encoding="utf-8")), simulation=False)
+    assert [phase.name for phase in found.phases] == ["struck"]
+    told = said_in(found, "standard")
+    assert "kinetic energy that is lost" in told and "The later phases of the motion are left out" in told
+
+
+def test_a_place_of_rest_is_told_beside_the_others():
+    found = derive(load_text((HERE / "ring-and-spring.toml").read_text(encoding="utf-8")), simulation=False)
+    told = said_in(found, "standard")
+    assert "At θ = 0 the forces balance; whether" in told and told.index("At θ = 0") < told.index("also balance wherever else")

@@ -12,6 +12,7 @@ from click.testing import CliRunner
 
 import rbpsym
 from rbpsym.cli import main
+from rbpsym.derive import derive
 from rbpsym.document.model import FigureBlock, Math, parts
 from rbpsym.document.notes import notation_of, notes
 from rbpsym.document.notes_plots import FEW, plot_figures, plots_section
@@ -20,15 +21,17 @@ from rbpsym.document.writers import writer
 from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number
 from rbpsym.pictures.figures.scene import placed
 from rbpsym.pictures.plots.axes import axis, round_step, written
-from rbpsym.pictures.plots.following import REASONS, motion
+from rbpsym.pictures.plots.following import REASONS, giving_way, motion
 from rbpsym.pictures.plots.panel import scene
 from rbpsym.pictures.plots.scales import scales
 from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME
 from rbpsym.statement.loader import load_text
+from tests.ask.test_unseen import HERE
 from tests.document.collisions import collisions
 from tests.library.derived import unsimulated
 
@@ -250,3 +253,12 @@ def test_the_axis_of_works_and_energies_says_what_it_counts():
     found = plot_figures(motion(derivation), Words("es", derivation.study.problem), FEW)
     drawn = [label for figure in found for scene in figure.scenes for label in scene.labels]
     assert t.Mul((t.Word("trabajo"), t.Word("/ J"))) in [label.content for label in drawn]
+
+
+@pytest.mark.parametrize("name", ["block-on-rough-spring", "block-on-rough-wedge", "rod-strikes-puck"])
+def test_a_motion_is_drawn_as_far_as_it_is_the_stated_one(name: str) -> None:
+    """What slips keeps its sense, and at the start no contact pulls."""
+    found = motion(derive(load_text((HERE / f"{name}.toml").read_text(encoding="utf-8")), simulation=False))
+    for leg in found.whole.legs:
+        pushing = [leg.values(value)[:1] for values in giving_way(leg.study).values() for value in values]
+        assert all(min(value) > -1e-9 for value in (*map(leg.values, slips(leg.study.system).values()), *pushing))
