@@ -101,8 +101,12 @@ def statement_section(derivation: Derivation, said: Words, level: int, asked: It
 
 
 def _letters(symbols: Table, told: tuple[Inlines, ...], said: Words) -> Iterator[Inlines]:
-    """What the letters of a table mean that the sentences told so far do not speak of."""
-    known = {name for inlines in told for part in inlines if isinstance(part, Math) for name in t.names(part.node)}
+    """What the letters of a table mean that the sentences told so far do not speak of: one that only stands in the equation of a
+    place is not told by it."""
+    nodes = [part.node for inlines in told for part in inlines if isinstance(part, Math)]
+    alone = {name for node in nodes if not isinstance(node, t.Chain) for name in t.names(node)}
+    moving = {*alone, *(f"{name}_dot" for name in alone)}
+    known = alone.union(*(t.names(node) for node in nodes if isinstance(node, t.Chain) and t.names(node.items[0]) & moving))
     new = [
         (*letters, Text(" ("), *meaning, Text(")")) if any(part != Text("") for part in meaning) else letters
         for letters, meaning, _ in symbols.rows

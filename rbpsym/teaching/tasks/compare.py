@@ -12,7 +12,7 @@ from rbpsym.document.model import Display, Math, Paragraph
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import UNITY, Scalar, is_zero, short, substitute, symbol
+from rbpsym.field import UNITY, Scalar, is_zero, names_in, short, substitute, symbol
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.step import BodyRef
@@ -64,11 +64,13 @@ def _decided(bench: ProblemBench, target: Target) -> Iterator[Decided]:
 
 
 def _is_involved(bench: ProblemBench, target: Target, variant: Variant) -> bool:
-    """Whether what is changed stands on the way to the target at all: only then it is worth asking that it drops out."""
-    way = bench.way_to(target.step, MOST_STEPS) if target.step else ()
+    """Whether what is changed stands in the equations of motion, or on the way to the target: only then it is worth asking that
+    it drops out."""
     if "name" in variant.slots:
-        return any(variant.slots["name"].name in t.names(step.statement) for step in way)
-    body = variant.slots["body"].name
+        dynamics = bench.study.dynamics
+        parts = (*dynamics.forcing, *(entry for row in dynamics.mass_matrix for entry in row))
+        return any(variant.slots["name"].name in names_in(part) for part in parts)
+    way, body = bench.way_to(target.step, MOST_STEPS) if target.step else (), variant.slots["body"].name
     return len(bench.study.system.bodies) == 1 or any(body in step.id.split(".") for step in way)
 
 

@@ -10,6 +10,7 @@ def _weights(element: Element, setting: LawSetting) -> tuple[Force, ...]:
     return tuple(
         Force(element.name, body.name, "earth", body.center, down * (body.mass * g), law=element.kind, where=f"{body.name}.cm")
         for body in states
+        if body.mass  # what is light has no weight
     )
 
 
