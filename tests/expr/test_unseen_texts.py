@@ -40,6 +40,9 @@ def read(latex):
         (r"I = \frac{c{E}_{0}^{2}}{2} - a \quad \checkmark", "I = cE₀²/2 − a"),
         (r"{e}^{+} = {}_{Z}^{A}{\text{X}}_{N} + {\bf{q}}(t)", "eₚₗᵤₛ = X_(Z,AN) + q⃗"),
         (r"1.\quad v = a t", "v = at"),
+        (r"b = p(\Lambda^k_{i} e_j + 1)", "b = p(Λᵢ^keⱼ + 1)"),
+        (r"v = p(t^{\prime 2} + 1)", "v = p(t′² + 1)"),
+        (r"{}^W L(\dot q) = 2", "L_W = 2"),
         (r"\left\{ \, \begin{aligned} a &= b \end{aligned} \right. \quad \lor \quad c = 2", "a = b\nc = 2"),
         (r"a = x_{n+\frac12} + L_{y^\prime}, &\quad \text{(2D)}", "a = xₙₚₗᵤₛ₁ₚₑᵣ₂ + L′_y"),
     ],
@@ -87,7 +90,7 @@ def test_what_has_no_value_is_a_formal_part(latex, kind):
     assert kind in {part.kind for part in t.walk(read(latex)) if isinstance(part, t.Formal)}
 
 
-@pytest.mark.parametrize("latex", [r"v = \sqrt{22,24}", r"\partial_{[2} E_{3]} = 0", r"F^{01} = 3"])
+@pytest.mark.parametrize("latex", [r"v = \sqrt{22,24}", r"\partial_{[2} E_{3]} = 0", r"F^{01} = 3", r"a = b + \quad c = d"])
 def test_what_may_mean_something_else_is_refused(latex):
     with pytest.raises(RbpsymError):
         read(latex)

@@ -108,7 +108,8 @@ def _prescribed(reader: LatexReader) -> t.Node:
     behind = [token.text for token in reader.tokens[reader.position + 1 : reader.position + 3]]
     if reader.sees_sign("^") and next(text for text in behind if text != "{") not in (*"0123456789-", "T"):
         drawn = replace(drawn, label=f"{drawn.label}^{label_after(reader)}")
-    return reader.spanned(_known(reader, replace(drawn, label=f"{mark} {drawn.label}"), vector, None, first), start)
+    found = reader.spanned(_known(reader, replace(drawn, label=f"{mark} {drawn.label}"), vector, None, first), start)
+    return COMMANDS["applied"](reader, found, first) if reader.sees_sign("(") else found
 
 
 COMMANDS["{}^"] = COMMANDS["^"] = _prescribed
@@ -206,13 +207,13 @@ def _power_before_subscript(reader: LatexReader) -> int:
 
 
 def _label_behind(reader: LatexReader, end: int) -> str:
-    """Read the subscript at `end` and take it out, so that the power comes next."""
-    begin = reader.position
+    """Read the subscript at `end` and put it first, so that the power comes next, and whoever reads it again reads the same."""
+    begin, tokens = reader.position, reader.tokens
     reader.position = end
     label = label_after(reader)
-    rest = reader.tokens[reader.position :]
-    reader.tokens = (*reader.tokens[:begin], *reader.tokens[begin:end], *rest)
-    reader.position = begin
+    behind = reader.position
+    reader.tokens = (*tokens[:begin], *tokens[end:behind], *tokens[begin:end], *tokens[behind:])
+    reader.position = begin + behind - end
     return label
 
 

@@ -175,9 +175,11 @@ class _Layout:
             return replace(token, kind="sign", text=",") if parts else None
         if before.text in PUNCTUATION:
             return replace(token, kind="row", text=GAP)
+        related = self.related + self._relates(k)
+        if before.text in ("+", "-") and related == 2 and token.text in _WIDE:
+            raise self._error(token, "what stands behind this sign?", "Leave the sign out, or write the term.")
         if before.text in _SIGNS or behind.text in (*_JOINING, *RELATIONS, *_HELD, *PUNCTUATION):
             return None
-        related = self.related + self._relates(k)
         wide = last > k or token.text.startswith((r"\q", r"\enspace"))
         if behind.text == "-" or not wide:
             return self._part(token, OPEN) if related == 2 else None

@@ -131,6 +131,7 @@ def primes_ahead(reader: LatexReader) -> int:
         return 0
     powered = braces and tokens[count + 1].text != "}"  # t^{\prime 2}: the power stays
     if powered:
-        reader.tokens = (*reader.tokens[: reader.position + 2], *tokens[count + 1 :])
-    reader.position += 0 if powered else 1 + count + 2 * braces
+        place, primes = reader.position, tokens[1 : count + 1]
+        reader.tokens = (*reader.tokens[:place], *primes, *reader.tokens[place : place + 2], *tokens[count + 1 :])
+    reader.position += count if powered else 1 + count + 2 * braces
     return count
