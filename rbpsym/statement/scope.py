@@ -205,5 +205,6 @@ def fixed_point(item: SourceItem, scope: Scope, what: str) -> Pair:
     """The place of the fixed point that is named."""
     if item.value not in scope.points:
         others = f", or one of {', '.join(scope.points)}" if scope.points else ""
-        raise item.error(f"{what}: “{item.value}” is not a fixed point", f'write a pair ["0", "0"]{others}.')
+        joined = ' (two points of bodies are joined by type = "pin")' if "." in item.value else ""
+        raise item.error(f"{what}: “{item.value}” is not a fixed point", f'write a pair ["0", "0"]{others}{joined}.')
     return scope.points[item.value]
