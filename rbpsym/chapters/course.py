@@ -133,8 +133,9 @@ def swing(draft: Draft, name: str, quarters: int) -> str:
     value = known.time(draft.study, quarters)
     made = draft.define(draft.free("T"), value)
     told, place = t.equation(made, draft.show(value, factor=True)), t.equation(t.Sym(name), draft.show(known.rest))
-    data = {"name": name, "quarters": quarters, "part": known.part}
-    return draft.add(f"swing.{name}", "swing", told, f"course.swing.{SWINGS[quarters]}", premises=draft.those(f"square.{name}"),
+    data = {"name": name, "quarters": quarters, "part": known.part, "height": known.height}
+    kind = "swing" if known.height is None else "isochrone"
+    return draft.add(f"swing.{name}", "swing", told, f"course.{kind}.{SWINGS[quarters]}", premises=draft.those(f"square.{name}"),
                      name=t.Sym(name), letter=made, is_result=True, rest=draft.show(known.rest), place=place, data=data,
                      obligations=draft.asked(known.valid)).id  # fmt: skip
 

@@ -83,7 +83,7 @@ def of_cosine(angle: Bounds, is_nonnegative: IsNonnegative) -> Bounds:
     """Bounds of the cosine of an angle within these bounds.
 
     On a half turn from kπ to (k+1)π the cosine is monotone; from (k-1/2)π to (k+1/2)π it has
-    one sign.
+    one sign; from (k-1)π to (k+1)π it comes to the value opposite to that at kπ at the ends alone.
     """
     lower, upper = angle.lower, angle.upper
     if lower is None or upper is None:
@@ -92,12 +92,11 @@ def of_cosine(angle: Bounds, is_nonnegative: IsNonnegative) -> Bounds:
         if is_nonnegative(lower - PI * k) and is_nonnegative(PI * (k + 1) - upper):
             found = Bounds(cosine(upper), cosine(lower), angle.upper_in, angle.lower_in)
             return found if k % 2 == 0 else Bounds(found.upper, found.lower, found.upper_in, found.lower_in)
-    quarter = PI * Fraction(1, 2)
-    for k in (0, -1, 1, -2, 2):
-        middle = PI * k
-        if is_nonnegative(lower - middle + quarter) and is_nonnegative(middle + quarter - upper):
-            ends_in = angle.lower_in or angle.upper_in
-            return Bounds(NOTHING, UNITY, ends_in, True) if k % 2 == 0 else Bounds(lift(-1), NOTHING, True, ends_in)
+    ends_in = angle.lower_in or angle.upper_in
+    for part, least in ((Fraction(1, 2), NOTHING), (Fraction(1), lift(-1))):
+        for k in (0, -1, 1, -2, 2):
+            if is_nonnegative(lower - PI * (k - part)) and is_nonnegative(PI * (k + part) - upper):
+                return Bounds(least, UNITY, ends_in, True) if k % 2 == 0 else Bounds(lift(-1), -least, True, ends_in)
     return FULL_WAVE
 
 

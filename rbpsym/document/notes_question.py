@@ -196,8 +196,8 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
 
 def _asked_alone(step: Step, found: Answer) -> Step:
     """Of what a step says the row that is asked for."""
-    [row, *others] = [row for row in t.rows(step.statement) if _comes_to(row) in found.nodes]
-    return step if others else replace(step, statement=row)
+    rows = [row for row in t.rows(step.statement) if _comes_to(row) in found.nodes]
+    return replace(step, statement=rows[0]) if len(rows) == 1 else step
 
 
 def _comes_to(statement: t.Node) -> t.Node | None:

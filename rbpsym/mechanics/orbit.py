@@ -11,7 +11,20 @@ from fractions import Fraction
 
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import StatementError
-from rbpsym.field import NOTHING, Scalar, derivative, function, is_zero, names_in, root, short, substitute, without_even_roots
+from rbpsym.field import (
+    NOTHING,
+    PI,
+    Scalar,
+    derivative,
+    function,
+    is_zero,
+    names_in,
+    root,
+    short,
+    substitute,
+    symbol,
+    without_even_roots,
+)
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, existence, possible, settle
 from rbpsym.mechanics.oscillation import Equilibrium, where_stable
@@ -76,18 +89,35 @@ TIMES = (Fraction(1), Fraction(2), Fraction(1, 2), Fraction(4))  # n, with a sma
 
 
 class Swing(Frozen):
-    """The place of rest, the squares of ϑ and of the modulus k, 2/n, and what they ask of the parameters."""
+    """The place of rest, the squares of ϑ and of the modulus k, 2/n, and what they ask of the parameters; `height`: U - U at rest
+    of what swings in one time, however far."""
 
     rest: Scalar
     rate_squared: Scalar
     modulus_squared: Scalar
     part: Fraction
     valid: tuple[Demand, ...]
+    height: Scalar | None = None
 
     def time(self, study: Study, quarters: int) -> Scalar:
         """The time of so many quarters of the period."""
         rate = neat(root(short(self.rate_squared)), study.assumptions)
-        return function("elliptic_k", self.modulus_squared) * quarters / rate
+        return (function("elliptic_k", self.modulus_squared) if self.height is None else PI / 2) * quarters / rate
+
+
+def _isochrone(study: Study, name: str) -> Swing | None:
+    """The swing from rest in which V = U - U(q*) is ½ ϑ² s², s being ∫ √M dq: V'² = 2 ϑ² M V, as for a bead on a cycloid
+    (Huygens); None where V is none such, or not the same on both sides."""
+    start, potential, items = study.system.scope.start, study.potential, study.equilibria
+    item = next((one for one in items if one.stable and set(one.at) == {name} and one.frequencies_squared), None)
+    if item is None or potential is None or study.system.has_clock or start.get(f"{name}_dot", NOTHING):
+        return None
+    rest, [square], [[mass]] = item.at[name], item.frequencies_squared, study.dynamics.mass_matrix
+    height = short(potential - substitute(potential, {name: rest}))
+    mirrored, slope = substitute(height, {name: rest * 2 - symbol(name)}), derivative(height, name)
+    if not (is_zero(mirrored - height) and is_zero(slope * slope - square * mass * height * 2)):
+        return None
+    return Swing(rest, square, NOTHING, Fraction(0), (*item.valid, Demand(start[name] - rest, "!=")), height)
 
 
 def swing_of(study: Study, name: str) -> Swing:
@@ -98,6 +128,8 @@ def swing_of(study: Study, name: str) -> Swing:
     slope, third = (derivative(square, name), derivative(derivative(derivative(square, name), name), name))
     squared = (-third / slope).number() if slope else None
     times = next((n for n in TIMES if n * n == squared), None)
+    if times is None and (found := _isochrone(study, name)):
+        return found
     if times is None:
         raise StatementError(f"the swing of “{name}” has no period that is known in closed form or by an elliptic integral")
     items = [item for item in map(where_stable, study.equilibria) if item.stable and set(item.at) == {name}]

@@ -57,6 +57,25 @@ on = "rod.cm"
 force = ["m*A", "0"]
 """
 TILTED = PUSHED.replace('speed = "w"\n', "").replace('w = "angular velocity"', 'A = "acceleration"') + BLOWN
+CYCLOID = """
+[parameters]
+m = "mass"
+R = "length"
+g = "acceleration"
+[coordinates.theta]
+start = "theta_0"
+range = ["-pi", "pi"]
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["R*(theta + sin(theta))", "R*(1 - cos(theta))"]
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "guide"
+point = "bead.center"
+curve = ["R*(theta + sin(theta))", "R*(1 - cos(theta))"]
+"""
 BOOKS = [
     ("rod-pendulum", "exact period of theta", "4*sqrt(2*ell/(3*g))*elliptic_k(sin(theta_0/2)**2)"),
     ("rod-pendulum", "time until theta = 0", "sqrt(2*ell/(3*g))*elliptic_k(sin(theta_0/2)**2)"),
@@ -83,7 +102,7 @@ def test_a_swing_that_is_pushed_swings_under_a_condition_that_is_told() -> None:
     assert to_machine(condition) == "6*g - ell*w**2 > 0"
 
 
-@pytest.mark.parametrize("text", [PUSHED, TILTED], ids=["pushed", "tilted"])
+@pytest.mark.parametrize("text", [PUSHED, TILTED, CYCLOID], ids=["pushed", "tilted", "cycloid"])
 def test_the_motion_has_the_period(text: str) -> None:
     one = Asked(load_text(text))
     told, numbers = answered(one, "exact period of theta"), sample(one.problem)
@@ -102,9 +121,22 @@ def test_the_motion_has_the_period(text: str) -> None:
     assert half != pytest.approx(begin, abs=1e-2)
 
 
+def test_a_bead_on_a_cycloid_takes_the_same_time_from_everywhere() -> None:
+    """Huygens, Horologium oscillatorium II, 25; on another curve it does not."""
+    one = Asked(load_text(CYCLOID))
+    for question, wanted in (("time until theta = 0", "pi*sqrt(R/g)"), ("exact period of theta", "4*pi*sqrt(R/g)")):
+        found = answered(one, question)
+        assert found.verdict.is_proved and [to_machine(node) for node in found.valid] == ["theta_0 != 0"]
+        assert is_zero((found.value / scalar(read_infix(wanted, ["R", "g"]))) ** 2 - 1)
+    assert answered(one, "does exact period of theta depend on theta_0").holds_so is False
+    with pytest.raises(RbpsymError):
+        answered(Asked(load_text(CYCLOID.replace("sin(theta)", "sin(theta)/2"))), "exact period of theta")
+
+
 @pytest.mark.parametrize("quarters", [1, 2, 4])
-def test_another_time_is_not_proved(quarters: int) -> None:
-    draft = Draft(asked("rod-pendulum").first)
+@pytest.mark.parametrize("name", ["rod-pendulum", "cycloid"])
+def test_another_time_is_not_proved(name: str, quarters: int) -> None:
+    draft = Draft(Asked(load_text(CYCLOID)).first if name == "cycloid" else asked(name).first)
     course.swing(draft, "theta", quarters)
     step = draft.steps[-1]
     assert step.certificate.verdict.is_proved

@@ -51,7 +51,17 @@ def test_about_a_greatest_or_least_value_a_cosine_has_one_sign(turn):
     for low, high in ((-6, 6), (-1, 2)):
         found = of_cosine(Bounds(TWELFTH * (12 * turn + low), TWELFTH * (12 * turn + high)), is_nonnegative)
         assert ends_of(found) == ((-1, 0) if turn % 2 else (0, 1))
-    assert of_cosine(Bounds(TWELFTH * (12 * turn - 7), TWELFTH * (12 * turn + 6)), is_nonnegative) == FULL_WAVE
+    assert of_cosine(Bounds(TWELFTH * (12 * turn - 7), TWELFTH * (12 * turn + 18)), is_nonnegative) == FULL_WAVE
+
+
+@pytest.mark.parametrize("turn", range(-2, 3))
+def test_within_a_turn_a_cosine_comes_to_the_opposite_value_at_the_ends_alone(turn):
+    """1 + cos q > 0 between -π and π, and 1 + cos q ≥ 0 if these belong to it."""
+    for closed in (False, True):
+        ends = TWELFTH * (12 * turn - 12), TWELFTH * (12 * turn + 12)
+        found = of_cosine(Bounds(*ends, closed, closed), is_nonnegative)
+        assert ends_of(found) == (-1, 1)
+        assert (found.lower_in, found.upper_in) == ((True, closed) if turn % 2 else (closed, True))
 
 
 INVERSES = {"asin": (math.asin, (-1, 1)), "acos": (math.acos, (-1, 1)), "atan": (math.atan, (-1e9, 1e9))}

@@ -218,6 +218,8 @@ def swing(context: Context, step: Step) -> Verdict:
     """The place goes to and fro as q = q* + (2/n) asin(k s) with s = sin u, where (ds/dt)² = ϑ²(1 - s²)(1 - k² s²): that is
     q̇² with the stated k, ϑ and q*, and the time from s = 0 to 1 is K(k)/ϑ, which is to be a quarter of the period (`data`:
     "name", "quarters"). It begins at rest there or on its way."""
+    if step.data["height"] is not None:
+        return _isochrone(context, step, step.data["height"])
     name, value, rest, part = step.data["name"], right_side(context, step), context.value(step.slots["rest"]), step.data["part"]
     [index] = [index for index in value.atoms() if atoms.atom(index).kind == "elliptic_k"]
     modulus, rate = atoms.atom(index).arg, Scalar(generator(index)) * step.data["quarters"] / value
@@ -233,6 +235,23 @@ def swing(context: Context, step: Step) -> Verdict:
         found.append(same(context, context.start(symbol(f"{name}_dot")), NOTHING))
         found += [compare(way * away, end, _given(context, step)) for way in (1, -1)]
     return weakest(found)
+
+
+def _isochrone(context: Context, step: Step, height: Scalar) -> Verdict:
+    """V is V_0 cos² ϑt: V'² q̇² = 4 ϑ² V (V_0 - V), with a V that is zero at rest, grows to both sides, and is the same there."""
+    name, value, rest = step.data["name"], right_side(context, step), context.value(step.slots["rest"])
+    rate, place, slope = PI / 2 * step.data["quarters"] / value, symbol(name), derivative(height, name)
+    begun, square = context.start(place), context.along(symbol(f"{name}_dot") ** 2)
+    left = substitute(height, {name: begun}) - height
+    found = [same(context, slope * slope * square, rate * rate * height * left * 4)]
+    found += [same(context, substitute(height, {name: at}), to) for at, to in ((rest, NOTHING), (rest * 2 - place, height))]
+    found.append(same(context, context.start(symbol(f"{name}_dot")), NOTHING))
+    low, high = context.assumptions.range_of(name)
+    for way, ends in ((1, (rest, high)), (-1, (low, rest))):
+        found.append(compare(NOTHING, slope * way, context.assumptions.with_range(name, *ends)))
+    moved = any(is_zero(context.value(node.items[0]) - (begun - rest)) for node in step.obligations if node.ops[0] == "!=")
+    found.append(proved("it begins elsewhere") if moved else compare(NOTHING, (begun - rest) ** 2, _given(context, step)))
+    return weakest([*found, compare(NOTHING, value, _given(context, step))])
 
 
 WHOLE = 4  # quarters of a period
