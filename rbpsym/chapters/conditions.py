@@ -192,7 +192,7 @@ def _speed(draft: Draft, given: places.FreeGeometry, body: str | None, place: Ve
     moved = short(places.speed_along(given, body, about, direction))
     letter = None
     if body in given.unplaced and moved:
-        letter = draft.define(_free_letter(draft, body), draft.context.value(draft.show(moved)))
+        letter = draft.define(draft.free("v" if draft.is_single else f"v_{body}"), draft.context.value(draft.show(moved)))
     still = letter or draft.show(moved)
     return _Part(still, _turned(draft, given, body, arm), letter)
 
@@ -207,10 +207,6 @@ def _turned(draft: Draft, given: places.FreeGeometry, body: str, arm: Scalar) ->
     if shown == t.ZERO:
         return t.ZERO
     return t.neg(t.mul(shown.arg, omega)) if isinstance(shown, t.Neg) else t.mul(shown, omega)
-
-
-def _free_letter(draft: Draft, body: str) -> str:
-    return draft.free("v" if draft.is_single else f"v_{body}")
 
 
 def _no_slip(draft: Draft, element: Element, given: places.FreeGeometry) -> None:

@@ -8,7 +8,7 @@ from itertools import chain, groupby
 
 from rbpsym.document import telling
 from rbpsym.document.breaking import table_width
-from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref, Section
+from rbpsym.document.model import Block, Display, Paragraph, Ref, Section
 from rbpsym.document.needless import is_still
 from rbpsym.document.notes_figures import figure_label, free_bodies_figure, free_bodies_label, is_drawn_beside
 from rbpsym.document.words import Words
@@ -64,7 +64,7 @@ def chapter_sections(derivation: Derivation, said: Words, level: int, first: Ite
         lead = next((name for name in titles if blocks[name]), None)
         if lead is not None:
             found = (*before, *chain.from_iterable(blocks.values()))
-            yield Section(chapter_title(lead, derivation, said), found, f"{said.prefix}section.{lead}", level)
+            yield Section(said.say(f"section.{_title(lead, derivation)}"), found, f"{said.prefix}section.{lead}", level)
             before = ()
 
 
@@ -75,11 +75,6 @@ def chapter_blocks(name: str, derivation: Derivation, said: Words) -> Iterator[B
     steps = [step for step in found if step.id in said.shown or step.id in said.same]
     if steps := [s for s in steps if not apart or (s.rule == "work_done") is (name == "done")]:
         yield from BLOCKS.get(name, _plain)(steps, derivation, said)
-
-
-def chapter_title(name: str, derivation: Derivation, said: Words) -> Inlines:
-    """The heading of a chapter."""
-    return said.say(f"section.{_title(name, derivation)}")
 
 
 def repeated(derivation: Derivation, shown: Iterable[str], said: Words) -> dict[str, str]:

@@ -127,8 +127,7 @@ def new_steps(phase: Derivation, shown: frozenset[str], told: frozenset[str], ch
     """The steps of a later phase that are not a repetition of the first one's, of which these were `told`."""
     kept = (step for step in phase.steps if step.id in shown and (step.chapter in chapters or _is_nothing(step)))
     again = CHAPTERS if chapters == CHAPTERS else ("inertia",)
-    is_new = {step.id for step in kept if step.rule in NEW.get(step.chapter, (step.rule,))}
-    return frozenset(s.id for s in kept if s.id in is_new or (s.id not in told and s.chapter in again))
+    return frozenset(s.id for s in kept if s.rule in NEW.get(s.chapter, (s.rule,)) or (s.id not in told and s.chapter in again))
 
 
 def _is_nothing(step: Step) -> bool:

@@ -85,7 +85,7 @@ def long_forces(steps: list[Step], derivation: Derivation, said: Words) -> Itera
 
 
 def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iterator[Inlines]:
-    rows = t.rows(step.statement)
+    rows, by = t.rows(step.statement), step.slots["by"]
     every = list(pose.study.origins)
     torques = rows[-1 - len(every) :]
     yield (Math(rows[0]),) if len(rows) > len(torques) else (Math(step.slots["force"]),)
@@ -94,7 +94,7 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
     yield said.say(
         f"forces.{kind}",
         body=said.body(step.slots["body"].name),
-        by=_by(step.slots["by"], said),
+        by=said.say(f"forces.{by}") if by in PARTIES else said.say("plain", text=BodyRef(by)),
         at=_at(step.slots["where"], step.slots["body"].name, pose, said),
         variant=variant,
     )
@@ -109,10 +109,6 @@ def forces_told(steps: list[Step], derivation: Derivation, said: Words) -> list[
         what, acts, _ = _entry(step, [], pose, said)
         found.append((*(what if step in short else (Math(step.slots["force"]),)), Text(" ("), *acts, Text(")")))
     return found
-
-
-def _by(name: str, said: Words) -> Inlines:
-    return said.say(f"forces.{name}") if name in PARTIES else said.say("plain", text=BodyRef(name))
 
 
 def _at(label: str, on: str, pose: DrawnPose, said: Words) -> Inlines:

@@ -73,12 +73,8 @@ def _begins_with_start(draft: Draft, node: t.Node) -> bool:
     """Does the sum in it begin with a term of the start?"""
     body = node.arg if isinstance(node, t.Neg) else node
     sums = [part for part in t.walk(body) if isinstance(part, t.Add)]
-    starts = {name for q in draft.study.system.coordinates for name in names_in(_start_of(draft, q))}
+    starts = {name for q in draft.study.system.coordinates for name in names_in(draft.study.system.scope.start.get(q, NOTHING))}
     return bool(sums) and bool(t.names(sums[-1].terms[0]) & starts) and not _moves(draft, sums[-1].terms[0])
-
-
-def _start_of(draft: Draft, name: str) -> Scalar:
-    return draft.study.system.scope.start.get(name, NOTHING)
 
 
 def _moves(draft: Draft, node: t.Node) -> bool:
