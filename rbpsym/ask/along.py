@@ -7,18 +7,20 @@ import re
 from dataclasses import replace
 
 from rbpsym.ask.asked import Asked
+from rbpsym.ask.forms import shortest
 from rbpsym.ask.found import Found
 from rbpsym.ask.question import Question
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.field import Scalar, depends_on, names_in, short, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, depends_on, names_in, short, substitute, symbol
 from rbpsym.mechanics.arrivals import followed, of_coordinate
+from rbpsym.mechanics.led import led_by, tie_to_time
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import given
 from rbpsym.mechanics.solved import speed_along
 from rbpsym.present.forms import present
 from rbpsym.quantities import TIME, Quantity
-from rbpsym.quantity.path import first_push
+from rbpsym.quantity.path import even, first_push
 from rbpsym.quantity.problem import ProblemWorld
 
 
@@ -41,8 +43,9 @@ def of_one(world: ProblemWorld, found: Found, question: Question) -> Found:
     if name not in (*rates, *world.coordinates, *world.names, "t"):
         world.bound(name)
     moving = moving_in(world, found.values)
-    if name in world.dependent and moving:
-        found, moving = _inverted(world, found, name, moving), {name}
+    if moving - {name} and (name in world.dependent or tie_to_time(world.study.system, name) is not None):
+        found = _inverted(world, found, name, moving)
+        moving = moving_in(world, found.values)
     others = moving & {*world.study.system.independent} - {name} if name in rates else ()
     places = {other: place for other in others if (place := followed(world.study, name, other)) is not None}
     if places:
@@ -60,23 +63,26 @@ def of_one(world: ProblemWorld, found: Found, question: Question) -> Found:
 
 
 def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) -> Found:
-    """The values as functions of a coordinate that is tied to the one that moves."""
-    way, *others = moving
-    places = [] if others else zeros(world.dependent[name] - symbol(name), way)
+    """The values as functions of a coordinate that is tied to the one that moves, or to the time, by which it is led."""
+    led, (way, *others) = led_by(world.study, name, symbol(name)), moving
+    own = world.dependent.get(name, NOTHING) - symbol(name)
+    places = [led["t"]] if led else [] if others else zeros(own, way)
     if len(places) != 1:
         raise StatementError(f"“{name}” is tied to {min(moving)}", instead=f"ask for it as a function of {min(moving)}.")
     if "t" in names_in(places[0]):
         said = f"{way} is tied to {name} and to the time"
         raise StatementError(f"“{way}” is no function of {name} alone: {said}", instead="ask for both “as a function of t”.")
-    return replace(found, values=tuple(short(substitute(value, {way: places[0]})) for value in found.values))
+    values = (even(substitute(value, {"t" if led else way: places[0]})) for value in found.values)
+    told = tuple(shortest(short(value), world.study) for value in values)
+    return replace(found, values=told, of="position" if led else found.of)
 
 
 CONVERSE = re.compile(r"(?:the )?(.+) as a function of (?:the )?((?:speed|velocity) of )?(\w+)")
 
 
-def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str, str] | None:
+def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str, str, str] | None:
     """For “t as a function of x”, “x as a function of speed of x” (as the `last` resort for any quantity): the problem with a
-    letter for what it is a function of, the question when, or where, that has this value, and what the letter is; None for
+    letter for what it is a function of, the question when, or where, that has this value, the letter, and what it is; None for
     another question."""
     said = CONVERSE.fullmatch(text)
     if said is None or said[3] == "t":
@@ -102,4 +108,4 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     where = f"{what} = {'-' if speed and way < 0 else ''}{letter}"
     size = "the magnitude of the " if speed and way < 0 else "the " if speed else ""
     asking = f"time until {where}" if said[1] in ("t", "time") else f"{said[1]} where {where}"
-    return Asked(replace(problem, phases=tuple(phases))), asking, f"{letter} is {size}{what}"
+    return Asked(replace(problem, phases=tuple(phases))), asking, letter, f"{size}{what}"

@@ -25,6 +25,7 @@ from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import inward
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.led import put
 from rbpsym.mechanics.solutions import SMALL
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, parts, plane
@@ -186,7 +187,7 @@ LONG = 60  # terms, those above times those below
 def _at(world: ProblemWorld, named: Sequence[Scalar], works: Works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
     closed = {name: done for name, (_, done) in works.items()}
     moved = world.study.begun if world.study.at_start else world.motion.moved
-    found = [substitute(moved(substitute(value, closed)), moment.state.image) for value in named]
+    found = [put(moved(substitute(value, closed)), moment.state.image) for value in named]
     found = [shortest(short(even(value)), world.study) for value in found]
     return tuple(_settled(world, value, moment, question) for value in found)
 

@@ -155,6 +155,7 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
         with granted(MOST_PRODUCTS):
             other, plain, given = in_letters(with_coefficient(asked, text), text)
             found = _whole(other, plain, letter)
+            given = {**found.given, **given}
             return found if plain == text else replace(found, question=replace(found.question, text=text), given=given)
     except WorkSpent as error:
         raise WorkSpent(f"“{text}”: {error.what}", instead=LESS) from None
@@ -209,10 +210,12 @@ def _by_quantity(asked: Asked, plain: str, letter: str) -> Answer | None:
                    valid=tuple(dict.fromkeys((*place.valid, *found.valid))))  # fmt: skip
 
 
-def _by_letter(inverse: tuple[Asked, str, str], plain: str, letter: str) -> Answer:
-    other, asking, says = inverse
+def _by_letter(inverse: tuple[Asked, str, str, str], plain: str, letter: str) -> Answer:
+    other, asking, stands, what = inverse
     found = _whole(other, asking, letter)
-    return replace(found, question=replace(found.question, text=plain), says=found.says or says)
+    is_plain = " " not in what
+    told = {"given": {stands: what}} if is_plain else {"says": found.says or f"{stands} is {what}"}
+    return replace(found, question=replace(found.question, text=plain), **told)
 
 
 def _answered(asked: Asked, plain: str, letter: str) -> Answer:

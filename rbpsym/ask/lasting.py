@@ -14,12 +14,13 @@ from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided, there
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, short, substitute, symbol
-from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, sense_to, state_at, tie_to_time, value_in
+from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, value_in
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.endings import LAWS, uniform_motion
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
+from rbpsym.mechanics.led import sense_to
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
@@ -218,7 +219,7 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))
     if is_place:
-        timed = (moment.state.time, moment.courses) if moment.courses else ()
+        timed = (moment.state.time, moment.courses) if moment.courses or not study.system.independent else ()
         return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places, *timed)))
     state = moment.state
     way = partial(_on_way, study, None, state.time, moment.courses)
@@ -344,7 +345,7 @@ def _until(study: Study, value: Scalar, time: Scalar | None) -> Demand | None:
 def _driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tuple[Way, Assumptions] | None:
     """The way of a coordinate that the time alone ties, to a place; None where that is not known."""
     begin = study.system.scope.start.get(name)
-    if begin is None or not places or tie_to_time(study.system, name) is None:
+    if begin is None or not places or name not in places:
         return None
     way = Way(name, begin, sense_to(study, name, (begin, places[name])), NOTHING)
     return (way, way.until(places[name], study.assumptions)) if way.sense else None

@@ -130,8 +130,10 @@ def _comes_before(asked: Asked, number: int, state: ArrivalState) -> bool:
 
 
 def _is_begun(study: Study, state: ArrivalState) -> bool:
-    begun = at_start(study)
-    return state.time == NOTHING or (state.time is None and all(is_zero(q - begun.places[n]) for n, q in state.places.items()))
+    if state.time is not None:
+        return state.time == NOTHING
+    begun = at_start(study).places
+    return all(is_zero(place - begun[name]) for name, place in state.places.items())
 
 
 def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:

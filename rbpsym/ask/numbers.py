@@ -44,9 +44,10 @@ class GivenNumbers(Frozen):
         return [name for name, values in self.values.items() if len(values) > 1]
 
     def beside(self, problem: Problem, more: Mapping[str, str]) -> GivenNumbers:
-        """With what a question itself gives for its letters."""
-        own = read_numbers(", ".join(f"{name} = {value}" for name, value in more.items()), problem) if more else self
-        return GivenNumbers({**self.values, **own.values}, self.digits)
+        """With what a question itself gives for its letters: a number, or a coordinate for which one stands."""
+        same = {name: self.values[value] for name, value in more.items() if value in self.values}
+        said = ", ".join(f"{name} = {value}" for name, value in more.items() if value not in dimensions_with_unknowns(problem))
+        return GivenNumbers({**self.values, **same, **(read_numbers(said, problem).values if said else {})}, self.digits)
 
     def in_case(self, problem: Problem) -> Problem:
         """The problem with these numbers as its example: of several cases that in which they are is told."""

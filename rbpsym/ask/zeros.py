@@ -319,4 +319,13 @@ def _sign_between(value: Scalar, name: str, ends: Sequence[Scalar | None], given
         found = sign_at_end(value, name, given, side < 0) if place is None else sign_beside(value, name, place, side, given)
         if found:
             return found
-    return None
+    if low is None or high is None:
+        return None
+    between = (place for place in _quarters(value, name) if precedes(low, place, given) and precedes(place, high, given))
+    return next((found for place in between if (found := settled_sign(substitute(value, {name: place}), given))), None)
+
+
+def _quarters(value: Scalar, name: str) -> list[Scalar]:
+    """The quarters of two periods, where waves have plain values."""
+    turn = period(value, name)
+    return [] if turn is None else [turn * k / 4 for k in range(-4, 5)]

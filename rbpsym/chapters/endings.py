@@ -7,8 +7,10 @@ from the first integral.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 
 from rbpsym.elements.events import EVENTS
+from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute, symbol, time_derivative
 from rbpsym.frozen import Frozen
@@ -135,14 +137,17 @@ def _mover(draft: Draft, ending: Ending) -> list[str]:
 
 def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar], given: Sequence[Step] = ()) -> None:
     """All places (or speeds) that were not named yet, or only by what is kept, from which they follow then."""
-    rows, letters, start = [], {}, at_start(draft.study)
-    begun = start.places if what == "place" else start.speeds
+    rows, letters, begun = [], {}, dict[str, Scalar]()
+    with suppress(StatementError):  # what drives lead may begin at a place without a closed form
+        start = at_start(draft.study)
+        begun |= start.places if what == "place" else start.speeds
     name_of: Callable[[Draft, str, int], str] = place_name if what == "place" else speed_name
     for name, value in values.items():
         letter = name_of(draft, name, ending.number)
         known = letter in draft.context.scalars and not given
         draft.context.scalars[letter] = value
-        if not known and value not in (symbol(name), symbol(f"{name}_dot")) and not is_zero(value - begun[name]):
+        stays = value in (symbol(name), symbol(f"{name}_dot")) or (name in begun and is_zero(value - begun[name]))
+        if not known and not stays:
             rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True, met=ending.state.valid or None)))
             letters[letter] = name
     if rows:
@@ -168,9 +173,9 @@ def _coefficient(draft: Draft, ending: Ending) -> t.Node:
 
 def _energy(draft: Draft, ending: Ending) -> None:
     """What kinetic friction has taken by then."""
-    study, start = draft.study, at_start(draft.study)
     if not EVENTS[ending.phase.event].by_friction:
         return
+    study, start = draft.study, at_start(draft.study)
     before, after = (kinetic(draft, s.places, s.speeds) for s in (start, ending.state))
     lost = short(before - after)
     letters = [draft.define(draft.free(f"K_{k}"), v) for k, v in ((ending.number - 1, before), (ending.number, after))]

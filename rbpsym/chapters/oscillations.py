@@ -14,12 +14,13 @@ from rbpsym.proof.step import FULL
 
 
 def write(draft: Draft, *, where_stable: bool = False) -> None:
-    """The chapter; `where_stable`: of places whose stability depends on the parameters, as they are where they are stable."""
+    """The chapter; `where_stable`: of places whose stability depends on the parameters, as they are where they are stable,
+    with long shapes of modes too."""
     draft.chapter = "oscillations"
     if draft.study.equilibria:
         _rest(draft)
     for place, item in enumerate(draft.study.equilibria, 1):
-        _equilibrium(draft, stable_form(item) if where_stable else item, place)
+        _equilibrium(draft, stable_form(item) if where_stable else item, place, whole=where_stable)
     if draft.study.open_balance:
         open_balance.write(draft, draft.study.open_balance)
 
@@ -40,7 +41,7 @@ def _rest(draft: Draft) -> None:
               premises=draft.those(*(f"motion.{n}" for n in draft.study.system.independent)), count=len(rows))  # fmt: skip
 
 
-def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
+def _equilibrium(draft: Draft, item: Equilibrium, place: int, *, whole: bool) -> None:
     rows = [t.equation(t.Sym(name), draft.show(value)) for name, value in item.at.items()]
     linear = _is_linearized(draft, item)
     proved, names = item.nature.proved, draft.study.system.independent
@@ -53,7 +54,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     if linear:
         _linearized(draft, item, place, f"oscillations.linear.{LINEAR[proved]}", rows)
     elif item.stable or (item.linear.is_damped and proved == "open"):
-        modes.write(draft, item, place)
+        modes.write(draft, item, place, whole=whole)
 
 
 def _is_told(item: Equilibrium) -> bool:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import reduce
 from math import lcm
+from operator import or_
 from typing import TYPE_CHECKING
 
 from rbpsym.decide import bounds as b
@@ -16,7 +18,7 @@ from rbpsym.field import ONE, UNITY, Poly, Scalar, atoms, generator, inverse, is
 from rbpsym.field import ZERO as ZERO_POLY
 from rbpsym.field import substitute as put
 from rbpsym.field.division import turnings
-from rbpsym.field.normal import bases_of, in_bases, normal, partner, substitute, without_squares
+from rbpsym.field.normal import bases_of, in_bases, normal, partner, shorten, substitute, without_squares
 from rbpsym.field.ring import factors
 from rbpsym.field.roots import without_even_roots
 
@@ -119,6 +121,22 @@ def _by_double_angle(study: SignStudy, poly: Poly) -> int:
     return ANY
 
 
+def _by_wave(study: SignStudy, poly: Poly) -> int:
+    """A cos x + B sin x + C with C² ≥ A² + B²: it has the sign of C."""
+    for index in sorted(poly.atoms()):
+        other = partner(index)
+        parts = poly.by_power(index) if other is not None and other > index else {}
+        rest = parts.get(0, ZERO_POLY).by_power(other) if parts and other is not None else {}
+        if set(parts) - {0, 1} or set(rest) - {0, 1} or not rest.get(0) or other in parts.get(1, ZERO_POLY).atoms():
+            continue
+        whole, waves = rest[0], [one for one in (parts.get(1), rest.get(1)) if one]
+        room = without_even_roots(Scalar(sum((-one * one for one in waves), whole * whole)))
+        more = ANY if study.samples.seen(room) & MINUS else study.scalar(room)
+        if not more & MINUS:
+            return study.poly(whole) | more & ZERO
+    return ANY
+
+
 def _by_one_angle(study: SignStudy, poly: Poly) -> int:
     """The same with cos 2x, sin 3x … in the angle x."""
     image = in_bases(poly, bases_of(poly))
@@ -213,20 +231,23 @@ def _times_linear(coefficients: list[Poly], factor: Linear) -> list[Poly]:
 
 
 def _by_root(study: SignStudy, poly: Poly) -> int:
-    """A + B√x with A and B of opposite signs: compare A² with B² x."""
+    """A + B√x: it has the sign of A where A² > B² x, that of B where A² < B² x, and is 0, or 2A, between."""
+    found = []
     for index in poly.atoms():
-        found = atoms.atom(index)
         parts = poly.by_power(index)
-        if found.kind == "root" and set(parts) == {0, 1} and _are_opposite(study, *map(Scalar, (parts[0], parts[1]))):
-            a, factor = study.poly(parts[0]), study.poly(parts[1])
-            if a in (PLUS, MINUS) and factor == flip(a):
-                square = Scalar(parts[0] * parts[0]) - Scalar(parts[1] * parts[1]) * found.arg
-                return times(a, study.scalar(square))
+        if atoms.atom(index).kind == "root" and set(parts) == {0, 1}:
+            square = without_even_roots(Scalar(parts[0] * parts[0]) - Scalar(parts[1] * parts[1]) * atoms.atom(index).arg)
+            found.append((quotient(shorten(square.num), square.den), parts[0], parts[1]))
+    for square, *sides in sorted(found, key=lambda item: len(item[0].num)):
+        if study.samples.seen(square) == NONZERO:
+            continue
+        a, factor = map(study.poly, sides)
+        more = ANY if a == factor == ANY else study.scalar(square)
+        cases = ((PLUS, a & NONZERO), (MINUS, factor & NONZERO), (ZERO, ZERO | a & factor))
+        mask = reduce(or_, (said for case, said in cases if more & case), 0)
+        if mask not in (0, ANY):
+            return mask
     return ANY
-
-
-def _are_opposite(study: SignStudy, a: Scalar, b: Scalar) -> bool:
-    return study.samples.seen(a, -b) != NONZERO
 
 
 def _by_factors(study: SignStudy, poly: Poly) -> int:
@@ -265,6 +286,7 @@ RULES: tuple[Rule, ...] = (
     (_by_content, "a common factor is taken out"),
     (_by_root, "squares are compared"),
     (_by_quadratic, "a quadratic with this discriminant has no change of sign"),
+    (_by_wave, "by |A cos x + B sin x| ≤ √(A² + B²)"),
     (_by_bounds, "it has this sign on the whole range of a generator"),
     (_by_exponentials, "all exponentials are powers of one"),
     (_by_squares, "by sin² + cos² = 1"),

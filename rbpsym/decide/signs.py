@@ -114,7 +114,12 @@ class SignStudy(Walker):
 
     def _narrowed(self, poly: Poly, mask: int, rules: tuple[Rule, ...]) -> int:
         for rule, reason in rules:
-            found = rule(self, poly)
+            try:
+                found = rule(self, poly)
+            except LimitError:  # what is known already stays so
+                if mask == ANY:
+                    raise
+                break
             if found & mask != mask:
                 mask &= found
                 self.reasons[poly] = reason

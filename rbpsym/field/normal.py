@@ -83,6 +83,12 @@ def in_bases(poly: Poly, bases: Bases) -> Poly:
     return substitute(poly, changed) if changed else poly
 
 
+def angles_apart(value: Scalar) -> Scalar:
+    """The value with sines and cosines of sums written in those of their base angles."""
+    bases = bases_of(value.num, value.den)
+    return quotient(in_bases(value.num, bases), in_bases(value.den, bases))
+
+
 def substitute(poly: Poly, images: dict[int, Poly]) -> Poly:
     """The polynomial with atoms replaced by polynomials (negative powers: monomials only)."""
     parts: list[tuple[int | Fraction, Poly]] = []

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat, root_of, sign_along
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, StatementError, there
-from rbpsym.field import depends_on, derivative, has_roots, is_zero, names_in, short, substitute, time_derivative
+from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.field import derivative, has_roots, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.field.integration import definite
 from rbpsym.field.roots import without_even_roots
 from rbpsym.field.scalar import NOTHING, PI, Scalar, symbol
@@ -23,11 +23,9 @@ from rbpsym.mechanics.numbers import Numbers, floating, sample, samples
 from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import System, by_letters
-from rbpsym.mechanics.tying import placed_by
+from rbpsym.mechanics.system import by_letters
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Phase, Problem
-from rbpsym.statement.scope import CLOCK
 
 
 class ArrivalState(Frozen):
@@ -271,62 +269,3 @@ def positive_root(study: Study, value: Scalar) -> Scalar:
     """The square root, with what is declared positive taken out."""
     value = short(value)
     return root_of(neat(value, study.assumptions) if has_roots(value) else value, study.assumptions)
-
-
-def tie_to_time(system: System, name: str) -> Scalar | None:
-    """What vanishes of a coordinate and the time, in which it stands once and linearly; None if nothing ties it so."""
-    rates = system.scope.rates.keys()
-    ties = [tie.value for tie in system.implicit if names_in(tie.value) & rates - {CLOCK} == {name}]
-    is_linear = len(ties) == 1 and not system.independent and depends_on(ties[0], CLOCK)
-    return ties[0] if is_linear and not depends_on(derivative(ties[0], CLOCK), CLOCK) else None
-
-
-def state_reached(study: Study, name: str, value: Scalar) -> ArrivalState | None:
-    """The state when the coordinate has a value for the first time, if it changes in one sense on the way there from its
-    start; None where it is not tied so."""
-    if time := time_driven(study, name, value):
-        return _at(study, time, {CLOCK: time})
-    tie, start = tie_to_time(study.system, name), study.system.scope.start.get(name)
-    if tie is None or start is None:
-        return None
-    then = substitute(tie, {name: value})
-    way = sense_to(study, name, (start, value))
-    if not way:
-        return None
-    time = short(-(substitute(then, {CLOCK: NOTHING}) / derivative(then, CLOCK)))
-    return _at(study, time, {name: value, CLOCK: time}, Demand((value - start) * way))
-
-
-def driven_to(study: Study, image: Mapping[str, Scalar]) -> dict[str, Scalar]:
-    """What is known of a moment, with the places to which drives alone put other coordinates then, by their ranges."""
-    system = study.system
-    if system.independent or not system.implicit:
-        return dict(image)
-    return {**placed_by(system.implicit, system.coordinates, image, study.assumptions), **image}
-
-
-def time_driven(study: Study, name: str, value: Scalar) -> Scalar | None:
-    """When a coordinate that is itself driven at a steady rate, as an angle Ω t, has a value; None for another one."""
-    driven = study.system.dependent.get(name)
-    if driven is None or names_in(driven) & {*study.system.scope.rates} - {CLOCK}:
-        return None
-    rate = derivative(driven, CLOCK)
-    is_steady = bool(rate) and not depends_on(rate, CLOCK)
-    return short((value - substitute(driven, {CLOCK: NOTHING})) / rate) if is_steady else None
-
-
-def _at(study: Study, time: Scalar, image: Mapping[str, Scalar], ahead: Demand | None = None) -> ArrivalState | None:
-    """The state then; None where that lies before the start."""
-    image = driven_to(study, image)
-    pairs = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
-    places, speeds = ({n: short(substitute(pair[k], image)) for n, pair in pairs.items()} for k in (0, 1))
-    valid = settle([ahead or Demand(time)], study.assumptions)
-    return None if valid is None else ArrivalState(time, places, speeds, valid)
-
-
-def sense_to(study: Study, name: str, ends: tuple[Scalar, Scalar]) -> int:
-    """1 or -1 where the time that the tie gives grows, or falls, with the coordinate all the way between two places; else 0."""
-    tie = there(tie_to_time(study.system, name))
-    slope = -(derivative(tie, name) / derivative(tie, CLOCK))
-    signs = {sign(slope, study.assumptions.with_range(name, *pair)).sense for pair in (ends, ends[::-1])}
-    return signs.pop() if len(signs) == 1 else 0

@@ -19,7 +19,7 @@ from rbpsym.field.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.mechanics.constraints import JOINTS, AngleJoin
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.roots import factor_zeros, factors_in, period, zeros
 from rbpsym.mechanics.system import ConstraintCondition, Force, Pose
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Coordinate, Element, PointRef, Problem
@@ -193,16 +193,26 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
 
 
 def _driven(value: Scalar, coordinate: Coordinate, given: Assumptions) -> Scalar | None:
-    """Where a condition that runs with the time puts a coordinate: the only zero that may lie in its range. None if that
-    is not decided, and where it is an angle of a quotient with a sum below: its rates grow too long, it stays tied."""
-    ends = [(scalar(end), side) for end, side in ((coordinate.lower, 1), (coordinate.upper, -1)) if end is not None]
-    is_length = bool(coordinate.quantity.dimension.length)  # an angle comes back after each turn: both ends tell which is meant
-    found = zeros(value, coordinate.name) if len(ends) == 2 or (ends and is_length) else []
-    gaps = [[sign((zero - end) * side, given) for end, side in ends] for zero in found]
-    inside = [zero for zero, signs in zip(found, gaps, strict=True) if all(one.is_nonnegative for one in signs)]
-    outside = [signs for signs in gaps if any(one.kind in ("negative", "zero", "nonpositive") for one in signs)]
-    is_short = all(getattr(atoms.atom(index).arg, "den", ONE) is ONE for zero in inside for index in zero.atoms())
-    return inside[0] if len(inside) == 1 == len(found) - len(outside) and is_short else None
+    """Where a condition that runs with the time puts a coordinate. None if that is not decided, and where it is an angle of a
+    quotient with a sum below: its rates grow too long, it stays tied."""
+    ends = tuple(None if end is None else scalar(end) for end in (coordinate.lower, coordinate.upper))
+    place = None if ends == (None, None) else only_place(value, coordinate.name, (ends[0], ends[1]), given)
+    args = [] if place is None else [atoms.atom(index).arg for index in place.atoms()]
+    return place if all(getattr(arg, "den", ONE) is ONE for arg in args) else None
+
+
+def only_place(value: Scalar, name: str, ends: tuple[Scalar | None, Scalar | None], given: Assumptions) -> Scalar | None:
+    """The only zero that may lie in a range, whatever the parameters are; None if that is not decided. What comes back after each
+    turn needs both ends, a line none."""
+    sides = [(end, way) for end, way in zip(ends, (1, -1), strict=True) if end is not None]
+    if len(sides) < (0 if not depends_on(derivative(value, name), name) else 2 if period(value, name) else 1):
+        return None
+    if not all(factor_zeros(factor, name) for factor in factors_in(value, name)):
+        return None  # a zero without a closed form may lie there, too
+    gaps = [(zero, [sign((zero - end) * way, given) for end, way in sides]) for zero in zeros(value, name)]
+    left = [item for item in gaps if not any(one.sense < 0 or one.kind == "zero" for one in item[1])]
+    left = left or [item for item in gaps if "negative" not in {one.kind for one in item[1]}]
+    return left[0][0] if len(left) == 1 and all(one.is_nonnegative for one in left[0][1]) else None
 
 
 def _held_at_start(value: Scalar, coordinate: Coordinate) -> Scalar | None:

@@ -17,11 +17,12 @@ from rbpsym.field import Scalar, depends_on, is_zero, names_in, short, substitut
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.arrivals import EDGE, ArrivalState, at_start, driven_to, first_met, of_coordinate, positive_root, state_at
+from rbpsym.mechanics.arrivals import EDGE, ArrivalState, at_start, first_met, of_coordinate, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.demands import Demand, existence, possible, settle
 from rbpsym.mechanics.forms import gathered
 from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.led import led_to, put
 from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.roots import factor_zeros, factors_in
 from rbpsym.mechanics.study import Study
@@ -112,7 +113,7 @@ def after(study: Study, phase: Phase, start: ArrivalState, time: Scalar, asked: 
     """The places and speeds that the accelerations, constants or functions of the time, give; what follows from these and the
     time, from its formula. Raises StatementError if what is asked is never met."""
     valid = possible(asked, study.assumptions, never(study, phase))
-    image, to = driven_to(study, {CLOCK: time}), {CLOCK: time}
+    image, to = led_to(study, {CLOCK: time}), {CLOCK: time}
     for name in study.system.independent:
         gone = gathered(gain_of(study, phase, name, CLOCK))
         way = None if gone is None else gathered(gone)
@@ -120,7 +121,7 @@ def after(study: Study, phase: Phase, start: ArrivalState, time: Scalar, asked: 
             raise no_closed_form(f"the motion of “{name}” as a function of the time")
         speed = start.speeds[name]
         image |= {name: start.places[name] + speed * time + substitute(way, to), f"{name}_dot": speed + substitute(gone, to)}
-    pairs = {name: [substitute(value, image) for value in of_coordinate(study, name)] for name in start.places}
+    pairs = {name: [put(value, image) for value in of_coordinate(study, name)] for name in start.places}
     places = {name: short(without_even_roots(place)) for name, (place, _) in pairs.items()}
     return ArrivalState(time, places, {name: short(without_even_roots(speed)) for name, (_, speed) in pairs.items()}, valid)
 

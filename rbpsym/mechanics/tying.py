@@ -5,16 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from rbpsym.decide.assumptions import Assumptions
-from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.field import Meanings, Scalar, depends_on, derivative, is_zero, substitute, time_derivative
+from rbpsym.field import Meanings, Scalar, depends_on, is_zero, substitute, time_derivative
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.conditions import all_conditions, from_start, full_rates, integrated, rate_conditions, solve_explicitly
+from rbpsym.mechanics.conditions import (
+    all_conditions,
+    from_start,
+    full_rates,
+    integrated,
+    only_place,
+    rate_conditions,
+    solve_explicitly,
+)
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import Inertias, locator
-from rbpsym.mechanics.roots import factor_zeros, factors_in, zeros
 from rbpsym.mechanics.system import BodyState, ConstraintCondition, Pose, at_point
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Problem
@@ -124,17 +130,6 @@ def placed_by(ties: Ties, names: Sequence[str], known: Mapping[str, Scalar], giv
     for tie in ties * len(ties):
         value = substitute(tie.value, {**known, **found})
         name, *others = [name for name in names if depends_on(value, name)] or [""]
-        low, high = given.range_of(name)
-        if (low, high) == (None, None) and name and not others and not depends_on(derivative(value, name), name):
-            [found[name]] = zeros(value, name)  # a line has one
-        if low is None or high is None or others:
-            continue
-        places = zeros(value, name)
-        if not all(factor_zeros(factor, name) for factor in factors_in(value, name)):
-            continue  # a zero without a closed form may lie there, too
-        beyond = [any(sign(gap, given).is_nonnegative for gap in (low - place, place - high)) for place in places]
-        left = [place for place, is_beyond in zip(places, beyond, strict=True) if not is_beyond]
-        left = left or [p for p in places if "positive" not in {sign(gap, given).kind for gap in (low - p, p - high)}]
-        if len(left) == 1 and all(sign(gap, given).is_nonnegative for gap in (left[0] - low, high - left[0])):
-            found[name] = left[0]
+        place = only_place(value, name, given.range_of(name), given) if name and not others else None
+        found |= {} if place is None else {name: place}
     return found

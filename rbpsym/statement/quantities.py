@@ -8,7 +8,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 
 from rbpsym.errors import DimensionError
-from rbpsym.expr.tree import ZERO, Div, Node, Num, Sym, names
+from rbpsym.expr.tree import ZERO, Div, Neg, Node, Num, Sym, names, neg
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.premises import Declared, declared, surely_above
@@ -169,6 +169,8 @@ class CoordinateReader:
         quantity = Quantity(name, dimension, table.string("meaning"), "real", table.string("glyph") or None)
         start = self._value(table, "start", f"start of {where}", dimension, f"start value of {name}")
         lower, upper = self._range(table, where, dimension)
+        if isinstance(start, Neg) and lower is not None and (own := self.implicit.get(getattr(start.arg, "name", ""))):
+            self.implicit[own.name] = replace(own, upper=neg(lower))
         speed = self._speed(table, where, dimension / TIME, name)
         return Coordinate(quantity, start, speed, lower, upper, table.source.key(table.path))
 
@@ -180,13 +182,16 @@ class CoordinateReader:
     def _value(
         self, table: SourceTable, key: str, what: str, dimension: Dimension, meaning: str, default: str | None = None
     ) -> Node | None:
-        """The expression under `key`; a plain name that nobody declared becomes a constant."""
+        """The expression under `key`; a name that nobody declared becomes a constant, with a minus a positive one."""
         item = table.item(key, default)
         if item.value is None:
             return None
-        if self._is_new_name(item.value):
-            self.implicit[item.value] = Quantity(item.value, dimension, meaning, "real")
-            return Sym(item.value)
+        name = item.value.removeprefix("-").strip() if isinstance(item.value, str) else item.value
+        if self._is_new_name(name):
+            is_plain = name == item.value.strip()
+            said = meaning if is_plain else f"size of the {meaning}"
+            self.implicit[name] = Quantity(name, dimension, said, "real" if is_plain else "positive")
+            return Sym(name) if is_plain else neg(Sym(name))
         return read_expression(item, self._scope(), what, dimension)
 
     def _is_new_name(self, text: object) -> bool:

@@ -10,7 +10,10 @@ import pytest
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.numbers import read_numbers
+from rbpsym.ask.zeros import zeros
+from rbpsym.decide.assumptions import NONE
 from rbpsym.errors import StatementError
+from rbpsym.field import cosine, function, root, sine, symbol
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.typeset.machine import to_machine
 from tests.ask.test_unseen import HERE, asked
@@ -109,6 +112,15 @@ ANSWERS = (
     ("lift-with-drum", "tau for which the cabin rises steadily", "(M-m)*g*R"),
     ("crate-pushed-high", "largest P for which the crate does not tip", "m*g*(w-mu*H)/(2*h-H)"),
     ("struck-rod", "rotational kinetic energy right after struck", "3*J**2/(8*m)"),
+    ("slotted-arm", "largest angular velocity of arm", "r*Omega/(d+r)"),
+    ("eccentric-cam", "speed of y as a function of theta", "e*Omega*cos(theta)*(1 + e*sin(theta)/sqrt(R**2-e**2*cos(theta)**2))"),
+    ("eccentric-cam", "acceleration of y where theta = pi/2", "-Omega**2*(e+e**2/R)"),
+    ("boom-raised", "angular velocity of boom as a function of theta", "u*sqrt(b**2+c**2-2*b*c*cos(theta))/(b*c*sin(theta))"),
+    ("boom-raised", "time until theta = pi/2", "(sqrt(b**2+c**2)-s_0)/u"),
+    ("bar-on-incline", "speed of bar.end where theta = alpha/2", "v"),
+    ("rod-over-drum", "angular velocity of rod as a function of theta", "v*sin(theta)**2/(R*cos(theta))"),
+    ("rod-over-drum", "time until theta = pi/6", "(2*R-x_0)/v"),
+    ("offset-crank", "largest x component of position of rod.end", "sqrt((L+r)**2-e**2)"),
 )
 
 
@@ -217,8 +229,36 @@ def test_the_case_is_that_of_the_numbers(height: str, bound: str) -> None:
 
 def test_a_tangent_within_a_sine_is_no_endless_square() -> None:
     """The zeros of A + B √x are those of A² - B² x: where x comes back with each square, no closed form is looked for."""
-    found = answered(asked("slotted-arm"), "largest angular velocity of arm")
-    assert "not decided" in found.verdict.reason
+    t, d = symbol("t"), symbol("d")
+    nested = root(1 + d * cosine(t)) * cosine(t - function("atan", sine(t) / (d + cosine(t))))
+    assert zeros(nested - d, "t", NONE).open_
+
+
+def test_a_letter_for_a_coordinate_has_its_number(capsys) -> None:
+    from rbpsym import cli
+
+    numbers = "M = 1, m = 2, L = 1, R = 0.2, x_0 = 0.25, v = 0.3, g = 9.81, x = 0.45"
+    file = str(HERE / "rod-over-drum.toml")
+    cli.exit_code(lambda: cli.main(["ask", file, "angular velocity of rod as a function of x", "--with", numbers],
+                                   standalone_mode=False))
+    told = capsys.readouterr().out
+    assert "x_1 = x" in told and "0.331 rad/s" in told
+
+
+def test_a_start_with_a_minus_names_a_size() -> None:
+    """x_0 needs no entry: it is positive, and lies in the range of x."""
+    text = SPRUNG.replace("START", "-x_0")
+    [found] = ask(load_text(text), "x as a function of t")
+    assert found.verdict.is_proved and found.text == "-x_0*cos(sqrt(k/m)*t)" and not found.valid
+
+
+SPRUNG = """
+coordinates.x = { dimension = "length", start = "START", range = ["-L", "L"] }
+parameters = { m = "mass: block", k = "stiffness: spring", L = "length: natural length" }
+bodies.block = { shape = "particle", mass = "m", center = ["x", "0"] }
+interactions.S = { type = "spring", between = [["-L", "0"], "block.center"], stiffness = "k", natural_length = "L" }
+constraints.N = { type = "guide", point = "block.center", line = "y = 0" }
+"""
 
 
 def test_a_place_that_an_equation_may_leave_open_is_not_proved() -> None:

@@ -77,8 +77,8 @@ def cases(found: Answer) -> Iterator[tuple[list[Scalar], dict[str, Scalar]]]:
         elif found.relation == "=":
             yield told, {found.symbol: value}
         else:
-            ops = (">", "<") if found.relation == "between" else (found.relation,)
-            ends = ((symbol(found.symbol) - end) * WAYS.get(op[0], 0) for op, end in zip(ops, found.values, strict=True))
+            pairs = zip("><", found.values, strict=True) if found.relation == "between" else [(found.relation, value)]
+            ends = ((symbol(found.symbol) - end) * WAYS.get(op[0], 0) for op, end in pairs)
             yield [*told, *ends], {}
 
 

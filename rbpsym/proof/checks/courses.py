@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
 
-from rbpsym.decide.equal import compare, scalars_equal
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED, Verdict
 from rbpsym.elements.events import EVENTS
@@ -17,6 +17,7 @@ from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import Undecided
 from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.field.evaluate import scalar
+from rbpsym.field.normal import angles_apart
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
@@ -106,41 +107,6 @@ def closing(system: System, element: Element) -> Scalar:
     return ((second - first).dot(second - first) - scalar(element["length"]) ** 2) / 2
 
 
-def is_driven(context: Context, phase: Any) -> bool:
-    """Whether a phase ends where such a coordinate has a value."""
-    is_alone = phase is not None and phase.event == "reaches" and not context.study.system.independent
-    return is_alone and any(depends_on(tie.value, phase.subject) for tie in context.study.ties)
-
-
-def left_then(context: Context, phase: Any) -> Scalar:
-    """What vanishes at the moment, as a function of the time."""
-    return substitute(_tie(context, phase.subject), {phase.subject: scalar(phase.value)})
-
-
-def _tie(context: Context, name: str) -> Scalar:
-    [found] = [tie.value for tie in context.study.ties if depends_on(tie.value, name)]
-    return found
-
-
-def comes_there(context: Context, phase: Any) -> Verdict:
-    """The value lies ahead of the start, in the sense of a speed that keeps its sign all the way."""
-    begin, end = context.start(symbol(phase.subject)), scalar(phase.value)
-    speed = context.study.system.scope.rates[phase.subject]
-    between = (context.assumptions.with_range(phase.subject, *ends) for ends in ((begin, end), (end, begin)))
-    ways = {sign(speed, given).sense for given in between}
-    return compare(NOTHING, (end - begin) * ways.pop(), context.assumptions) if len(ways) == 1 and 0 not in ways else UNSEEN
-
-
-def state_said(context: Context, ending: Any, what: str, name: str, stated: Scalar) -> Verdict:
-    """The stated place, or speed, meets the equation, or its rate, at that time; what depends on it, by its formula."""
-    subject, state = ending.phase.subject, ending.state
-    value = _tie(context, subject) if name == subject else own_place(context, name)
-    speed = stated if name == subject else state.speeds[subject]
-    there = {"t": state.time, subject: stated if (name, what) == (subject, "place") else state.places[subject]}
-    moved = value if what == "place" else derivative(value, subject) * speed + derivative(value, "t")
-    return scalars_equal(substitute(moved, there), NOTHING if name == subject else stated, context.assumptions)
-
-
 def led_then(context: Context, ending: Any, what: str, name: str, stated: Scalar) -> Verdict:
     """Where drives alone tell all places: these meet all equations at that time, each in its range, in which its equation has no
     other zero; the speed is the rate that they have there."""
@@ -170,6 +136,6 @@ def _only_there(context: Context, value: Scalar, name: str, place: Scalar) -> Ve
     given, half = context.assumptions, sign(low + PI - high, context.assumptions)
     room = [sign(gap, given) for gap in (place - low, high - place)]
     is_inside = all(gap.is_nonnegative for gap in room)
-    is_wave = is_zero(derivative(slope, name) + value) and sign(substitute(slope, {name: place}), given).is_nonzero
+    is_wave = is_zero(derivative(slope, name) + value) and sign(substitute(angles_apart(slope), {name: place}), given).is_nonzero
     is_alone = half.kind == "positive" or (half.kind == "zero" and all(gap.kind == "positive" for gap in room))
     return Verdict(PROVED) if is_inside and ((is_wave and is_alone) or sign(slope, given).is_nonzero) else UNSEEN

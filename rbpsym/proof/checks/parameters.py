@@ -75,7 +75,7 @@ def vanishes_there(context: Context, step: Step) -> Verdict:
     (`data`: "value", "name", "places", "given")."""
     value, name, places, given = (step.data[key] for key in ("value", "name", "places", "given"))
     there = [scalars_equal(rooted(substitute(value, {name: place}), given), NOTHING, given) for place in places]
-    forms = dict.fromkeys((value, shorter(without_even_roots(value))))
+    forms = dict.fromkeys((value, shorter(without_even_roots(value)), _core(Scalar(value.num), given, is_sign=False)))
     return all_of([*there, first_proved((nowhere_else(form, name, places, given) for form in forms), OTHERS)])
 
 
@@ -181,16 +181,17 @@ def valley_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sens
     return all_of(extreme_said(rooted(substitute(value, {name: end}), given), best, given, sense) for end in ends)
 
 
-def _core(value: Scalar, given: Assumptions) -> Scalar:
-    """What has the sign of the value: without roots and factors of known sign, with the others once where their power is odd."""
+def _core(value: Scalar, given: Assumptions, *, is_sign: bool = True) -> Scalar:
+    """What has the sign of the value: without roots and factors of known sign, with the others once where their power is odd; or
+    only vanishes where it does: with each of them once."""
     _, powers = value.num.content()
     coefficient, found = factors(value.num.scaled(1, inverse(powers)))
-    firm = [(index, exponent) for index, exponent in powers if atoms.atom(index).kind != "root"]
+    firm = [(index, exponent) for index, exponent in powers if not (is_sign and atoms.atom(index).kind == "root")]
     parts = [*found, *((generator(index), exponent) for index, exponent in firm), (value.den, -1)]
     core, side = UNITY, 1 if coefficient > 0 else -1
     for part, exponent in parts:
         known = SENSES.get(sign(Scalar(part), given).kind or "")
-        core = core if known or exponent % 2 == 0 else core * Scalar(part)
+        core = core if known or (is_sign and exponent % 2 == 0) else core * Scalar(part)
         side *= (known or 1) ** (exponent % 2)
     return core * side
 

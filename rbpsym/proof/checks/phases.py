@@ -27,12 +27,8 @@ from rbpsym.proof.checks.courses import (
     CHECKS,
     at_time,
     closing,
-    comes_there,
-    is_driven,
     led_then,
-    left_then,
     moved_to,
-    state_said,
 )
 from rbpsym.proof.checks.of_steps import agree, named_sides, premise_says, right_side, right_sides, same, weakest
 from rbpsym.proof.checks.places import UNSEEN, demanded, own_place, under, way_to
@@ -62,8 +58,6 @@ def first_then(context: Context, step: Step) -> Verdict:
     before = context.assumptions.with_range("t", NOTHING, time)
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in demanded(context, step)):
         ahead = compare(NOTHING, time, context.assumptions)
-    if is_driven(context, step.data["ending"].phase):
-        return comes_there(context, step.data["ending"].phase)
     left = _left(context, step)
     kept = any(sign(value, before).is_nonzero for value in (left, derivative(left, "t")))
     kept = kept or _has_no_other_root(left, time, context.assumptions)
@@ -98,8 +92,6 @@ def _mean_and_last(left: Scalar, time: Scalar) -> tuple[Scalar, Scalar]:
 def _left(context: Context, step: Step) -> Any:
     """What is left of the slip, or of the way to the value, as a function of the time."""
     phase = step.data["ending"].phase
-    if is_driven(context, phase):
-        return left_then(context, phase)
     return CHECKS[phase.event].then(context, phase)
 
 
@@ -137,8 +129,6 @@ def state_then(context: Context, step: Step) -> Verdict:
 
 def _by_what(context: Context, ending: Any) -> Callable[..., Verdict]:
     """What checks a state: the tie to the time, a motion that is integrated twice, or the first integral."""
-    if is_driven(context, ending.phase):
-        return state_said
     if context.study.ties and not context.study.system.independent:
         return led_then
     return _uniform if ending.state.time is not None else _placed

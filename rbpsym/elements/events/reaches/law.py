@@ -4,7 +4,8 @@ from rbpsym.errors import there
 from rbpsym.field import short
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics import endings
-from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, of_coordinate, state_reached
+from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, of_coordinate
+from rbpsym.mechanics.led import state_reached
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Phase
 
