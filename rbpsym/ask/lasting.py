@@ -205,7 +205,9 @@ def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand
     if is_zero(place - begin):
         return lasts_to(study, Moment(0, at_start(study)))
     if mover(study) == name:
-        reached = state_at(study, name, place, -1 if floating(place - begin, begun_numbers(study)) < 0 else 1)
+        pushed = study.system.scope.start.get(f"{name}_dot", NOTHING)  # by the side on which it surely is, else as it sets out
+        way = next((w for gap in (place - begin, pushed) if (w := sign(gap, study.assumptions).sense)), 0)
+        reached = state_at(study, name, place, way or (-1 if floating(place - begin, begun_numbers(study)) < 0 else 1))
     else:
         reached = LAWS["reaches"].ends(study, Phase("", "reaches", name, (), study.problem, present(place)))
     lasts, doubts = lasts_to(study, Moment(0, reached, "event"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
 from math import lcm
@@ -121,9 +121,12 @@ def _by_double_angle(study: SignStudy, poly: Poly) -> int:
     return ANY
 
 
+SHORT = 6  # terms of a sum of which squares are compared without a sign of its parts
+
+
 def _by_wave(study: SignStudy, poly: Poly) -> int:
     """A cos x + B sin x + C with C² ≥ A² + B²: it has the sign of C."""
-    for index in sorted(poly.atoms()):
+    for index in sorted(poly.atoms()) if len(poly) <= SHORT else ():
         other = partner(index)
         parts = poly.by_power(index) if other is not None and other > index else {}
         rest = parts.get(0, ZERO_POLY).by_power(other) if parts and other is not None else {}
@@ -234,9 +237,15 @@ def _by_root(study: SignStudy, poly: Poly) -> int:
     """A + B√x: it has the sign of A where A² > B² x, that of B where A² < B² x, and is 0, or 2A, between."""
     found = []
     for index in poly.atoms():
-        parts = poly.by_power(index)
-        if atoms.atom(index).kind == "root" and set(parts) == {0, 1}:
-            square = without_even_roots(Scalar(parts[0] * parts[0]) - Scalar(parts[1] * parts[1]) * atoms.atom(index).arg)
+        parts, arg = poly.by_power(index), atoms.atom(index).arg
+        if atoms.atom(index).kind != "root" or set(parts) != {0, 1}:
+            continue
+        if study.samples.seen(Scalar(parts[0]), Scalar(-parts[1])) != NONZERO:  # of opposite signs, wherever it was looked
+            a, factor = study.poly(parts[0]), study.poly(parts[1])
+            if a in (PLUS, MINUS) and factor == flip(a):
+                return times(a, study.scalar(_gap_of_squares(parts, arg)))
+        if len(poly) <= SHORT:
+            square = without_even_roots(_gap_of_squares(parts, arg))
             found.append((quotient(shorten(square.num), square.den), parts[0], parts[1]))
     for square, *sides in sorted(found, key=lambda item: len(item[0].num)):
         if study.samples.seen(square) == NONZERO:
@@ -248,6 +257,12 @@ def _by_root(study: SignStudy, poly: Poly) -> int:
         if mask not in (0, ANY):
             return mask
     return ANY
+
+
+def _gap_of_squares(parts: Mapping[int, Poly], arg: Scalar) -> Scalar:
+    return Scalar(parts[0] * parts[0]) - Scalar(parts[1] * parts[1]) * arg
+
+
 
 
 def _by_factors(study: SignStudy, poly: Poly) -> int:

@@ -66,7 +66,6 @@ def test_what_a_page_asks_for_the_answer_asks_for(name):
 # Open conditions of a step that no entry of the answer tells; to be empty.
 NOT_TOLD = {
     "cylinder-in-rolling-pipe": {"kept.x"},  # the kept momentum is divided by 1 - cos theta
-    "rod-with-spring": {"work.S.rod", "balance"},  # the length of the spring at the start, and where the forces balance
     "spring-coupled-pendulums": {"work.S.left", "work.S.right"},
     "rod-over-rim-of-bowl": {"equilibrium.1", "linear.1", "frequency.1"},  # radicands that are always positive, undecided
 }

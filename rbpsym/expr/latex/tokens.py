@@ -206,30 +206,33 @@ def _closed(tokens: list[Token], k: int) -> int:
 
 def _unbraced(tokens: list[Token]) -> list[Token]:
     """The tokens without braces round a letter that has a subscript or prime behind them, {v}_1."""
-    dropped: set[int] = set()
+    dropped, argued = set[int](), _argued(tokens)
     for k, token in enumerate(tokens):
         texts = [found.text for found in tokens[k : k + 5]]
-        for size in (2, 3):
+        if token.text == r"\indices" and texts[1:2] == ["{"]:
+            dropped |= {k, k + 1, _closed(tokens, k + 1)}
+        for size in (2, 3) if token.text == "{" else ():
             inner = tokens[k + 1 : k + size]
-            alone = bool(inner) and inner[-1].kind in ("letter", "text") and (size == 2 or inner[0].kind == "command")
-            if token.text == r"\indices" and texts[1:2] == ["{"]:
-                dropped |= {k, k + 1, _closed(tokens, k + 1)}
+            named = size == 2 or (bool(inner) and inner[0].kind == "command" and inner[0].text[1:] not in FUNCTION_WORDS)
+            alone = bool(inner) and inner[-1].kind in ("letter", "text") and named
             alone = alone or (size == 2 and "".join(texts[1:2])[1:] in FUNCTION_WORDS)
-            free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or _argued(tokens, k))
-            if token.text == "{" and alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"], ["}", "^"]):
+            free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
+            if alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"], ["}", "^"]):
                 dropped |= {k, k + size}
     return [token for k, token in enumerate(tokens) if k not in dropped]
 
 
-def _argued(tokens: list[Token], k: int) -> bool:
-    """Do braces end in front of this place that are no script, so that what stands here may be a command's further argument?"""
-    depth, begin = 0, k - 1
-    while begin >= 0 and tokens[k - 1].text == "}":
-        depth += (tokens[begin].text == "}") - (tokens[begin].text == "{")
-        if not depth:
-            return begin == 0 or tokens[begin - 1].text not in ("^", "_")
-        begin -= 1
-    return False
+def _argued(tokens: list[Token]) -> set[int]:
+    """Where braces that are no script end: what stands behind may be a command's further argument."""
+    found, begun = set[int](), list[int]()
+    for k, token in enumerate(tokens):
+        if token.text == "{":
+            begun.append(k)
+        elif token.text == "}" and begun:
+            begin = begun.pop()
+            if begin == 0 or tokens[begin - 1].text not in ("^", "_"):
+                found.add(k)
+    return found
 
 
 @cache
