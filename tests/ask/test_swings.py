@@ -144,6 +144,8 @@ def test_another_time_is_not_proved(name: str, quarters: int) -> None:
     wrong = replace(step, statement=t.equation(left, t.mul(t.TWO, right)))
     assert not certify(draft.context, wrong).verdict.is_proved
     assert not certify(draft.context, replace(step, statement=t.equation(left, t.neg(right)))).verdict.is_proved
+    if height := step.data["height"]:
+        assert not certify(draft.context, replace(step, data={**step.data, "height": height * 2})).verdict.is_proved
     other = 2 if quarters == 4 else 4
     assert not certify(draft.context, replace(step, data={**step.data, "quarters": other})).verdict.is_proved
 

@@ -237,8 +237,12 @@ def swing(context: Context, step: Step) -> Verdict:
     return weakest(found)
 
 
+UNSAID = undecided("not every force has a potential energy")
+
+
 def _isochrone(context: Context, step: Step, height: Scalar) -> Verdict:
-    """V is V_0 cos² ϑt: V'² q̇² = 4 ϑ² V (V_0 - V), with a V that is zero at rest, grows to both sides, and is the same there."""
+    """V is V_0 cos² ϑt: V'² q̇² = 4 ϑ² V (V_0 - V), with the potential energy V over its value at rest, which grows to both sides,
+    and is the same there."""
     name, value, rest = step.data["name"], right_side(context, step), context.value(step.slots["rest"])
     rate, place, slope = PI / 2 * step.data["quarters"] / value, symbol(name), derivative(height, name)
     begun, square = context.start(place), context.along(symbol(f"{name}_dot") ** 2)
@@ -246,6 +250,8 @@ def _isochrone(context: Context, step: Step, height: Scalar) -> Verdict:
     found = [same(context, slope * slope * square, rate * rate * height * left * 4)]
     found += [same(context, substitute(height, {name: at}), to) for at, to in ((rest, NOTHING), (rest * 2 - place, height))]
     found.append(same(context, context.start(symbol(f"{name}_dot")), NOTHING))
+    potential = context.study.potential  # of which the sentence speaks: twice as much would swing in the same time
+    found.append(UNSAID if potential is None else same(context, derivative(potential, name), slope))
     low, high = context.assumptions.range_of(name)
     for way, ends in ((1, (rest, high)), (-1, (low, rest))):
         found.append(compare(NOTHING, slope * way, context.assumptions.with_range(name, *ends)))
