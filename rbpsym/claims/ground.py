@@ -107,7 +107,10 @@ def name_of(drawn: Drawn) -> str:
     return "_".join([*filter(None, [{"Δ": "Delta", "Σ": "sum"}.get(drawn.prefix)]), *parts])
 
 
-_MARKS = {"'": "_prime", "+": "plus", "-": "minus", "*": "star", "^": "_", "(": "of", "/": "per", "=": "is"}
+_MARKS = {
+    "'": "_prime", "+": "plus", "-": "minus", "*": "star", "^": "_", "(": "of", "/": "per", "=": "is", ";": "semicolon",
+    ",": "comma", "|": "bar", "<": "below", ">": "above",
+}  # fmt: skip
 
 
 def _label_parts(label: str) -> list[str]:

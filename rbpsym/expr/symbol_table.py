@@ -31,7 +31,8 @@ class SymbolTable(Frozen):
     `faults` counts where the dimensions of a formula do not fit; by it a reader chooses between two readings
     (None: it refuses what can be read in two ways). `varies` says whether a name is no constant, and so may be a
     function: in x(t), V(θ) (None: nothing is known). `directed`: is a name that of a vector, printed without an arrow?
-    `comma`: in 1{,}470 it is declared to be the decimal mark.
+    `comma`: in 1{,}470 it is declared to be the decimal mark. `open`: any letter is a name, and nothing is known of it; what
+    stands in brackets behind it or is raised is then no factor or power, no pair a vector, no operator's reach known.
     """
 
     names: Mapping[Drawn, tuple[str, ...]]
@@ -40,6 +41,7 @@ class SymbolTable(Frozen):
     varies: Callable[[str], bool] | None = None
     directed: Callable[[str], bool] = lambda name: False
     comma: bool = False
+    open: bool = False
 
     @property
     def has_d(self) -> bool:

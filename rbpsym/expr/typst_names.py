@@ -39,11 +39,15 @@ def _before(sign: str, *of: str) -> str:
     return UNBALANCED if len(of) > 1 or _SUM.search(of[0]) else f"{sign} {of[0]}"
 
 
+def _state(*of: str) -> str:
+    return r"\braket{" + "|".join(of) + "}"
+
+
 SIGNS = {
     "<=>": r"\Leftrightarrow ", "<==>": r"\Leftrightarrow ", "=>": r"\Rightarrow ", "==>": r"\Rightarrow ", "->": r"\to ",
     "-->": r"\to ", "|->": r"\mapsto ", "<-": r"\leftarrow ", "<--": r"\leftarrow ", "<==": r"\Leftarrow ",
     "<->": r"\leftrightarrow ", "<=": r"\le ", ">=": r"\ge ", "!=": r"\ne ", "<<": r"\ll ", ">>": r"\gg ", "||": r"\|",
-    "::=": ":=", "...": r"\dots ", "*": r"\ast ", "{": r"\{", "}": r"\}", "%": r"\%", "#": r"\# ",
+    "::=": ":=", "...": r"\dots ", "*": r"\ast ", "{": r"\{", "}": r"\}", "%": r"\%", "#": r"\# ", "~": r"\sim ",
 }  # fmt: skip
 NAMES = {
     "dot": r"\cdot", "dot.op": r"\cdot", "dot.c": r"\cdot", "times": r"\times", "eq.not": r"\ne", "lt.eq": r"\le",
@@ -60,6 +64,7 @@ NAMES = {
     "union": r"\cup", "inter": r"\cap", "subset.eq": r"\subseteq", "and": r"\land", "or": r"\lor", "without": r"\setminus",
     "dots": r"\dots", "dots.v": r"\vdots", "dots.down": r"\ddots", "dotless.i": r"\imath", "dotless.j": r"\jmath",
     "grad": r"\nabla", "curl": r"\nabla \times", "laplacian": r"\nabla^2", "dprod": r"\cdot", "cprod": r"\times",
+    "times.o": r"\otimes", "plus.o": r"\oplus", "dot.o": r"\odot", "arrow.l.r": r"\leftrightarrow",
     "TT": r"\mathsf{T}",
 }  # fmt: skip
 CALLS: dict[str, str | Callable[..., str]] = {
@@ -76,7 +81,8 @@ CALLS: dict[str, str | Callable[..., str]] = {
     # what the package physica adds
     "vb": r"\boldsymbol{%s}", "va": r"\vec{%s}", "vu": r"\hat{%s}", "evaluated": r"\left.%s\right|", "order": r"\mathcal{O}(%s)",
     "expval": r"\langle %s\rangle ", "dv": partial(_derivative, r"\mathrm{d}"),
-    "pdv": partial(_derivative, r"\partial"), "dd": _differentials,
+    "pdv": partial(_derivative, r"\partial"), "dd": _differentials, "ket": r"\ket{%s}", "bra": r"\bra{%s}",
+    **dict.fromkeys(("ketbra", "braket", "mel"), _state),
     "var": partial(_before, r"\delta"), "difference": partial(_before, r"\Delta"),
 }  # fmt: skip
 ROWS = {"vec": "pmatrix", "mat": "pmatrix", "cases": "cases"}

@@ -90,9 +90,9 @@ class _Reader:
         What is attached may have things attached itself, up to `stop`: x_a^b_c raises b_c.
         """
         made, bare = self._thing()
-        while self._at("_", "^", "'") and not self._at(stop):
+        while self._at("_", "^", "'", "!") and not self._at(stop):
             sign = self._take()[1]
-            if sign != "'":
+            if sign not in ("'", "!"):
                 other = "_" if sign == "^" else "^"
                 sign += self._script(other)
                 sign += self._take()[1] + self._script("") if self._at(other) else ""

@@ -10,7 +10,7 @@ from rbpsym.expr.latex.grammar import argument, begins_factor, between, expressi
 from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import Token
-from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
+from rbpsym.expr.symbol_table import Drawn, LatexReader, begins
 
 Limits = tuple[t.Node | str | None, t.Node | str | None]
 
@@ -18,15 +18,11 @@ Limits = tuple[t.Node | str | None, t.Node | str | None]
 @begins(r"\frac")
 def _fraction(reader: LatexReader) -> t.Node:
     """A fraction, or a derivative if d stands above and below."""
-    first, start = reader.position, reader.take().start
+    start = reader.take().start
     num = _with_differential(reader)
     derivative = _derivative(reader, start) if num is None else None
-    if derivative:
-        return derivative
-    num = argument(reader) if num is None else num
-    whole = reader.spanned(t.Div(num, argument(reader)), start)
-    named = isinstance(num, t.Sym | t.Vec) and isinstance(whole.den, t.Sym | t.Vec)
-    return COMMANDS["applied"](reader, whole, first) if named and reader.sees_sign("(") else whole
+    num = argument(reader) if num is None and not derivative else num
+    return derivative or reader.spanned(t.Div(num, argument(reader)), start)
 
 
 def _with_differential(reader: LatexReader) -> t.Node | None:
@@ -313,11 +309,12 @@ def _limit(reader: LatexReader) -> t.Node:
 
 @begins("[")
 def _bracket(reader: LatexReader) -> t.Node:
-    """[f] with limits is taken between them; without, it is a parenthesis, or what `_of_name` says."""
-    tokens, place, start = reader.tokens, reader.position, reader.token.start
+    """[f] with limits is taken between them; without, it is a parenthesis, or a unit where a name stands alone."""
+    before, start = reader.tokens[reader.position - 1], reader.token.start
     node = between(reader, "]")
-    if kind := _of_name(reader, node, tokens[max(place - 2, 0) : place]):
-        return reader.spanned(t.Formal(kind, (node,)), start)
+    alone = all(one.kind in ("row", "end") or one.text in SIGNS for one in (before, reader.token))
+    if alone and isinstance(node, (t.Sym, t.Vec)):
+        return reader.spanned(t.Formal("unit", (node,)), start)
     if isinstance(node, t.Formal) or not reader.sees_sign("_"):
         return node
     place = reader.position
@@ -347,31 +344,6 @@ def _taken_over(reader: LatexReader, inside: set[str], upper: t.Node) -> str | N
     sole = filter(varies, inside) if varies and len(inside) == 1 else ()
     moves = {above} if above and any(name.endswith("_dot") for name in inside) else set()
     return next((name for name in (reader.over, above, *sole) if name in inside | moves), None)
-
-
-_INDICES = set("ijklnNt")
-
-
-def _of_name(reader: LatexReader, node: t.Node, before: tuple[Token, ...]) -> str:
-    """[T] alone is a unit, X[0] an element, S[q] and E[x²] a value (no factors stand in brackets); "" for what is multiplied."""
-    last = before[-1] if before else None
-    if reader.sees_sign("_"):
-        return ""
-    behind = last is not None and (last.kind in ("letter", "digit", "text") or last.text in ("}", ")"))
-    named = last is not None and last.kind == "letter" and before[0].kind not in ("command", "differential")
-    if behind and isinstance(node, t.Num):
-        return "element"
-    if named and isinstance(node, (t.Pow, t.Mul)) and not (before[0] is not last and before[0].kind == "letter"):
-        return "value"
-    if behind and last and isinstance(node, t.Add) and t.names(node) <= _INDICES:  # x[n + 1] beside x[n]
-        texts = [token.text for token in reader.tokens]
-        return "value" if list(zip(texts, texts[1:], strict=False)).count((last.text, "[")) > 1 else ""
-    if not isinstance(node, (t.Sym, t.Vec)):
-        return ""
-    if behind and last and last.kind != "digit":
-        return "value"
-    beside = [one.kind in ("row", "end") or one.text in SIGNS for one in (last or reader.tokens[-1], reader.token)]
-    return "unit" if all(beside) else ""
 
 
 def _end(reader: LatexReader) -> tuple[str | None, t.Node]:

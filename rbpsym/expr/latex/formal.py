@@ -13,7 +13,7 @@ from fractions import Fraction as Rational
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.functions import SIGNS, relation
-from rbpsym.expr.latex.grammar import argument, atom, between, factor, is_vector, term_of
+from rbpsym.expr.latex.grammar import argument, between, is_vector, term_of
 from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, LOOSE, NEXT
 from rbpsym.expr.source import SourceText
@@ -38,7 +38,8 @@ _SUMMED = {
     r"\prod": "product over", r"\bigcup": "union over", r"\bigoplus": "sum over",
     **dict.fromkeys((r"\oint", r"\iint", r"\iiint", r"\oiint"), "∮"),
 }  # fmt: skip
-_ARGUED = {r"\forall": ("∀", 1), r"\exists": ("∃", 1), **dict.fromkeys((r"\binom", r"\dbinom", r"\tbinom"), ("binomial", 2))}
+_BINOMIALS = (r"\binom", r"\dbinom", r"\tbinom")
+_QUANTIFIERS = {r"\forall": "∀", r"\exists": "∃"}
 _OPERATORS = (
     r"\det", r"\min", r"\max", r"\Re", r"\Im", r"\arg", r"\sup", r"\inf", r"\dim", r"\ker", r"\Tr", r"\tr", r"\sgn", r"\deg",
     r"\argmin", r"\argmax",
@@ -66,7 +67,7 @@ SENTENCES: Mapping[str, Sentence] = {
     "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
     "crossed": ("is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side."),
     "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),
-    "element": ("a number in brackets is an index here", "Write it as a subscript."),
+    "raised": ("is this a power, or an index above?", "Say in the symbols what all of it means, or write the index below."),
     "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),
     "binomial": ("a binomial coefficient can't be computed", "Write the number."),
     "factorial": ("a factorial can't be computed", "Write the number."),
@@ -117,11 +118,18 @@ def _asked(reader: LatexReader) -> t.Node:
     return formal(reader, start, "asked")
 
 
-@begins(*_ARGUED)
-def _of_arguments(reader: LatexReader) -> t.Node:
-    token = reader.take()
-    kind, count = _ARGUED[token.text]
-    return formal(reader, token.start, kind, *(argument(reader) for _ in range(count)))
+@begins(*_BINOMIALS)
+def _binomial(reader: LatexReader) -> t.Node:
+    return formal(reader, reader.take().start, "binomial", argument(reader), argument(reader))
+
+
+@begins(*_QUANTIFIERS)
+def _quantified(reader: LatexReader) -> t.Node:
+    """∀ x, y ∈ M"""
+    token, found = reader.take(), list[t.Node]()
+    while not found or reader.pass_sign(","):
+        found.append(relation(reader))
+    return formal(reader, token.start, _QUANTIFIERS[token.text], *found)
 
 
 @begins(*_MEASURED)
@@ -202,10 +210,12 @@ def _end(reader: LatexReader) -> t.Node:
 
 @begins(*_OPERATORS)
 def _operator(reader: LatexReader) -> t.Node:
+    """tr, det, min: a sign in front of a product, of which it is not said how much it is of."""
     token = reader.take()
     below = [_end(reader)] if reader.pass_sign("_") else []
-    of = atom(reader) if reader.sees_sign("(", "[") else factor(reader)  # tr(U)^2 is no tr(U^2)
-    return formal(reader, token.start, token.text[1:], of, *below)
+    if reader.sees_sign("+", "-"):
+        raise reader.error("of what is this operator?", "Write it in parentheses.")
+    return formal(reader, token.start, token.text[1:], *below)
 
 
 @begins(*_STATES)
@@ -273,7 +283,7 @@ def _parenthesis(reader: LatexReader) -> t.Node:
     """(expression), or a vector by its components where none can be multiplied with what is before."""
     before = reader.tokens[reader.position - 1] if reader.position else None
     start = reader.token.start
-    if before is None or before.kind == "row" or before.text in _BEFORE_VECTOR:
+    if not reader.table.open and (before is None or before.kind == "row" or before.text in _BEFORE_VECTOR):
         found = between(reader, ")")
         several = isinstance(found, t.Formal) and found.kind == "list" and len(found.parts) < 4
         return reader.spanned(_vector(found.parts), start) if several and isinstance(found, t.Formal) else found
@@ -301,9 +311,11 @@ def _column(reader: LatexReader) -> t.Node:
     reader.take()
     begun = reader.source.text[: opening.end]
     kind = next((kind for word, kind in _SHAPES.items() if word in begun[opening.start :]), "matrix")
-    kind = "cases" if begun[: opening.start].rstrip().endswith(r"\{") else kind
+    braced = begun[: opening.start].rstrip().endswith(r"\{") and bool(re.search(r"array|\{matrix", begun[opening.start :]))
+    kind = "cases" if braced else kind
     cells = [cell for row in rows for cell in row]
-    if kind == "matrix" and 1 in (len(rows), len(rows[0])) and 1 < len(cells) <= 3 and not any(map(is_vector, cells)):
+    line = 1 in (len(rows), len(rows[0])) and 1 < len(cells) <= 3 and not any(map(is_vector, cells))
+    if kind == "matrix" and line and not reader.table.open:
         return reader.spanned(_vector(cells), opening.start)
     return reader.spanned(t.Formal(kind, tuple(t.Formal("row", tuple(row)) for row in rows)), opening.start)
 

@@ -20,6 +20,7 @@ from rbpsym.expr.latex.grammar import (
     SPACING,
     argument,
     atom,
+    bare_atom,
     begins_factor,
     between,
     ends_integrand,
@@ -29,6 +30,7 @@ from rbpsym.expr.latex.grammar import (
 )
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.numerals import number
+from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
@@ -51,6 +53,8 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     while reader.sees_sign(*SIGNS):
         sign = reader.take()
         ops.append(SIGNS[sign.text])
+        while sign.text == r"\to" and reader.sees_sign("^", "_"):  # a word on the arrow
+            label_after(reader)
         ends = reader.token.kind == "end"
         items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else expression(reader))
     found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
@@ -68,75 +72,86 @@ _WRITE = r"Say in the symbols what all of it means, or write a product without t
 COMMANDS["relation"] = relation
 
 
-@begins("f()")
-def called(reader: LatexReader) -> t.Node:
-    """A name; in x(t) and V(θ, φ) it is a function of these, and stands for its value there; O(θ²) are terms left out."""
+@begins("name")
+def _name(reader: LatexReader) -> t.Node:
+    """A name; O(θ²) are terms left out."""
     if reader.token.text in ("o", "O") and reader.ahead().text == "(" and Drawn(reader.token.text) not in reader.table.names:
         start = reader.take().start
         return reader.spanned(t.Formal("order", (COMMANDS["("](reader),)), start)
-    first, name = reader.position, read_name(reader)
-    return applied(reader, name, first) if isinstance(name, (t.Sym, t.Vec)) and reader.sees_sign("(") else name
+    return read_name(reader)
+
+
+_NAMED = (t.Sym, t.Vec, t.Deriv)
+
+
+def called(reader: LatexReader, node: t.Node) -> t.Node:
+    """In a text of which nothing is known: with what stands in brackets behind it, of which it may be a function."""
+    parts = (node.num, node.den) if isinstance(node, t.Div) else (node,)
+    while reader.table.open and reader.sees_sign("(", "[") and all(isinstance(one, (*_NAMED, t.Pow, t.Formal)) for one in parts):
+        if reader.sees_sign("[") and reader.ahead(len(_inside(reader))).text == "_":
+            break
+        node = _value(reader, node)
+    return node
 
 
 def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False) -> t.Node:
-    """A name that stands at `first`, perhaps raised to a power, and in parentheses behind it what it may depend on; of a quotient
-    of names that vary neither reading is more usual."""
-    varies, begin = _varies(reader, name), reader.position
+    """What begins at `first`, perhaps raised to a power, and in brackets behind it what it may depend on: in x(t) and V(θ, φ)
+    a name stands for its value there; of a quotient of names that vary neither reading is more usual."""
+    parts = (name.num, name.den) if isinstance(name, t.Div) else (name,)
+    if reader.table.open or not (reader.sees_sign("(", "[") and all(isinstance(one, _NAMED) for one in parts)):
+        return called(reader, name)
+    varies, begin, inner = _varies(reader, name), reader.position, _inside(reader)
+    texts = [token.text for token in inner]
+    if texts[0] == "[":  # S[q], X[0], E[x²]; factors in brackets are sums, fractions or functions
+        alone = not {"+", "-", r"\frac", *FUNCTIONS}.intersection(texts) and reader.ahead(len(inner)).text != "_"
+        return _value(reader, name) if alone else name
     if raised and varies is None:
         return name
-    later = not raised and reader.ahead().text == "t" and reader.ahead(2).text in ("+", "-") and varies  # v(t + Δt)
-    if later or _has_commas(reader):
-        return _value(reader, name)
     found = _arguments(reader)
     end, reader.position = reader.position, begin
-    if found is None and varies and not raised and _is_value(reader, first):
-        return _value(reader, name)
-    if found is None or (varies is False and found != [t.ZERO]):
-        return name
+    if found is None:
+        later = texts[1] == "t" and texts[2] in ("+", "-") and varies  # v(t + Δt)
+        is_value = _holds_several(inner) or (not raised and (later or (varies and _is_value(reader, first, inner))))
+        return _value(reader, name) if is_value else name
     constant = any(isinstance(one, t.Num) for one in found) or (len(found) == 1 and _varies(reader, found[0]) is False)
-    if raised and constant and found != [t.ZERO]:
+    if found != [t.ZERO] and (varies is False or (raised and constant)):
         return name
-    behind = _others(reader, first, begin)
-    bare = any(rest[:1] != ["("] for rest in behind)
-    given = [token.text for token in reader.tokens[begin:end]]
-    elsewhere = any(rest[:1] == ["("] and rest[: len(given)] != given for rest in behind)  # its values differ: V(x) - V(y)
-    powered = elsewhere and bare and reader.tokens[end].text == "^"  # a(b)^2 beside a
-    if constant or (elsewhere and not (bare and reader.decide(_CALLED, _WRITE, yes=int(not powered), no=int(powered)))):
+    elsewhere = any(rest[:1] == ["("] and rest[: len(texts)] != texts for rest in _others(reader, first, begin))
+    if constant or elsewhere:  # its values differ: V(x) - V(y)
         return _value(reader, name)
-    if elsewhere:
-        return name
-    clear = len(found) > 1 or found[0] is _TIME or (varies is not False and len(reader.met) >= MOST_ASKED)
-    clear = clear or (varies is None and found == [_TIME])
+    clear = len(found) > 1 or found[0] == _TIME or len(reader.met) >= MOST_ASKED
     usual = varies is True and not isinstance(name, t.Div)
     if clear or reader.decide(_CALLED, _WRITE, yes=int(usual)) == (varies is None):
         reader.position = end
     return name
 
 
-def _has_commas(reader: LatexReader) -> bool:
-    """Is there more than names in the parentheses that follow, with commas between, or a relation: f(2x, y), f(x = 0)?"""
-    begin = reader.position
-    named, reader.position = _arguments(reader), begin
-    depth = count = 0
-    for token in reader.tokens[begin:] if named is None else ():
+def _inside(reader: LatexReader) -> list[Token]:
+    """The tokens from the bracket that opens here to the one that closes it."""
+    depth, inner = 0, list[Token]()
+    for token in reader.tokens[reader.position :]:
         depth += (token.text in ("(", "[", "{", r"\{")) - (token.text in (")", "]", "}", r"\}"))
-        count += (token.text == "," or token.text in SIGNS or token.text in LOOSE) and depth == 1
+        inner.append(token)
         if not depth:
             break
-    return count > 0
+    return inner
 
 
-def _is_value(reader: LatexReader, first: int) -> bool:
+def _holds_several(inner: list[Token]) -> bool:
+    """Is there a comma in the brackets, or a relation: f(2x, y), f(x = 0)?"""
+    depth = 0
+    for token in inner:
+        depth += (token.text in ("(", "[", "{", r"\{")) - (token.text in (")", "]", "}", r"\}"))
+        if depth == 1 and (token.text == "," or token.text in SIGNS or token.text in LOOSE):
+            return True
+    return False
+
+
+def _is_value(reader: LatexReader, first: int, inner: list[Token]) -> bool:
     """Is in the parentheses behind a name a number, or one term that makes no product by its dimension: θ(π/2), v(2R)?
 
     A product that is all of a side would not be said to be 0 or another number.
     """
-    depth, inner = 0, []
-    for token in reader.tokens[reader.position :]:
-        depth += (token.text in ("(", "{", "[")) - (token.text in (")", "}", "]"))
-        inner.append(token)
-        if not depth:
-            break
     if all(token.kind == "digit" or token.text in _NUMERIC for token in inner):
         return True
     if any(rest[:1] + rest[2:3] == ["(", ")"] for rest in _others(reader, first, reader.position)):  # f(a), said elsewhere
@@ -153,13 +168,9 @@ _NUMERIC = frozenset(("(", ")", "{", "}", "-", ".", "/", r"\frac", "π"))
 
 
 def _value(reader: LatexReader, name: t.Node) -> t.Node:
-    """f(0), f(x + y, 2): the value of a function that nothing is known of."""
-    opening = reader.take()
-    found = [relation(reader)]
-    while reader.pass_sign(",", ";"):
-        found.append(relation(reader))
-    reader.expect(")", opening)
-    return reader.spanned(t.Formal("value", (name, *found)), (name.span or (opening.start, 0))[0])
+    """f(0), f(x + y, 2): a product, or the value of a function that nothing is known of."""
+    start, inner = reader.token.start, between(reader, {"(": ")", "[": "]"}[reader.token.text])
+    return reader.spanned(t.Formal("value", (name, inner)), (name.span or (start, 0))[0])
 
 
 def _others(reader: LatexReader, first: int, begin: int) -> list[list[str]]:
@@ -225,8 +236,7 @@ def operand(reader: LatexReader) -> t.Node:
     return reader.spanned(t.Formal("several", (whole,)), start.start) if several or goes_on else whole
 
 
-COMMANDS["operand"] = operand
-COMMANDS["applied"] = applied
+COMMANDS |= {"operand": operand, "applied": applied, "called": called}
 FUNCTIONS = {rf"\{word}": name for word, name in FUNCTION_WORDS.items()}
 _INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})
 _CLOSED = ("(", "[", "{", r"\{")
@@ -276,7 +286,8 @@ def _argument(reader: LatexReader, head: Token) -> t.Node:
         factors.append(_part(reader, head))
     while _goes_on(reader, factors[-1]):
         closes = reader.sees_sign(*_CLOSED)
-        factors.append(_part(reader, head))
+        other = called(reader, factors[-1])
+        factors[-1:] = [other] if other is not factors[-1] else [other, _part(reader, head)]
         if closes:
             break
     whole = factors[0] if len(factors) == 1 else reader.spanned(t.Mul(tuple(factors)), start)
@@ -297,7 +308,7 @@ def _is_simple(reader: LatexReader) -> bool:
 
 
 def _part(reader: LatexReader, head: Token) -> t.Node:
-    node = atom(reader)
+    node = bare_atom(reader) if reader.table.open else atom(reader)
     if reader.sees_sign("^"):
         raise reader.error("is the argument or the function raised to this power?",
                            f"Write {head.text}^2 x or {head.text}(x^2).")  # fmt: skip
@@ -311,7 +322,9 @@ def _goes_on(reader: LatexReader, before: t.Node) -> bool:
     if reader.token.kind == "digit":
         raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
     question = r"Put the argument in parentheses: \sin(x) y, or \sin(x y)."
-    return reader.decide("does this belong to the function's argument?", question, yes=int(_is_apart(reader, before)))
+    named = reader.table.open and isinstance(before, _NAMED) and reader.sees_sign("(", "[")  # ln f(x), sin x (1 + y)
+    unusual = _is_apart(reader, before) and not named
+    return reader.decide("does this belong to the function's argument?", question, yes=int(unusual))
 
 
 def _is_apart(reader: LatexReader, before: t.Node) -> bool:

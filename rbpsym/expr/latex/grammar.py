@@ -236,7 +236,7 @@ def refuse_number(reader: LatexReader) -> None:
 
 def factor(reader: LatexReader) -> t.Node:
     """An atom with its powers."""
-    start, first = reader.token.start, reader.position
+    start, first, is_open = reader.token.start, reader.position, reader.table.open
     closed = reader.sees_sign("(", "[", r"\{", r"\frac", r"\dv", r"\pdv")
     base = atom(reader)
     while closed and _sees_evaluation(reader):
@@ -244,20 +244,21 @@ def factor(reader: LatexReader) -> t.Node:
         base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
         if not isinstance(base, t.Num) and (mark := mark_above(reader, isinstance(base, (t.Sym, t.Vec)))):
-            if isinstance(base, (t.Sym, t.Vec)) and reader.sees_sign("("):  # q^T(t)
-                base = COMMANDS["applied"](reader, base, first)
+            base = base if is_open else COMMANDS["applied"](reader, base, first)  # q^T(t)
             whole = t.Formal("marked", (base, t.Word(mark))) if mark != "transposed" else t.Formal(mark, (base,))
-            base = reader.spanned(whole, start)
+            base = COMMANDS["called"](reader, reader.spanned(whole, start))
             continue
         reader.take()
-        exponent = _exponent(reader)
-        if isinstance(base, (t.Sym, t.Vec)) and reader.sees_sign("("):  # r²(z)
-            base = COMMANDS["applied"](reader, base, first, raised=True)
-        base = reader.power(base, exponent, start)
+        exponent, named = _exponent(reader), isinstance(base, (t.Sym, t.Vec))
+        base = COMMANDS["applied"](reader, base, first, raised=True) if named and not is_open else base  # r²(z)
+        is_value = isinstance(base, t.Formal) and base.kind == "value"  # b(t - u)² may be the square of the brackets alone
+        index = is_open and (is_value or (named and bool(t.names(exponent) - {"pi"})))
+        power = t.Formal("raised", (base, exponent)) if index else reader.power(base, exponent, start)
+        base = COMMANDS["called"](reader, reader.spanned(power, start)) if named else power
     while reader.sees_sign("_", "'", "!", r"\prime"):
         label = (t.Word(label_after(reader)),) if reader.sees_sign("_") else ()
         kind = "marked" if label or reader.take().text != "!" else "factorial"
-        base = reader.spanned(t.Formal(kind, (base, *label)), start)
+        base = COMMANDS["called"](reader, reader.spanned(t.Formal(kind, (base, *label)), start))
     return base
 
 
@@ -272,7 +273,13 @@ def _exponent(reader: LatexReader) -> t.Node:
 
 
 def atom(reader: LatexReader) -> t.Node:
-    """A number, a name, or what a command begins."""
+    """A number, a name, or what a command begins; with what it is taken of in parentheses behind it."""
+    first = reader.position
+    return COMMANDS["applied"](reader, bare_atom(reader), first)
+
+
+def bare_atom(reader: LatexReader) -> t.Node:
+    """The same without what stands in parentheses behind it."""
     token = reader.token
     if token.kind == "digit":
         return number(reader)
@@ -286,7 +293,7 @@ def atom(reader: LatexReader) -> t.Node:
         if (power := _exponential(reader)) is not None:
             return power
         if begins_name(token):
-            return COMMANDS["f()"](reader)
+            return COMMANDS["name"](reader)
     raise _missing(reader)
 
 
@@ -303,7 +310,7 @@ def _differential(reader: LatexReader) -> t.Node:
         inner = reader.power(inner, argument(reader), start)  # dx^i is (dx)^2 with a number only
     if inner is None and italic:  # a length d: nothing follows that could change
         reader.position = place
-        return COMMANDS["f()"](reader)
+        return COMMANDS["name"](reader)
     if inner is None:
         raise reader.error("a differential alone has no value", r"Write rates: \frac{dW}{dt} = ...")
     return reader.spanned(t.Formal("differential", (inner, *order)), start)
@@ -344,13 +351,6 @@ def argument(reader: LatexReader) -> t.Node:
 
 
 @begins("{")
-def _group(reader: LatexReader) -> t.Node:
-    """{expression}; {q}(t) is no product either."""
-    first, found = reader.position, braced(reader)
-    named = isinstance(found, (t.Sym, t.Vec)) and reader.sees_sign("(")
-    return COMMANDS["applied"](reader, found, first) if named else found
-
-
 def braced(reader: LatexReader) -> t.Node:
     """{expression}, or {}^A before a name"""
     if reader.ahead().text == "}" and reader.ahead(2).text in ("^", "_"):

@@ -108,8 +108,7 @@ def _prescribed(reader: LatexReader) -> t.Node:
     behind = [token.text for token in reader.tokens[reader.position + 1 : reader.position + 3]]
     if reader.sees_sign("^") and next(text for text in behind if text != "{") not in (*"0123456789-", "T"):
         drawn = replace(drawn, label=f"{drawn.label}^{label_after(reader)}")
-    found = reader.spanned(_known(reader, replace(drawn, label=f"{mark} {drawn.label}"), vector, None, first), start)
-    return COMMANDS["applied"](reader, found, first) if reader.sees_sign("(") else found
+    return reader.spanned(_known(reader, replace(drawn, label=f"{mark} {drawn.label}"), vector, None, first), start)
 
 
 COMMANDS["{}^"] = COMMANDS["^"] = _prescribed

@@ -11,7 +11,18 @@ from dataclasses import replace
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.latex.asides import without_asides
-from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, END_COLUMN, EQUIVALENT, IMPLIED, NEXT, PUNCTUATION, Token
+from rbpsym.expr.latex.tokens import (
+    COLUMN,
+    CONDITION,
+    CONDITIONS,
+    END_COLUMN,
+    EQUIVALENT,
+    IMPLIED,
+    LOOSE,
+    NEXT,
+    PUNCTUATION,
+    Token,
+)
 from rbpsym.expr.source import SourceText
 
 OPEN = "?"  # the text of a row token where a sum or product may go on
@@ -22,6 +33,7 @@ _JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which n
 _SIGNS = frozenset((*RELATIONS, *_JOINING, "-", r"\pm", r"\mp"))
 ARROW = r"\to"
 _LEAST = frozenset((r"\min", r"\max", r"\sup", r"\inf"))
+_QUANTIFIERS = (r"\forall", r"\exists")
 _CUT = (r"\left.", r"\right.")
 _HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
 _DEEPER, _HIGHER = frozenset("([{⟨") | {r"\{", COLUMN}, frozenset(")]}⟩") | {r"\}", END_COLUMN}
@@ -222,6 +234,11 @@ class _Layout:
         """Does what follows stand behind “min” or “max”, which is of it?"""
         return not self.related and bool(_LEAST.intersection(self.all[place].text for place in self._row_before(k)))
 
+    def _is_quantified(self, k: int) -> bool:
+        """Does it part what “for all” is of: ∀ x, y ∈ M?"""
+        parts = (self.all[place] for place in self._row_before(k))
+        return next((one.text in _QUANTIFIERS for one in parts if one.text in (*_QUANTIFIERS, *LOOSE)), False)
+
     def _cell_before(self, k: int) -> bool:
         """Is the cell empty that ends here?"""
         while k and self.all[k - 1].kind == "gap":
@@ -270,7 +287,7 @@ class _Layout:
     def _punctuation(self, k: int, token: Token) -> Token | None:
         """A comma between relations, or at the end of a row that goes on."""
         before, behind = self.all[k - 1] if k else None, self.all[k + 1]
-        if self.depth or before is None:
+        if self.depth or before is None or (not self.related and self._is_quantified(k)):
             return token
         if before.kind == behind.kind == "digit" and before.end == token.start and token.end == behind.start:
             if token.text == ".":

@@ -19,7 +19,7 @@ HEADS = {*DOTS, *ACCENTS, *VECTORS, *SCRIPTS, *PLAIN, *DOTLESS}
 _MARKED = frozenset("+-*=()/<>|;:.^[]")  # what a label may hold beside letters and digits
 _NAMED = frozenset(rf"\{word}" for word in (
     "pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top", "ne",
-    "in", "dots", "sim", "Vert",
+    "in", "dots", "sim", "Vert", "leftarrow", "le", "ge",
 ))  # fmt: skip
 
 
@@ -36,7 +36,7 @@ def label_after(reader: LatexReader, *, begun: bool = False) -> str:
         if reader.sees_sign("{", "}"):
             depth += 1 if reader.take().text == "{" else -1
         else:
-            label += _label_part(reader)
+            label += _label_part(reader) or "," * (not label and reader.tokens[reader.position - 1].text == ",")  # φ_{,x}
     if not label:
         raise reader.error("this subscript is empty", "Remove it, or write what belongs there.", opening)
     if any(label.count(one) != label.count(other) for one, other in ("()", "[]")):
@@ -97,7 +97,8 @@ def numbered(reader: LatexReader, drawn: Drawn) -> Drawn | None:
     closed = behind.text == "}" if braces else behind.kind != "digit" and behind.text not in ("/", ".", "{,}")
     named, letter = replace(drawn, label=f"{drawn.label}^{number.text}"), reader.tokens[reader.position - 1]
     drawn_so = re.escape(reader.source.text[letter.start : letter.end])
-    index = number.text in ("0", "1") or re.search(rf"{drawn_so}\s*\^\s*\{{?\s*[01](?![\d/.])", reader.source.text)
+    repeated = re.search(rf"{drawn_so}\s*\^\s*\{{?\s*[01](?![\d/.])", reader.source.text)
+    index = drawn.base != "e" and (number.text in ("0", "1") or repeated)
     return named if closed and number.kind == "digit" and index and reader.table.names.get(named) else None
 
 

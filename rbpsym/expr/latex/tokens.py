@@ -27,10 +27,10 @@ FUNCTION_WORDS = {
 _SYSTEMS = "array|aligned|alignedat|gathered|split|cases"  # what one brace may open for all rows
 _MARK = r"(?:\\textcircled\s*\{[\w*]+\}|[①-⑳]|\\circledast(?![A-Za-z]))"  # the number of an equation in a circle
 _SILENT = (
-    r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}"
+    r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}|\{\}(?=\s*\})"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
+    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|lefteqn|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
     r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
@@ -75,7 +75,7 @@ _PATTERNS = (
     rf"|(?P<gap>{_GAP})"
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
-    r"|(?P<differential>\\(?:mathrm|text|textrm|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
+    r"|(?P<differential>\\(?:mathrm|text|textrm|textup|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
     r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
     rf"|\\q(?:c|comma|{_QUICK})\*?(?![A-Za-z])"
     r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}|\\(?:text(?:rm|it|bf)?|mathrm|mbox)\s+[A-Za-z\d]"
@@ -131,7 +131,7 @@ CONDITIONS = re.compile(
 LOOSE = {
     r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
     r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
-    ":": ":", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯",
+    ":": ":", r"\leftrightarrow": "↔", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯",
 }  # fmt: skip
 COLUMN, END_COLUMN, NEXT = r"\column", r"\endcolumn", r"\next"  # signs round the rows of a vector, and between them
 _COLUMNS = frozenset({"pmatrix", "bmatrix", "matrix", "smallmatrix", "psmallmatrix", "Bmatrix", "vmatrix", "Vmatrix"})
@@ -209,6 +209,8 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
     dropped, argued = set[int](), _argued(tokens)
     for k, token in enumerate(tokens):
         texts = [found.text for found in tokens[k : k + 5]]
+        if token.text == r"\boldsymbol" and texts[1:4] in _BOLD_SIGNS:
+            dropped |= {k, k + 1, k + 3}
         if token.text == r"\indices" and texts[1:2] == ["{"]:
             dropped |= {k, k + 1, _closed(tokens, k + 1)}
         for size in (2, 3) if token.text == "{" else ():
@@ -220,6 +222,9 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
             if alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"], ["}", "^"]):
                 dropped |= {k, k + size}
     return [token for k, token in enumerate(tokens) if k not in dropped]
+
+
+_BOLD_SIGNS = [["{", sign, "}"] for sign in (r"\cdot", r"\times", "+", "-", "=")]
 
 
 def _argued(tokens: list[Token]) -> set[int]:
