@@ -20,9 +20,10 @@ def _fraction(reader: LatexReader) -> t.Node:
     """A fraction, or a derivative if d stands above and below."""
     start = reader.take().start
     num = _with_differential(reader)
-    derivative = _derivative(reader, start) if num is None else None
-    num = argument(reader) if num is None and not derivative else num
-    return derivative or reader.spanned(t.Div(num, argument(reader)), start)
+    if num is None and (derivative := _derivative(reader, start)):
+        return derivative
+    num = argument(reader) if num is None else num
+    return reader.spanned(t.Div(num, argument(reader)), start)
 
 
 def _with_differential(reader: LatexReader) -> t.Node | None:
