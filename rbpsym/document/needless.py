@@ -7,6 +7,7 @@ from typing import Any
 
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
+from rbpsym.mechanics.study import Study
 from rbpsym.proof.duties import merged
 from rbpsym.proof.step import Derivation, Step
 
@@ -21,7 +22,7 @@ def needless(derivation: Derivation) -> frozenset[str]:
     the square of a speed that is zero all the time; velocities where nothing can move; what holds along a motion
     that ends before it begins, because of a blow at the start.
     """
-    still, struck = is_still(derivation), is_struck(derivation)
+    still, struck = is_still(derivation), is_struck(derivation.study)
     return frozenset(
         step.id
         for step in derivation.steps
@@ -38,9 +39,9 @@ def is_still(derivation: Derivation) -> bool:
     return not system.independent and not system.has_clock
 
 
-def is_struck(derivation: Derivation) -> bool:
+def is_struck(study: Study) -> bool:
     """Does the next phase begin where this one does?"""
-    phases = derivation.study.problem.phases
+    phases = study.problem.phases
     return bool(phases) and phases[0].event == AT_ONCE
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from rbpsym.chapters.endings import begun
 from rbpsym.document.chapters import chapter_blocks, chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
-from rbpsym.document.needless import owed_by
+from rbpsym.document.needless import is_struck, owed_by
 from rbpsym.document.telling import Teller
 from rbpsym.document.used import used_to_begin
 from rbpsym.document.words import Words
@@ -34,12 +34,14 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
 
     `speaker` gives the words for the derivation of a phase whose labels have a prefix.
     """
-    told = zip(derivation.phases, derivation.study.problem.phases, phase_words(derivation, said, speaker), strict=False)
-    for number, (phase, stated, (first, own)) in enumerate(told, 2):
+    stated_phases, struck = derivation.study.problem.phases, is_struck(derivation.study)
+    told = zip(derivation.phases, stated_phases, phase_words(derivation, said, speaker), strict=False)
+    for number, (phase, stated, (first, own)) in enumerate(told, 2 - struck):
         inertia = chapter_blocks("inertia", phase.derivation, own)
         own = replace(own, shown=own.shown.difference(step.id for step in phase.derivation.chapter("inertia")))
         begins = (*_event(stated, first), *_begins(phase, first, inertia), *_motion_again(phase.derivation, own))
-        title = said.say("phases.title", number=number, name=said.named(phase.name))
+        is_alone = struck and len(stated_phases) == 1
+        title = said.say("phases.alone" if is_alone else "phases.title", number=number, name=said.named(phase.name))
         below = tuple(chapter_sections(phase.derivation, own, level + 1))
         blocks = () if own.is_full else tuple(chain.from_iterable(section.blocks for section in below))
         yield Section(title, (*begins, *_clock(phase, own), *blocks), first.prefix + "section", level)

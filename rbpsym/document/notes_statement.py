@@ -7,6 +7,7 @@ from typing import Any
 
 from rbpsym.chapters.endings import begun
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, Text, words
+from rbpsym.document.needless import is_struck
 from rbpsym.document.notes_figures import figure_label, figure_with_forces, is_drawn_beside, system_figure
 from rbpsym.document.notes_sentences import element_sentences, sentences_of, touched
 from rbpsym.document.places import growth
@@ -190,9 +191,9 @@ def _start(problem: Problem, said: Words, ground: Said) -> Iterator[Inlines]:
 def _phases(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
     """That there are further phases, and what is stated of each."""
     names = [said.say("statement.phase", name=said.named(phase.name)) for phase in pose.study.problem.phases]
-    if names:
+    if names and not is_struck(pose.study):
         yield said.say("statement.phases", names=names, count=len(names))
-        yield from phase_sentences(pose, said)
+    yield from phase_sentences(pose, said)
 
 
 def _conventions(pose: DrawnPose, said: Words) -> Iterator[Inlines]:

@@ -33,7 +33,7 @@ def used(derivation: Derivation, whole: Derivation) -> frozenset[str]:
     if asked is not None and derivation is not whole and not any(s.statement in asked for s in derivation.chapter("energy")):
         ends = [id for id in ends if derivation.step(id).chapter != "energy"]  # of a later phase what is asked alone
     ends += [id for phase in derivation.phases[:1] for step in phase.begins for id in step.reasons]
-    steady = () if is_struck(derivation) else filter(solved_zero, derivation.chapter("motion"))
+    steady = () if is_struck(derivation.study) else filter(solved_zero, derivation.chapter("motion"))
     ends += [id for step in steady for id in step.reasons]
     return led_to(derivation.steps, ends)
 
@@ -71,7 +71,7 @@ def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Nod
     """The conclusions: where a blow at the start ends the motion there are none, where the whole motion is given its energy,
     from which no speed follows, is none, nor are small oscillations if all else is asked; of the unknown forces those that are
     asked for, that vanish altogether, or by which a contact pushes."""
-    if is_struck(derivation):
+    if is_struck(derivation.study):
         return [*derivation.chapter("inertia")]
     system = derivation.study.system
     is_given = not system.independent

@@ -52,8 +52,12 @@ def divide(num: Poly, den: Poly) -> Poly | None:
     return above * below**-1 if below.is_monomial() else None
 
 
+LINEAR = 2  # terms of 1 ± cos q, what is left of sin² q where the other one goes: its poles are half of those of 1/sin q
+
+
 def without_poles(value: Scalar) -> Scalar:
-    """The value without those factors below the line that sin² + cos² = 1 takes away: (1 - cos² q)/sin q as sin q."""
+    """The value without those factors below the line that sin² + cos² = 1 takes away: (1 - cos² q)/sin q as sin q, and with the
+    fewest poles of (1 + cos q)/sin q = sin q/(1 - cos q)."""
     powers = tuple((i, -e) for i, e in value.num.content()[1] if e < 0 and partner(i))
     num, den = value.num.scaled(1, powers), value.den.scaled(1, powers)
     if not _waves(den):
@@ -67,8 +71,10 @@ def without_poles(value: Scalar) -> Scalar:
     above, below = Scalar(num) / coefficient, UNITY
     for factor in (factor for factor, exponent in found for _ in range(exponent)):
         rest = _divided(above, factor)
-        above, below = (above, below * Scalar(factor)) if _waves(rest.den) or _waves(rest.num, -1) else (rest, below)
-    return short(above / below)
+        stays = _waves(rest.num, -1) or (_waves(rest.den) and not (len(factor) == 1 and len(rest.den) == LINEAR))
+        above, below = (above, below * Scalar(factor)) if stays else (rest, below)
+    less = short(above / below)
+    return value if less == value else without_poles(less)
 
 
 def turnings(poly: Poly, *, in_pairs: bool = False) -> Iterator[tuple[dict[str, Scalar], dict[str, Scalar]]]:
@@ -88,7 +94,7 @@ def _divided(value: Scalar, factor: Poly) -> Scalar:
     num, den = value.num, reduce_squares(factor) * value.den
     for index in [i for i in factor.atoms() if atoms.atom(i).kind == "sin"]:
         other = substitute(den, {index: -generator(index)})
-        num, den = cancel(reduce_squares(num * other), reduce_squares(den * other))
+        num, den = _cancel_plain(reduce_squares(num * other), reduce_squares(den * other))
     return quotient(num, den)
 
 

@@ -168,8 +168,8 @@ def _sum(poly: Poly, style: Style) -> t.Node:
         return _plain_sum(poly, style)
     collected = sorted(parts.items(), key=lambda item: term_key(item[0], style))
     plain = t.add(*positive_first([_collected(moving, Poly(fixed), style) for moving, fixed in collected]))
-    extended = grouping.extensions(poly, style)
-    return min([plain, *([_of_parts(extended, style)] if extended else [])], key=_length)
+    ways = ((grouping.extensions(poly, style), True), (grouping.by_accelerations(poly), False))
+    return min([plain, *(_of_parts(parts, style, factor) for parts, factor in ways if len(parts) > 1)], key=_length)
 
 
 def _plain_sum(poly: Poly, style: Style) -> t.Node:
@@ -189,8 +189,8 @@ def _length(node: t.Node) -> int:
     return sum(1 for _ in t.walk(node))
 
 
-def _of_parts(parts: list[Poly], style: Style) -> t.Node:
-    return t.add(*positive_first([present_poly(part, style, True) for part in parts]))
+def _of_parts(parts: list[Poly], style: Style, factor: bool = True) -> t.Node:
+    return t.add(*positive_first([present_poly(part, style, factor) for part in parts]))
 
 
 def _in_order(poly: Poly, style: Style) -> t.Node:

@@ -250,6 +250,14 @@ def gathered(poly: Poly, style: Style) -> list[Poly]:
     return [poly] if len(found) == len(poly) else [found, *gathered(poly - found, style)]
 
 
+def by_accelerations(poly: Poly) -> list[Poly]:
+    """The sum in parts, one for each acceleration and one for what is without any; [] where each stands in one term only."""
+    parts: dict[tuple[str, ...], dict[Monomial, Coefficient]] = {}
+    for m, c in poly.terms.items():
+        parts.setdefault(tuple(name for i, _ in m if (name := atoms.symbol_name(i) or "").endswith("_ddot")), {})[m] = c
+    return [Poly(part) for part in parts.values()] if any(len(part) > 1 for names, part in parts.items() if names) else []
+
+
 def extensions(poly: Poly, style: Style) -> list[Poly]:
     """Parts F (±x ± a)ⁿ of a sum, n = 1 or 2, x coordinates or speeds, a a parameter: k (s - L) beside M g, not k s - k L.
 

@@ -11,6 +11,8 @@ from contextlib import suppress
 from itertools import combinations
 from typing import Any, Protocol
 
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.errors import NoNumber
 from rbpsym.field import NOTHING, ONE, UNITY, Monomial, Poly, Scalar, atoms, is_zero, short, times
 from rbpsym.field.calculus import depends_on, derivative, names_in, substitute
@@ -246,13 +248,16 @@ def _pivot(value: Scalar, name: str, sources: frozenset[str], row: Scalar) -> Pi
 Made = tuple[Pivot, Scalar, dict[int, Scalar]]  # an equation as it is used, and by what those before are multiplied in it
 
 
-def cofactors(known: Known, goal: Scalar) -> list[Scalar] | None:
-    """By what the equations are multiplied to give the goal as their sum, those that count; None if it is no such sum."""
+def cofactors(known: Known, goal: Scalar, given: Assumptions) -> list[Scalar] | None:
+    """By what the equations are multiplied to give the goal as their sum, those that count; None if it is no such sum:
+    if what is left of it does not vanish."""
     made: list[Made] = []
     for place, pivot in enumerate(known.pivots):
         made.append((pivot, *_combined(pivot.row, {place: UNITY}, made)))
     left, combination = _combined(goal, {}, made)
-    return None if not is_zero(left) else [without_poles(-c) for c in combination.values() if c]
+    if not scalars_equal(left, NOTHING, given).is_proved:
+        return None
+    return [without_poles(-c) for c in combination.values() if c]
 
 
 def _combined(value: Scalar, combination: dict[int, Scalar], made: list[Made]) -> tuple[Scalar, dict[int, Scalar]]:

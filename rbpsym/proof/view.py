@@ -312,7 +312,7 @@ class View(Context):
             known = self._known(goal)
             if all(pivot.divisor.number() is not None for pivot in (*known.pivots, *known.squares)):
                 continue
-            factors = cofactors(known, goal)
+            factors = cofactors(known, goal, self.whole.assumptions)
             found += [pivot.divisor.inverse() for pivot in known.used(goal)] if factors is None else factors
         return found
 

@@ -269,9 +269,10 @@ def lesson(bench: ProblemBench) -> tuple[Row, ...]:
     """The rows of the lesson: before the explanation what begins later phases, and each question that the problem itself asks."""
     asked = [id for id, target in bench.targets.items() if target.kind == "question"]
     own: list[Row] = [(QUESTIONS[place % 2], (id,), 2) for place, id in enumerate(asked)]
-    rows = [row for row in map(_before_blow, LESSON) if row] if is_struck(bench.derivation) else LESSON
+    struck = is_struck(bench.study)
+    rows = [row for row in map(_before_blow, LESSON) if row] if struck else LESSON
     later = [(kinds, tuple(f"{PHASE}{b.phase}.{a}" for a in about), level) for b in bench.later for kinds, about, level in LATER]
-    return (*rows[:-1], *later, *(own or [NO_QUESTIONS]), rows[-1])
+    return (*rows[:-1], *later, *(own or [NO_QUESTIONS] * (not struck)), rows[-1])
 
 
 AT_BLOW = ("momentum", "axis-moment", "moment", "")  # what there is to ask of a motion that a blow ends at its start

@@ -5,6 +5,7 @@ import re
 import pytest
 
 from rbpsym.derive import derive
+from rbpsym.document.needless import is_struck
 from rbpsym.expr import tree as t
 from rbpsym.statement.loader import load_text
 from tests.ask.test_unseen import HERE
@@ -47,3 +48,9 @@ def test_a_place_of_rest_is_told_beside_the_others():
     found = derive(load_text((HERE / "ring-and-spring.toml").read_text(encoding="utf-8")), simulation=False)
     told = said_in(found, "standard")
     assert "At θ = 0 the forces balance; whether" in told and told.index("At θ = 0") < told.index("also balance wherever else")
+
+
+@pytest.mark.parametrize("name", IN_PHASES)
+def test_what_is_struck_at_once_has_no_phase_before(name):
+    told = said_in(derived(name), "standard")
+    assert is_struck(derived(name).study) != bool(re.search("It has (a second phase|further phases)", told))

@@ -156,7 +156,8 @@ POLES = {  # above, below, and what is left below
     "two angles": (1 - X_COS**2 - Y_SIN**2 * X_SIN**2, Y_COS * X_SIN, lift(1)),
     "the angle between": ((M - TURN**2) * A, M - X_COS * Y_COS * TURN - X_SIN * Y_SIN * TURN, lift(1)),
     "of a difference, in both angles": (A * sine(X - Y), SPREAD, M + TURN),
-    "a true one": (1 - X_COS, X_SIN, X_SIN),
+    "half of them": (1 - X_COS, X_SIN, 1 + X_COS),
+    "a true one": (A - X_COS, X_SIN, X_SIN),
     "none": (A, B + M, lift(1)),
 }
 

@@ -47,7 +47,7 @@ class Balance(Frozen):
 
 
 COST = {"fixed": 1.0, "center": 1.05, "force": 1.2, "moving": 1.9, "crossing": 1.95}
-TURNING = "with "  # directions in which a coordinate takes a body, which turn with it
+TURNING = ("with ", "path ")  # directions in which a coordinate takes a body, which turn with it: of length 1, and as they are
 ROLLING = 1.6  # about the point that a round body touches
 ABOUT_NO_AXIS = 0.7  # torque about a fixed point about which the bodies do not turn
 SLANTED = 0.1  # a direction that is neither along the velocity nor across it
@@ -179,9 +179,11 @@ def _directions(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Ve
                 yield f"across {element.name}", across
                 yield f"along {element.name}", -across.turned()
     for name in study.system.independent if len(bodies) == 1 else ():
-        for angle in one if len(one := study.system.bodies[bodies[0]].center.derivative(name).parts) == 1 else ():
-            if (way := polar(UNITY, angle)).x and way.y:
-                yield f"{TURNING}{name}", way
+        tangent = study.system.bodies[bodies[0]].center.derivative(name)
+        is_polar = len(tangent.parts) == 1
+        way = polar(UNITY, *tangent.parts) if is_polar else tangent
+        if way.x and way.y:
+            yield f"{'with' if is_polar else 'path'} {name}", way
 
 
 MOST_CANDIDATES, MOST_EXTRA, LONGEST = 40, 3, 6

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from rbpsym.document.chapters import chapter_sections
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, words
 from rbpsym.document.notes import phase_words, shown_steps, words_of
 from rbpsym.document.notes_phases import phase_sections
-from rbpsym.document.notes_statement import phase_sentences, statement_section
-from rbpsym.document.words import Words, sentences
+from rbpsym.document.notes_statement import statement_section
+from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
-from rbpsym.pictures.pose import DrawnPose
 from rbpsym.proof.step import Derivation
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
@@ -27,19 +25,8 @@ from rbpsym.teaching.wording import say, spoken
 
 def statement_blocks(derivation: Derivation, said: Words) -> tuple[Block, ...]:
     """What the system is, how it starts and goes on, its figure and the conventions; without the table of symbols."""
-    first = _without_phases(derivation)
-    section = statement_section(first, Words(said.language, first.study.problem, said.prefix), 2)
-    blocks = tuple(block for block in section.blocks if not isinstance(block, Table))
-    later = [*phase_sentences(DrawnPose(derivation.study), said)]
-    return (*blocks, Paragraph(sentences(later))) if later else blocks
-
-
-def _without_phases(derivation: Derivation) -> Derivation:
-    """The first phase as a motion of its own."""
-    study = derivation.study
-    if not study.problem.phases:
-        return derivation
-    return replace(derivation, study=study.under(replace(study.problem, phases=())), phases=())
+    section = statement_section(derivation, Words(said.language, derivation.study.problem, said.prefix), 2)
+    return tuple(block for block in section.blocks if not isinstance(block, Table))
 
 
 def given_table(derivation: Derivation, situation: Situation, said: Words) -> tuple[Block, ...]:

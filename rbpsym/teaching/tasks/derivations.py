@@ -248,7 +248,7 @@ CONCLUSION = 3  # the least weight of putting the premises together, on the scal
 
 def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a step that has a reason and premises; `about` names ids of steps."""
-    struck = is_struck(bench.derivation)  # of a motion that ends at its start only what is true of each state
+    struck = is_struck(bench.study)  # of a motion that ends at its start only what is true of each state
     reasoned = (s for s in bench.derivation.steps if _interest(s) and (s.rule in KEPT or _premises(bench, s)))
     given = () if bench.study.system.independent else ("work", "energy")  # of a motion that is given its forces are asked about
     steps = [s for s in reasoned if s.chapter not in given and (not struck or s.chapter in STATES)]

@@ -33,7 +33,7 @@ def tasks(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepare
     """What can be made of a wish in each phase that it names; of a motion in phases each task says in which one it asks."""
     of_phase = [(b, tuple(a.partition(".")[2] for a in wish.about if _is_of(a, b))) for b in bench.later]
     own = tuple(a for a in wish.about if not any(_is_of(a, b) for b in bench.later))
-    phases = () if is_struck(bench.derivation) else bench.study.problem.phases  # what is struck at once has no phase before
+    phases = () if is_struck(bench.study) else bench.study.problem.phases  # what is struck at once has no phase before
     for task in TASKS[wish.kind](bench, scenery, replace(wish, about=own)) if own or not wish.about else ():
         yield _told(task, "lead.first", phases[0].name) if phases and task.kind_asked != "question" else task
     for later, about in of_phase:
