@@ -52,7 +52,9 @@ WORDS: Mapping[str, Any] = {  # what only the words and the drawing of a problem
 def physics_of(problem: Problem) -> Problem:
     """What a derivation depends on: the problem without its words and questions (but those that ask for impulses)."""
     asked: dict[str, dict[str, str]] = {text: {} for text in problem.questions if "impulse" in text.split()}
-    return replace(problem, **WORDS, questions=asked, parameters=tuple(replace(q, meaning="") for q in problem.parameters))
+    parameters = tuple(replace(q, meaning="") for q in problem.parameters)
+    coordinates = tuple(replace(c, quantity=replace(c.quantity, meaning="")) for c in problem.coordinates)
+    return replace(problem, **WORDS, questions=asked, parameters=parameters, coordinates=coordinates)
 
 
 def _derived(study: Study, simulation: bool, before: tuple[Step, ...] = ()) -> Derivation:

@@ -2,7 +2,7 @@
 // npm (studio/package.json), sympy, mpmath, jinja2 and markupsafe those of the PYTHON that runs rbpsym.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync, readdirSync, existsSync } from "node:fs";
+import { mkdirSync, readFileSync, rmSync, writeFileSync, readdirSync, existsSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -11,7 +11,8 @@ import { loadPyodide } from "pyodide";
 
 const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
 const out = resolve(process.argv[2] ?? join(root, "build", "studio")), python = process.argv[3] ?? "python3";
-const ENGINE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"];
+const ENGINE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pyodide-lock.json"], LIBRARY = "python_stdlib.zip";
+const PYODIDE = join(here, "node_modules", "pyodide");
 const TYPST = join(here, "node_modules", "@myriaddreamin", "typst-ts-web-compiler", "pkg");
 const FONTS = ["NewComputerModernMath-Regular", "NewComputerModern10-Regular", "NewComputerModern10-Bold", "NewComputerModern10-Italic", "NewComputerModern10-BoldItalic"];
 const PACKAGES = ["sympy", "mpmath", "jinja2", "markupsafe"];
@@ -29,14 +30,15 @@ function put(name, data) {
 async function archive() {
   const find = `import json, importlib.util as u; print(json.dumps({n: u.find_spec(n).submodule_search_locations[0] for n in ${JSON.stringify(PACKAGES)}}))`;
   const folders = { ...JSON.parse(execFileSync(python, ["-c", find])), rbpsym: join(root, "rbpsym") };
-  const py = await loadPyodide({ indexURL: join(here, "node_modules", "pyodide") });
+  const py = await loadPyodide({ indexURL: PYODIDE });
   for (const [name, folder] of Object.entries({ ...folders, templates: join(root, "templates"), derivations: join(root, "derivations"), pack: here })) {
     py.FS.mkdirTree("/src/" + name);
     py.FS.mount(py.FS.filesystems.NODEFS, { root: folder }, "/src/" + name);
   }
   py.runPython(`import sys; sys.path[:0] = ["/src", "/src/pack"]; sys.dont_write_bytecode = True; import pack_engine`);
-  py.runPython(`pack_engine.pack("/engine.zip", "/data.zip", "/scene.css")`);
-  return [...["/engine.zip", "/data.zip", "/scene.css"].map((name) => py.FS.readFile(name)), py.runPython("pack_engine.words()")];
+  py.FS.writeFile("/given.zip", readFileSync(join(PYODIDE, LIBRARY)));
+  py.runPython(`pack_engine.pack("/engine", "/data", "/scene.css"); pack_engine.library("/given.zip", "/library.zip")`);
+  return [...["/engine", "/data", "/scene.css", "/library.zip"].map((name) => py.FS.readFile(name)), py.runPython("pack_engine.words()"), py.runPython("pack_engine.stock()")];
 }
 
 // --- Typst, for PDF: its compiler from npm, its fonts out of the library of the Python package, in which they lie as they are
@@ -65,16 +67,17 @@ function typst() {
 
 rmSync(out, { recursive: true, force: true });
 const began = Date.now();
-for (const name of ENGINE) { mkdirSync(join(out, "pyodide"), { recursive: true }); cpSync(join(here, "node_modules", "pyodide", name), join(out, "pyodide", name)); }
-const [modules, contents, scene, words] = await archive();
-const py = put(`py/engine.${hashed(modules)}.zip`, modules), data = put(`py/data.${hashed(contents)}.zip`, contents);
-const version = JSON.parse(readFileSync(join(here, "node_modules", "pyodide", "package.json"))).version;
-const files = { py, data, key: `snapshot-${version}-${hashed(py + data)}`, snapshots: process.env.STUDIO_SNAPSHOTS !== "0" };
+const [modules, contents, scene, library, words, stock] = await archive();
+const engine = Object.fromEntries([...ENGINE.map((name) => [name, readFileSync(join(PYODIDE, name))]), [LIBRARY, library]]);
+const pyodide = `pyodide.${hashed(Object.values(engine).map(hashed).join())}/`;
+for (const [name, content] of Object.entries(engine)) put(pyodide + name, content);
+const [py, data] = [["engine", modules], ["data", contents]].map(([name, made]) => put(`py/${name}.${hashed(made)}.pack`, gzipSync(made, { level: 9 })));
+const files = { pyodide, py, data, key: `snapshot-${hashed(pyodide + py + data)}`, snapshots: process.env.STUDIO_SNAPSHOTS !== "0" };
 
 const worker = source("worker.js").replace("FILES;", JSON.stringify(files) + ";");
 const workerName = put(`worker.${hashed(worker)}.js`, worker);
 const bundled = await build({ entryPoints: [join(here, "src", "app.js")], bundle: true, minify: true, format: "esm", write: false, define: { LANGUAGES: words }, target: "es2022", logLevel: "error" });
-const app = bundled.outputFiles[0].text.replace("./WORKER", "./" + workerName).replace("./TYPST", "./" + typst());
+const app = bundled.outputFiles[0].text.replace("./WORKER", "./" + workerName).replace("./TYPST", "./" + typst()).replace("./STOCK", "./" + put(`stock.${hashed(stock)}.json`, stock));
 const appName = put(`app.${hashed(app)}.js`, app);
 const font = readFileSync(join(root, "templates", "math.woff2")), fontName = put(`math.${hashed(font)}.woff2`, font);
 const style = source("style.css").replace("FONT", fontName) + new TextDecoder().decode(scene), styleName = put(`style.${hashed(style)}.css`, style);

@@ -1,4 +1,4 @@
-"""Runs inside Pyodide while the site is built: compiles the modules that the page can need into one zip."""
+"""Runs inside Pyodide while the site is built: compiles the modules that the page can need, and its standard library."""
 
 import json
 import marshal
@@ -37,9 +37,9 @@ def touch() -> None:
     import sympy.polys.groebnertools  # noqa: F401
 
 
-def compiled(path: Path, name: str) -> bytes:
+def compiled(source: bytes, name: str) -> bytes:
     """A .pyc that is never compared with its source, without docstrings."""
-    code = compile(path.read_bytes(), name, "exec", dont_inherit=True, optimize=2)
+    code = compile(source, name, "exec", dont_inherit=True, optimize=2)
     return MAGIC_NUMBER + (1).to_bytes(4, "little") + bytes(8) + marshal.dumps(code)
 
 
@@ -74,6 +74,32 @@ def words() -> str:
     return json.dumps({language: phrases(language, "studio") for language in languages()}, ensure_ascii=False)
 
 
+def stock() -> str:
+    """What the page knows without asking: what can be written where, and the problems that ship, by language."""
+    from rbpsym.languages import languages
+
+    told = {language: call(do="gallery", language=language) for language in languages()}
+    return json.dumps({"completions": call(do="completions"), "gallery": told}, ensure_ascii=False)
+
+
+def packed(files) -> bytes:
+    """Files one after the other, behind a list of [name, length] and its own length."""
+    files = list(files)
+    index = json.dumps([(name, len(content)) for name, content in files]).encode()
+    return b"".join([len(index).to_bytes(4, "little"), index, *(content for _, content in files)])
+
+
+def library(source: str, target: str) -> None:
+    """Python's standard library with those modules compiled that were loaded; as it comes, the page would compile each."""
+    loaded = {str(getattr(module, "__file__", "")).partition(".zip/")[2] for module in sys.modules.values()}
+    with zipfile.ZipFile(source) as given, zipfile.ZipFile(target, "w") as made:
+        for info in given.infolist():
+            name, content = info.filename, given.read(info)
+            if name in loaded:
+                name, content = f"{name}c", compiled(content, name)
+            made.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED, 9)
+
+
 def pack(code: str, rest: str, looks: str) -> None:
     """Writes the archives of the modules and of the data, and how figures look."""
     touch()
@@ -82,8 +108,5 @@ def pack(code: str, rest: str, looks: str) -> None:
     sheet = (SRC / "templates/notes.css").read_text(encoding="utf-8").splitlines()
     rules = [line for line in sheet if line.startswith((".scene", ".fill-none", ".dot-accent"))]
     Path(looks).write_text("\n".join([color_rules(), *rules, ""]), encoding="utf-8")
-    found = [(name[:-3] + ".pyc", compiled(path, name)) for path, name in modules()]
-    for target, files in ((code, found), (rest, [(name, path.read_bytes()) for path, name in data()])):
-        with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-            for name, content in files:
-                archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED, 9)
+    Path(code).write_bytes(packed((f"{name}c", compiled(path.read_bytes(), name)) for path, name in modules()))
+    Path(rest).write_bytes(packed((name, path.read_bytes()) for path, name in data()))

@@ -40,6 +40,7 @@ GLANCE = 90  # nodes of a formula
 NONE: list[str] = []
 
 
+@lru_cache(maxsize=16)
 def call(request: str) -> str:
     """The answer to one request, both JSON. No input of a user raises an error."""
     try:

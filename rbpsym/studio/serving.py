@@ -23,6 +23,7 @@ KINDS: Mapping[str, str] = {
     ".json": "application/json",
     ".wasm": "application/wasm",
     ".zip": "application/zip",
+    ".pack": "application/octet-stream",
     ".woff2": "font/woff2",
     ".otf": "font/otf",
 }

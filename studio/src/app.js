@@ -142,7 +142,7 @@ const FILL = {
   async explorer() {
     const none = $("explorer-none");
     try {
-      const { html } = await work("explorer", { ...asked(), beside: $("beside").value }, true);
+      const { html } = await work("explorer", { ...asked(), beside: wanted().get("beside") ?? "" }, true);
       none.hidden = true;
       framed("explorer", html, forExplorer());
     } catch (error) {
@@ -323,7 +323,7 @@ $("save").onclick = () => save("problem.toml", text);
 $("decide").onclick = decided;
 $("record").onclick = async () => { const found = await tutor.record(); save(`${found.student || "record"}.json`, JSON.stringify(found, null, 2)); };
 $("detail").onchange = refresh;
-$("language").onchange = () => { dressed(); carded(); refresh(); };
+$("language").onchange = () => { dressed(); stocked(); refresh(); };
 $("stop").onclick = () => engine.stop();
 $("asform").onclick = () => asForm(true);
 $("astext").onclick = () => asForm(false);
@@ -348,16 +348,17 @@ listens({
 }, () => $("explorer"), ({ own }) => own && history.replaceState(null, "", withNumbers(own)));
 
 opened();
-engine.ask("completions").then((found) => { tables = found; if (!$("form").hidden) form.show(text); });
+const stock = fetch(new URL("./STOCK", import.meta.url)).then((found) => found.json());
 const shelved = shelf(el, (name) => engine.ask("picture", { name, language: $("language").value }, true), opening, (fresh) => put(view, fresh));
-const carded = async () => { const cards = await engine.ask("gallery", { language: $("language").value }); shelved(cards); return cards; };
-carded().then((cards) => {
-  for (const topic of new Set(cards.map((card) => card.topic))) {
-    const own = cards.filter((card) => card.topic === topic).map((card) => el("option", { value: card.name, textContent: card.title }));
-    $("beside").append(el("optgroup", { label: topic }, ...own));
-  }
-  $("beside").value = wanted().get("beside") ?? "";
-  if ($("beside").value && done.explorer) $("beside").onchange();
-});
+/** The problems that ship, on the shelf and to be put beside this one; what can be written where, for editor and form. */
+async function stocked() {
+  const { completions, gallery } = await stock, cards = gallery[$("language").value], others = $("beside"), beside = wanted().get("beside") ?? "";
+  tables = completions;
+  if (!$("form").hidden) form.show(text);
+  shelved(cards);
+  others.replaceChildren(others.options[0], ...[...new Set(cards.map((card) => card.topic))].map((topic) => el("optgroup", { label: topic },
+    ...cards.filter((card) => card.topic === topic).map((card) => el("option", { value: card.name, textContent: card.title, selected: card.name === beside })))));
+}
+stocked();
 tells("ready");
 if ("serviceWorker" in navigator) navigator.serviceWorker.register("./sw.js").then(() => navigator.serviceWorker.ready).then(() => { marks.kept = performance.now(); }).catch(() => { /* a frame may not keep the page */ });

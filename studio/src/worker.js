@@ -1,6 +1,6 @@
 // The engine in a worker: Pyodide with the program's compiled modules; one JSON request in, one JSON answer out.
-const files = FILES; // put in by the build: {data, py, key, snapshots}
-const here = new URL("./", self.location.href).href;
+const files = FILES; // put in by the build: {pyodide, data, py, key, snapshots}
+const here = new URL("./", self.location.href).href, engine = here + files.pyodide;
 const CACHE = "rbpsym-studio-snapshot";
 let call;
 
@@ -15,13 +15,13 @@ async function kept() {
 async function boot() {
   const began = performance.now();
   const snapshot = files.snapshots ? await kept() : null;
-  const { loadPyodide } = await import(here + "pyodide/pyodide.mjs");
+  const { loadPyodide } = await import(engine + "pyodide.mjs");
   let python, how = "plain";
   if (snapshot) try { python = await restored(loadPyodide, snapshot); how = "snapshot"; } catch (error) { console.warn("no snapshot:", error); }
   if (!python) {
-    const [data, py] = [fetched(files.data), fetched(files.py)];
-    python = await loadPyodide({ indexURL: here + "pyodide/", _makeSnapshot: Boolean(files.snapshots) });
-    for (const archive of [await data, await py]) python.unpackArchive(archive, "zip", { extractDir: "/engine" });
+    const packs = [files.data, files.py].map(fetched);
+    python = await loadPyodide({ indexURL: engine, _makeSnapshot: Boolean(files.snapshots) });
+    for (const pack of packs) laid(python, await pack);
     python.runPython('import sys\nsys.path.insert(0, "/engine")');
   }
   call = python.runPython("from rbpsym.studio.api import call\ncall");
@@ -29,50 +29,45 @@ async function boot() {
   if (how === "plain" && files.snapshots) keeping = () => setTimeout(keep, 1500, python);
 }
 
-const fetched = async (name) => (await fetch(here + name)).arrayBuffer();
+const fetched = async (name) => new Response((await fetch(here + name)).body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 
-// All that was imported is in the memory that was kept; the files are not: data are unpacked now, modules when one is missing.
+/** The files of a pack, where Python finds them: behind a list of [name, length] and its own length. */
+function laid(python, pack) {
+  const size = new DataView(pack).getUint32(0, true), folders = new Set();
+  let at = 4 + size;
+  for (const [name, length] of JSON.parse(new TextDecoder().decode(new Uint8Array(pack, 4, size)))) {
+    const path = "/engine/" + name, folder = path.slice(0, path.lastIndexOf("/"));
+    if (!folders.has(folder)) python.FS.mkdirTree(folder);
+    folders.add(folder);
+    python.FS.writeFile(path, new Uint8Array(pack, at, length), { canOwn: true });
+    at += length;
+  }
+}
+
+// All that was imported is in the memory that was kept; the files are not: data are laid out now, modules after the first notes or when one is missing.
+let late = null;
 async function restored(loadPyodide, snapshot) {
-  const data = fetched(files.data), make = (await import(here + "pyodide/pyodide.asm.mjs")).default;
+  const data = fetched(files.data), make = (await import(engine + "pyodide.asm.mjs")).default;
   const python = await loadPyodide({
-    indexURL: here + "pyodide/", _loadSnapshot: snapshot,
+    indexURL: engine, _loadSnapshot: snapshot,
     createPyodideModule: async (settings) => {
       const made = await make(settings);
       if (made.HEAP8.length < snapshot.length) made.growMemory(snapshot.length);
       return made;
     },
   });
-  python.unpackArchive(await data, "zip", { extractDir: "/engine" });
-  self.unpackModules = () => python.unpackArchive(now(files.py), "zip", { extractDir: "/engine" });
-  python.runPython(LATE);
+  laid(python, await data);
+  late = async () => {
+    late = null;
+    laid(python, await fetched(files.py));
+    python.runPython("from importlib import invalidate_caches\ninvalidate_caches()");
+  };
   return python;
 }
 
-const LATE = `
-import sys
-from importlib import invalidate_caches
-from importlib.machinery import PathFinder
-
-class Late:
-    """Finds a module that is not there yet: its archive is unpacked first."""
-
-    def find_spec(self, name, path=None, target=None):
-        from js import unpackModules
-
-        sys.meta_path.remove(self)
-        unpackModules()
-        invalidate_caches()
-        return PathFinder.find_spec(name, path, target)
-
-sys.meta_path.append(Late())
-`;
-
-function now(name) {
-  const request = new XMLHttpRequest();
-  request.open("GET", here + name, false);
-  request.responseType = "arraybuffer";
-  request.send();
-  return request.response;
+function answered(request) {
+  const began = performance.now(), answer = call(request);
+  postMessage({ done: true, answer, worked: Math.round(performance.now() - began) });
 }
 
 // The memory after the first answer, for the next visit: it begins there.
@@ -88,12 +83,19 @@ async function keep(python) {
 }
 
 const booted = boot();
+let laying = null;
 onmessage = async ({ data }) => {
   try {
     await booted;
-    const began = performance.now(), answer = call(data);
-    postMessage({ done: true, answer, worked: Math.round(performance.now() - began) });
-    if (keeping && data.includes('"do":"notes"')) { keeping(); keeping = null; }
+    await laying;
+    try { answered(data); } catch (error) {
+      if (!late || !/ModuleNotFoundError/.test(error.message)) throw error;
+      await (laying = late());
+      answered(data);
+    }
+    if (!data.includes('"do":"notes"')) return;
+    if (keeping) { keeping(); keeping = null; }
+    if (late) laying = late();
   } catch (error) {
     postMessage({ done: true, broken: String(error && error.message || error) });
   }

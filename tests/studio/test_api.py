@@ -125,14 +125,16 @@ def test_at_a_glance_are_drawing_motion_and_forces(ladder: str) -> None:
     assert "<mfrac>" in found["motion"][0]
 
 
-def _edited(text: str, *, title: str = "", question: str = "", mass: str = "") -> str:
+def _edited(text: str, *, title: str = "", question: str = "", mass: str = "", meaning: str = "") -> str:
     told = text.replace("Sliding ladder", title) if title else text
     told = told.replace('= "M"', f'= "{mass}"') if mass else told
+    told = told.replace("angle between", meaning) if meaning else told
     return told + (f'\n[[ask]]\nquestion = "{question}"\n' if question else "")
 
 
 @pytest.mark.parametrize(
-    ("edit", "derives"), [({"title": "Another name"}, 0), ({"question": "N_f at the start"}, 0), ({"mass": "2*M"}, 1)]
+    ("edit", "derives"),
+    [({"title": "Another name"}, 0), ({"meaning": "its angle"}, 0), ({"question": "N_f at the start"}, 0), ({"mass": "2*M"}, 1)],
 )
 def test_what_an_edit_does_not_change_is_not_derived_again(
     ladder: str, edit: dict[str, str], derives: int, monkeypatch: pytest.MonkeyPatch
@@ -145,6 +147,7 @@ def test_what_an_edit_does_not_change_is_not_derived_again(
     found = asked(do="notes", text=text)["ok"]
     assert len(calls) == derives
     kept._WORKED.clear()
+    api.call.cache_clear()
     assert asked(do="notes", text=text)["ok"] == found
 
 

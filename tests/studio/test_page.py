@@ -82,7 +82,7 @@ def test_the_wheel_of_the_page_is_served(tmp_path: Path, monkeypatch: pytest.Mon
     """`make studio` packs the site as a wheel; installed, it is what is served where no checkout has built one."""
     (tmp_path / "site" / "py").mkdir(parents=True)
     (tmp_path / "site" / "index.html").write_text("page", encoding="utf-8")
-    (tmp_path / "site" / "py" / "engine.zip").write_bytes(b"PK")
+    (tmp_path / "site" / "py" / "engine.pack").write_bytes(b"pack")
     command = [sys.executable, str(ROOT / "studio" / "wheel.py"), "site", "."]
     made = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     target = tmp_path / "installed"
@@ -92,7 +92,7 @@ def test_the_wheel_of_the_page_is_served(tmp_path: Path, monkeypatch: pytest.Mon
     with pytest.raises(RbpsymError):
         serving.site(serving.built())
     monkeypatch.syspath_prepend(str(target))
-    assert set(serving.site(serving.built())) == {"/", "/index.html", "/py/engine.zip"}
+    assert set(serving.site(serving.built())) == {"/", "/index.html", "/py/engine.pack"}
 
 
 def _driven(script: str) -> Any:
