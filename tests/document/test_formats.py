@@ -148,6 +148,13 @@ def test_no_slide_begins_with_words_whose_formula_is_left_out() -> None:
         assert not [block for block in section.blocks[-1:] if isinstance(block, Paragraph) and plain(block.inlines).endswith(":")]
 
 
+def test_the_slides_of_a_problem_hold_its_whole_argument() -> None:
+    """Each formula to which words of a slide point is on a slide, and so is each of the notes but for those of the checks."""
+    notes, slides = rbpsym.notes(ladder()), digest(rbpsym.notes(ladder()))
+    assert count(slides, Display) == count(notes, Display) > 10
+    assert not any(section.label.endswith("section.checks") for section in slides.sections)
+
+
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="TeX is not installed")
 def test_slides_compile_and_nothing_sticks_out(monkeypatch: pytest.MonkeyPatch) -> None:
     logs = []

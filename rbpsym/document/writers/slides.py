@@ -24,7 +24,10 @@ NEVER = ("section.checks", "section.results")
 
 
 def digest(document: d.Document) -> d.Document:
-    """The document with one section for each of the first level, in which the results follow each other."""
+    """One problem with its whole argument, but for checks and tables at the end; of a course one section for each of the first
+    level, in which the results follow each other."""
+    if len({section.label for section in document.sections if section.label.endswith(MOTION)}) < 2:
+        return replace(document, sections=tuple(part for part in document.sections if not part.label.endswith(NEVER)))
     parts = [list(group) for _, group in groupby(document.sections, _Counter())]
     found = [section for part in parts for section in _gathered(part)]
     labels = {label for section in found for block in section.blocks for label in _labels(block)}
