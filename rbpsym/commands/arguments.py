@@ -46,8 +46,6 @@ class ShelfName(click.ParamType):  # type: ignore[type-arg]  # generic in late v
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         """The names that begin so; files if there are none."""
-        from rbpsym.commands.arguments import shelf
-
         near = [e for e in shelf() if e.kind in self.kinds and e.name.startswith(incomplete)]
         return [CompletionItem(entry.name, help=entry.title()) for entry in near] or [
             CompletionItem(incomplete, type="file")

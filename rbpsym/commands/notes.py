@@ -2,46 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from rbpsym.commands.arguments import Entry, ShelfName, detail_option, formats_option, output_option, shelf
-from rbpsym.commands.listing import place
-from rbpsym.commands.progress import Progress
-from rbpsym.commands.solve import exit_code
-from rbpsym.commands.watching import KeptDerivations
-from rbpsym.courses import derive_course
-from rbpsym.document.book import Card, Chapter, around, book, index_page, occurring, page, problem_card
-from rbpsym.document.files import write_all
-from rbpsym.document.notes import course_notes, notes
-from rbpsym.document.writers import files
-from rbpsym.errors import RbpsymError
-from rbpsym.frozen import Frozen
-from rbpsym.statement.course import load_course
-
-if TYPE_CHECKING:
-    from rbpsym.commands.watching import KeptDerivations
-    from rbpsym.document.model import Document
-
+from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, output_option
 
 FORMATS = ("pdf", "html", "tex", "beamer", "ipynb", "md", "docx", "typ")
 ENGINES = ("typst", "pdflatex")
-
-
-class NotesWish(Frozen):
-    """What is to be written: formats, language, level of detail, whether plots and the simulation are wanted."""
-
-    formats: tuple[str, ...]
-    engine: str
-    language: str
-    detail: str
-    simulation: bool
-    plots: bool
-    studio: str
-    output: Path
 
 
 @click.command("notes")
@@ -74,173 +42,13 @@ def command(name: str | None, is_all: bool, simulation: bool | None, is_watched:
     --studio (of a problem or a course) 'rbpsym[qr]'.
     With --all, each format but HTML is one book, and HTML a site that begins at index.html.
     """
+    from rbpsym.commands.arguments import found
+    from rbpsym.commands.written import NotesWish, library, once, watched
+
     wish = NotesWish(simulation=not is_watched if simulation is None else simulation, **told)
     if is_all:
-        return _library(name, is_watched, wish)
+        return library(name, is_watched, wish)
     if name is None:
         raise click.UsageError("say which problem or course: rbpsym notes NAME; “rbpsym list” names them.")
-    from rbpsym.commands.arguments import found
-
     kind, path = found(name)
-    return _watched(kind, path, wish) if is_watched else _once(kind, path, wish)
-
-
-def _once(kind: str, path: Path, wish: NotesWish) -> int:
-    """Write, tell the files; 1 if not all is proved."""
-    from rbpsym.commands.watching import KeptDerivations
-
-    document, fine = DOCUMENTS[kind](path, wish, KeptDerivations(wish.simulation))
-    for file in _written(document, path.stem, wish):
-        click.echo(str(file))
-    return 0 if fine else 1
-
-
-def _watched(kind: str, path: Path, wish: NotesWish) -> int:
-    """Write again at each change."""
-    from rbpsym.commands.watching import KeptDerivations, watch
-
-    kept = KeptDerivations(wish.simulation)
-    return watch(
-        lambda: _written(DOCUMENTS[kind](path, wish, kept)[0], path.stem, wish),
-        lambda: _sources(kind, path),
-        lambda: False,
-    )
-
-
-def _sources(kind: str, path: Path) -> list[Path]:
-    """The files that the notes are made of; the file alone while it can't be read."""
-    from rbpsym.courses import sources
-    from rbpsym.errors import RbpsymError
-    from rbpsym.statement.course import load_course
-
-    try:
-        return [path, *sources(load_course(path))] if kind == "course" else [path]
-    except (RbpsymError, OSError):
-        return [path]
-
-
-def _problem(path: Path, wish: NotesWish, kept: KeptDerivations) -> tuple[Document, bool]:
-    """The document of a problem, and whether all of it is proved."""
-    from rbpsym.commands.progress import Progress
-    from rbpsym.commands.solve import exit_code
-    from rbpsym.document.notes import notes
-
-    with Progress(f"deriving {path.stem}"):
-        derivation = kept.derivation(path)
-        return notes(derivation, wish.language, wish.detail, plots=wish.plots), exit_code(derivation.summary()) == 0
-
-
-def _course(path: Path, wish: NotesWish, kept: KeptDerivations) -> tuple[Document, bool]:
-    """The document of a course, and whether all of it is proved."""
-    from rbpsym.commands.progress import Progress
-    from rbpsym.commands.solve import exit_code
-    from rbpsym.courses import derive_course
-    from rbpsym.document.notes import course_notes
-    from rbpsym.statement.course import load_course
-
-    course = load_course(path)
-    with Progress(f"deriving {path.stem}", len(course.parts)) as progress:
-        derived = derive_course(course, progress=progress.step, derived=kept.derivation)
-        document = course_notes(derived, wish.language, wish.detail, plots=wish.plots)
-    steps = [step for lesson in derived.lessons.values() for step in lesson.steps]
-    fine = all(step.certificate.verdict.is_proved for step in steps)
-    return document, fine and all(exit_code(d.summary()) == 0 for d in derived.derivations.values())
-
-
-DOCUMENTS = {"problem": _problem, "course": _course}
-
-
-def _library(name: str | None, is_watched: bool, wish: NotesWish) -> int:
-    """The book and the site."""
-    if name is not None or is_watched:
-        raise click.UsageError("--all writes the whole library: it takes no name and no --watch.")
-    from rbpsym.commands.notes import write_library
-
-    return write_library(wish)
-
-
-def _written(document: Document, stem: str, wish: NotesWish) -> list[Path]:
-    """All formats are made before the first file is written."""
-    from rbpsym.document.files import write_all
-    from rbpsym.document.twin import with_twins
-    from rbpsym.document.writers import files
-
-    document = with_twins(document, wish.studio) if wish.studio else document
-    made = {name: content for f in wish.formats for name, content in files(document, f, stem, wish.engine).items()}
-    return write_all(wish.output, made)
-
-
-# --- the whole library: a book in each format, and a site with a page for each problem and course
-
-
-STEM = "library"
-
-
-def write_library(wish: NotesWish) -> int:
-    """Writes all; tells the files. 1 if a problem can't be derived or not all of it is proved."""
-    kept = KeptDerivations(wish.simulation)
-    problems, failed = derived(wish, kept)
-    made = dict(book_files(problems, wish))
-    if "html" in wish.formats:
-        made |= site_files(problems, wish, kept)
-    for file in write_all(wish.output, made):
-        click.echo(str(file))
-    for error in failed:
-        click.echo(error, err=True)
-    return 0 if not failed and all(is_fine(chapter) for chapter in problems) else 1
-
-
-def derived(wish: NotesWish, kept: KeptDerivations) -> tuple[list[Chapter], list[str]]:
-    """The problems by topic and from easy to hard, and the sentences of those that can't be derived."""
-    entries = sorted((entry for entry in shelf() if entry.kind == "problem"), key=place)
-    found, failed = [], []
-    with Progress("deriving", len(entries)) as progress:
-        for entry in entries:
-            progress.step(entry.name)
-            try:
-                found.append(Chapter(entry.name, entry.topic(wish.language), kept.derivation(entry.path)))
-            except RbpsymError as error:
-                failed.append(f"{entry.name} is left out: {error}")
-    return found, failed
-
-
-def is_fine(chapter: Chapter) -> bool:
-    """Is all of a problem proved?"""
-    return exit_code(chapter.derivation.summary()) == 0
-
-
-def book_files(problems: list[Chapter], wish: NotesWish) -> Iterator[tuple[str, str | bytes]]:
-    """The book in all formats but HTML, which is the site."""
-    document = book(problems, wish.language, wish.detail, plots=wish.plots)
-    for name in wish.formats:
-        if name != "html":
-            yield from files(document, name, STEM, wish.engine).items()
-
-
-def site_files(problems: list[Chapter], wish: NotesWish, kept: KeptDerivations) -> dict[str, str | bytes]:
-    """The index page, and a page for each problem and course."""
-    courses: list[tuple[Card, str]] = []
-    for entry in (entry for entry in shelf() if entry.kind == "course"):
-        document = course_notes(
-            derive_course(load_course(entry.path), derived=kept.derivation),
-            wish.language,
-            wish.detail,
-            plots=wish.plots,
-        )
-        courses.append((card(entry, wish.language), page(document)))
-    levels = {entry.name: entry.level(wish.language) for entry in shelf()}
-    cards = [problem_card(chapter, wish.language, levels[chapter.name]) for chapter in problems]
-    whole = f"{STEM}.pdf" if "pdf" in wish.formats else ""
-    terms = occurring(problems, wish.language)
-    index = index_page([c for c, _ in courses], cards, wish.language, whole, terms)
-    found: dict[str, str | bytes] = {"index.html": index}
-    found |= {f"{card.name}.html": content for card, content in courses}
-    for number, chapter in enumerate(problems):
-        document = notes(chapter.derivation, wish.language, wish.detail, plots=wish.plots)
-        found[f"{chapter.name}.html"] = page(document, around(problems, number, wish.language))
-    return found
-
-
-def card(entry: Entry, language: str) -> Card:
-    """A course on the index page."""
-    return Card(entry.name, entry.title(language), "", entry.source)
+    return watched(kind, path, wish) if is_watched else once(kind, path, wish)

@@ -198,12 +198,12 @@ def test_the_printed_index_gives_pages() -> None:
 
 def test_a_problem_that_cannot_be_derived_is_told_and_left_out(tmp_path: Path, monkeypatch) -> None:
     from rbpsym.commands import arguments as shelves
-    from rbpsym.commands import notes
+    from rbpsym.commands import written
 
     bad = tmp_path / "bad.toml"
     bad.write_text('title = "x"\n', encoding="utf-8")
     entries = [shelves.entry("problem", "bad", bad), shelves.entry("problem", NAMES[0], find_problem(NAMES[0]))]
-    monkeypatch.setattr(notes, "shelf", lambda: iter(entries))
+    monkeypatch.setattr(written, "shelf", lambda: iter(entries))
     arguments = ["notes", "--all", "--format", "html,md", "--no-simulation", "-o", str(tmp_path / "out")]
     result = CliRunner().invoke(main, arguments)
     assert result.exit_code == 1
