@@ -19,6 +19,7 @@ from rbpsym.errors import StatementError, Undecided
 from rbpsym.field import UNITY, Scalar, depends_on, is_zero
 from rbpsym.mechanics.demands import Demand, possible, settle
 from rbpsym.mechanics.events import Loss
+from rbpsym.mechanics.pushing import begins
 from rbpsym.proof.step import Step
 
 
@@ -100,7 +101,8 @@ def _by_loss(world: AskedPhase, losses: Sequence[Loss], until: str | None, text:
     left = settle(asked, where_met(given, surely))
     if left is None:
         return None
-    says = "yes" if not left else "yes where this is met, else no" if is_all and not surely else "yes where this is met"
+    is_all = is_all and not surely and not begins(world.study)  # what begins otherwise has lost it at once
+    says = "yes" if not left else "yes where this is met, else no" if is_all else "yes where this is met"
     steps = _told(of_chapter(world, contact.write, f"loss.{loss.force}"), open=bool(left))
     return Finding(valid=(*surely, *left), place=(name, place), says=says, holds=None if left else True, steps=steps)
 

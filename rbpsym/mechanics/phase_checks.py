@@ -56,16 +56,21 @@ def _apart(phase: Phase, placed: Study, name: str) -> StatementError:
 
 
 def with_senses(study: Study, phase: Phase, state: ArrivalState) -> Phase:
-    """The phase with the side and the sense of slip of what begins, and of bounces, as just before where nothing says them."""
+    """The phase with the side and the sense of slip of what begins, and of bounces, as just before where nothing says them; so
+    with what goes on slipping where nothing strikes."""
     geometry, begun = geometry_of(study.system), phase.gap
+    is_smooth = not phase.impulses and {e.name for e in phase.problem.constraints} <= {e.name for e in study.problem.constraints}
 
     def told(element: Element) -> Element:
-        if element is not begun and element not in phase.impulses:
+        meets = element is begun or element in phase.impulses
+        if not meets and not is_smooth:
             return element
-        if element.values.get("side") == "auto":
+        if meets and element.values.get("side") == "auto":
             element = element.with_values(side=side_taken(element, geometry))
         if element.values.get("coefficient") is not None and element["slip"] == "auto":
             slip = value_then(study, slip_speed(geometry, meeting(element, geometry)), numbers_then(study, state))
+            if abs(slip) < CLOSE and not meets:
+                return element
             if abs(slip) < CLOSE:
                 raise wrong(element, "has friction, but just before nothing slips there", 'say how: slip = "forward".')
             element = element.with_values(slip="forward" if slip > 0 else "backward")

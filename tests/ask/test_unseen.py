@@ -277,6 +277,9 @@ ANSWERS = (
     ("ball-on-pulled-paper", "time until s - x = d", "sqrt(14*d/(5*a))"),
     ("ball-on-pulled-paper", "x where s - x = d", "2*d/5"),
     ("struck-hinged", "J for which speed of theta where theta = pi/3 vanishes", "M*L*sqrt(g*L/6)/b"),
+    ("block-into-spring", "time until pressing", "(v_0 - sqrt(v_0**2 - 2*mu*g*d))/(mu*g)"),
+    ("block-into-spring", "x where x comes to rest", "(sqrt(m*(mu*g*(mu*m*g - 2*k*d) + k*v_0**2)) - mu*m*g)/k"),
+    ("puck-on-dome", "theta where N vanishes", "acos((2*g*R + v_0**2)/(3*g*R))"),
     ("two-balls", "J", "2*(1+e)*M*m*sqrt(2*g*h)/(M+m)"),
 )  # fmt: skip
 
