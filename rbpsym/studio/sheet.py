@@ -28,6 +28,7 @@ from rbpsym.proof.context import Context
 from rbpsym.proof.step import Derivation, Step
 from rbpsym.studio.refuting import Refuter
 from rbpsym.studio.slips import LineSlip, slip
+from rbpsym.studio.untold import Untold
 from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
 from rbpsym.teaching.grading.reading import meanings, read_formula
 from rbpsym.typeset.latex import to_latex
@@ -83,7 +84,7 @@ class PhaseSheet(Frozen):
     def context(self) -> Context:
         """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
         letters: Context = self.derivation.letters
-        return replace(letters, scalars={**self._ground.scope.scalars, **letters.scalars})
+        return replace(letters, scalars={**self._untold.values, **self._ground.scope.scalars, **letters.scalars})
 
     @cached_property
     def _book(self) -> Book:
@@ -93,7 +94,17 @@ class PhaseSheet(Frozen):
         free = {way: name for way, name in self._ground.book.typed.items() if way not in found.names}
         stems = [name.partition("_")[0] for name in self.named]
         alone = {stem: name for stem, name in zip(stems, self.named, strict=True) if stems.count(stem) == 1}
-        return replace(found, typed=MappingProxyType({**alone, **free, **found.typed}))
+        typed = {**alone, **free, **found.typed}
+        wide = book(found.names | self._untold.names - typed.keys(), problem.notation, self.language)
+        return replace(wide, typed=MappingProxyType({**wide.typed, **typed}))
+
+    @cached_property
+    def _untold(self) -> Untold:
+        """What else students type; a letter that only vectors have here is free."""
+        letters: Context = self.derivation.letters
+        return Untold(
+            self.derivation.study, self.names - (letters.vectors.keys() - letters.scalars.keys() - self.statement_names)
+        )
 
     @cached_property
     def named(self) -> tuple[str, ...]:
@@ -104,7 +115,8 @@ class PhaseSheet(Frozen):
     def _rates(self) -> dict[str, t.Deriv]:
         """The rates of places that the derivation has letters for, as they may be typed: x_cm_ddot."""
         places = {name for name, value in self.context.scalars.items() if isinstance(value, Scalar) and self._is_place(value)}
-        found = {f"{name}_{'d' * n}ot": t.Deriv(t.Sym(name), "t", n) for name in places & self.names for n in (1, 2)}
+        turns = self._untold.names & {"L", "p", "v", "x", "y"}
+        found = {f"{name}_{'d' * n}ot": t.Deriv(t.Sym(name), "t", n) for name in places & self.names | turns for n in (1, 2)}
         return {name: node for name, node in found.items() if name not in self.names}
 
     def _is_place(self, value: Scalar) -> bool:
@@ -145,7 +157,8 @@ class PhaseSheet(Frozen):
 
     def readings(self, line: str) -> Iterator[t.Node]:
         """What a line may mean. Raises ReadError."""
-        return meanings(self.read(line), self.own, self.named)
+        letters = meanings(self.read(line), self.own, self.named)
+        return (way for read in letters for way in self._untold.readings(read))
 
     def _typed(self, line: str) -> t.Node:
         return self._with_rates(read_formula(line, self._book, labels=False))

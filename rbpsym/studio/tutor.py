@@ -20,6 +20,7 @@ from rbpsym.document.model import Paragraph
 from rbpsym.document.notes import words_of
 from rbpsym.document.phrases import plain
 from rbpsym.document.telling import Teller
+from rbpsym.document.words import Words
 from rbpsym.document.writers.page import plain_text
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
@@ -29,6 +30,7 @@ from rbpsym.proof.step import STANDARD, Derivation, Step
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import PhaseSheet, sheets
+from rbpsym.studio.untold import WAYS, told, typed
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.mathml import to_mathml
 from rbpsym.typeset.text import to_text
@@ -44,7 +46,7 @@ TELLS: Mapping[str, frozenset[str]] = {  # what a sentence asserts of a line: th
     **dict.fromkeys(("undecided", "why", "seems"), frozenset({UNDECIDED})),
     **dict.fromkeys(("no_equation", "letters"), frozenset({UNREAD})),
 }  # fmt: skip
-NARRATES = frozenset({"in_phase", "principle", "all_written"})  # the last one is said where `next_step` finds none
+NARRATES = frozenset({"in_phase", "principle", "meant", "of", "all_written"})  # the last one is said where `next_step` finds none
 PRINCIPLES: Mapping[str, str] = {  # by the rule of a step: what is asked of it where it teaches
     **dict.fromkeys(("constraint", "no_slip", "tied", "taut"), "constraint"),
     "mass_integral": "inertia", "parallel_axis": "inertia", "differentiation": "kinematics", "balance": "momentum",
@@ -157,7 +159,7 @@ class Tutor(Frozen):
             found.append(self._in_phase(line, name))
             if found[-1][0] == TRUE:
                 break
-        return min(found, key=lambda one: (RANK[one[0]], one[1] == self._say("wrong")))
+        return min(found, key=self._weight)
 
     def _in_phase(self, line: str, phase: str) -> tuple[str, str, str]:
         sheet = self.sheets[phase]
@@ -170,17 +172,38 @@ class Tutor(Frozen):
             return UNREAD, self._unread(error), ""
         if not isinstance(readings[0], (t.Chain, t.Relations)):
             return UNREAD, self._told(UNREAD, "no_equation"), ""
-        found = [self._decided(read, sheet, where, is_first=not phase) for read in readings]
-        return next((one for one in found if one[0] in ACCEPTED), found[0])
+        found = [(self._decided(read, sheet, where, is_first=not phase), read) for read in readings]
+        if len(found) > 1 and all(one[0] == WRONG for one, _ in found):
+            return min(found, key=lambda one: sheet.slip(one[1]).kind in ("", "part"))[0]
+        return min((one for one, _ in found), key=self._weight)
+
+    def _weight(self, one: tuple[str, str, str]) -> tuple[int, bool]:
+        """The less, the better it fits, and the more is said of it."""
+        return RANK[one[0]], one[1] == self._say("wrong")
+
+    def _meant(self, read: t.Node) -> str:
+        """For what letters are taken that nobody told."""
+        said, where = Words(self.language, self.derivation.study.problem), dict[str, str]()
+        for letter, body, of in told(read):
+            point = of.rstrip("-")
+            place = (
+                self._say(f"of.{of}") if of in WAYS else self._say(f"of.{'clockwise' if of != point else 'about'}", point=point)
+            )
+            where[to_text(t.Sym(letter), self.notation)] = ", ".join(filter(None, (said.body(body), place if of else "")))
+        return (
+            f" {self._say('meant', letters=', '.join(f'{letter} ({words})' for letter, words in where.items()))}" if where else ""
+        )
 
     def _decided(self, read: t.Node, sheet: PhaseSheet, where: str, *, is_first: bool) -> tuple[str, str, str]:
         """What a line is in one of its meanings."""
+        where += self._meant(read)
         if id := sheet.step_of(read):
             return TRUE, self._told(TRUE, "true") + where, id
         found = sheet.holds(read)
         if found.is_proved or (not found.is_refuted and is_first and self._is_proved_by_check(read, sheet)):
             return UNUSED, self._told(UNUSED, "unused") + where, ""
-        return self._refused(read, sheet, found)
+        verdict, says, id = self._refused(read, sheet, found)
+        return verdict, says + (self._meant(read) if verdict == WRONG else ""), id
 
     def _unread(self, error: RbpsymError) -> str:
         """What could not be read; of many letters those of the statement."""
@@ -191,7 +214,7 @@ class Tutor(Frozen):
     def _refused(self, read: t.Node, sheet: PhaseSheet, found: Verdict) -> tuple[str, str, str]:
         """What a line that was not proved seems to mean: it is wrong if a state of the motion refutes it."""
         slip = sheet.slip(read)
-        part = to_text(slip.part, self.notation) if slip.part is not None else ""
+        part = to_text(typed(slip.part), self.notation) if slip.part is not None else ""
         verdict = WRONG if found.is_refuted else UNDECIDED
         told = self._told(verdict, f"slip.{slip.kind}", part=part, by=slip.by) if slip.kind else ""
         told = told or self._checked(read).diagnosis

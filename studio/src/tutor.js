@@ -50,7 +50,7 @@ export class Tutor {
     $("line").placeholder = `${letters.find((name) => /^alpha$|_ddot$/.test(name)) ?? letters[0]} = …`;
     for (const line of before) await this.judge(line);
     if (this.seen === text) this.ready(true);
-    if (before.length) await this.scored();
+    if (before.length) await this.scored(); else await this.work("judge", { line: "0 = 1" }); // what judging needs is worked out before the first line
   }
 
   /** Keys that show letters as they are printed; on a phone with digits, so that its own keyboard may stay away. */

@@ -179,7 +179,15 @@ LINES = {
     "N_w = M x_cm_ddot": TRUE,
     "N_f - M g = M d^2y_cm/dt^2": TRUE,
     "alpha = -3g/(4l) cos theta": TRUE,  # L is the angular momentum there, l the length
-    "x = ell cos(theta)": "unread",
+    "z = ell cos(theta)": "unread",
+    "F = m*a": TRUE,
+    r"\tau = I\alpha": TRUE,
+    "tau = -I*alpha": TRUE,  # counter-clockwise, while the angle grows clockwise
+    "tau_cm = 2*I*alpha": WRONG,
+    "N_w = M*a_y": WRONG,
+    "dL/dt = tau": TRUE,
+    "U = M*g*y": TRUE,
+    "v = ell*omega": UNUSED,
 }
 
 
@@ -199,8 +207,8 @@ def test_a_slip_is_named() -> None:
 def test_what_cannot_be_read_or_decided_is_told_to_a_student() -> None:
     """The letters of the statement and not sixty; the sign that is wrong; no word of the program's."""
     own = tutor("sliding-ladder")
-    unread, open_ = own.judge("v = 2*g").says, own.judge("omega = sqrt(3*g/(2*ell)*(sin(theta_0) - sin(theta)))").says
-    assert "“v”" in unread and "theta_0" in unread and len(unread) < 120 and "input:" not in unread
+    unread, open_ = own.judge("q = 2*g").says, own.judge("omega = sqrt(3*g/(2*ell)*(sin(theta_0) - sin(theta)))").says
+    assert "“q”" in unread and "theta_0" in unread and len(unread) < 120 and "input:" not in unread
     assert "sign of" in open_ and "division" not in open_
 
 
@@ -224,6 +232,14 @@ def test_letters_that_nobody_told_are_read_as_students_mean_them(name: str, line
     judged = tutor(name).judge(line)
     assert (judged.verdict in ACCEPTED) is is_so and (is_so or judged.verdict == WRONG)
     assert "I_O" in tutor("rod-pendulum").letters
+
+
+def test_what_untold_letters_mean_is_told() -> None:
+    assert tutor("sliding-ladder").judge("M*a_x = N_w").says.endswith("Meant: a (ladder, along x).")
+    assert (
+        "2 times" in tutor("rod-pendulum").judge("tau = -M*g*ell*sin(theta)").says
+    )  # about O; about cm it would be another torque
+    assert tutor("disk-on-incline").judge("tau = f*R").says.endswith("Meant: τ (drum, about cm, clockwise).")
 
 
 def test_hints_lead_to_the_end() -> None:
