@@ -334,7 +334,7 @@ def check_paper(
             one.look_at(setting)  # a problem that can't be read is no matter of one formula
     scopes = tuple(OpenClaims(file, own[file.file]) for file in files)
     judged = everything or bool(files and not (claims or said.pairs))
-    walker = PaperChecker(paper, checkers, scopes, said, here, judged)
+    walker = PaperChecker(paper, checkers, scopes, said, here, judged, everything)
     return list(walker.results(bound(paper, claims, said.pairs))), [*paper.text.remarks, *paper.remarks]
 
 

@@ -111,6 +111,13 @@ def test_completions_tell_what_the_registries_hold() -> None:
     assert "velocity of BODY.cm" in found["quantities"]
 
 
+def test_a_pasted_sentence_is_decided(ladder: str) -> None:
+    paper = (
+        r"As $\theta$ falls, $\ddot\theta = -\frac{3g}{4\ell}\cos\theta$, and not $\ddot\theta = -\frac{3g}{2\ell}\cos\theta$."
+    )
+    assert [one["outcome"] for one in asked(do="check", text=ladder, paper=paper)["ok"]] == ["PROVED", "REFUTED"]
+
+
 def test_answers_are_proved(ladder: str) -> None:
     assert [one["verdict"] for one in asked(do="answers", text=ladder)["ok"]] == ["PROVED", "PROVED"]
     others = asked(do="answers", text=ladder, questions=["N_f at the start", "F at the start"])["ok"]

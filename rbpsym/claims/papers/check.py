@@ -154,7 +154,8 @@ class OpenClaims(Frozen):
 
 
 class PaperChecker(Frozen):
-    """Decides the pairs of a paper: claims by their checkers; the rest, if `judged`, in the scope of their place or file."""
+    """Decides the pairs of a paper: claims by their checkers; the rest, if `judged`, in the scope of their place or file; in
+    sentences, too, if they are `asked`."""
 
     paper: Paper
     checkers: dict[str, Checker]
@@ -162,13 +163,14 @@ class PaperChecker(Frozen):
     beside: Beside
     here: Checker
     judged: bool = False
+    asked: bool = False
 
     def results(self, pairs: list[Pair]) -> Iterator[Result]:
         """The results in the paper's order."""
         for pair in pairs:
             if pair.claim:
                 yield self.result(pair.claim, pair.formula)
-            elif self.judged and pair.formula:
+            elif self.judged and pair.formula and (pair.formula.displayed or pair.formula.is_relation or not self.asked):
                 yield self._without_claim(pair.formula)
 
     def scope(self, formula: Formula) -> OpenClaims | None:
@@ -176,9 +178,7 @@ class PaperChecker(Frozen):
         setting = self.beside.setting(formula)
         if setting is not None:
             return OpenClaims(ClaimsFile("", "", "", "", (), setting=setting), self.here)
-        own = [
-            scope for scope in self.scopes if scope.file.text and Path(scope.file.text).name == Path(formula.file).name
-        ]
+        own = [scope for scope in self.scopes if scope.file.text and Path(scope.file.text).name == Path(formula.file).name]
         found = own or self.scopes
         return found[0] if len(found) == 1 else None
 
@@ -216,7 +216,7 @@ class PaperChecker(Frozen):
         scope = self.scope(formula)
         setting = scope.file.setting if scope else None
         claim = Claim(f"unclaimed: {name}", setting or Setting("none"), None, formula.number)
-        asserts = formula.displayed and formula.is_relation
+        asserts = formula.is_relation and (formula.displayed or self.asked)
         blank = Result(
             claim.id,
             formula.number,
@@ -226,7 +226,7 @@ class PaperChecker(Frozen):
             formula.latex,
             Outcome.NOT_COMPUTED,
             not asserts or bool(scope and scope.file.unclaimed),
-            detail=(UNBOUND if asserts else NO_RELATION) if formula.displayed else IN_TEXT,
+            detail=UNBOUND if asserts else NO_RELATION if formula.displayed else IN_TEXT,
         )
         if not asserts or blank.expected:
             return blank
