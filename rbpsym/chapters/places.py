@@ -34,7 +34,8 @@ def coordinates_of(draft: Draft, ref: PointRef) -> Pair | None:
     if (x or y) and body.angle is None:
         return None
     angle = body.angle if body.angle is not None else t.ZERO
-    (px, py), cos, sin = body.placed[1], t.Fn("cos", angle), t.Fn("sin", angle)
+    waves = (t.Fn(name, angle) for name in ("cos", "sin"))
+    (px, py), (cos, sin) = body.placed[1], (wave if t.names(angle) else present(scalar(wave)) for wave in waves)
     return (t.add(px, *_signed(x, cos), *_signed(y, sin, -1)), t.add(py, *_signed(x, sin), *_signed(y, cos)))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rbpsym.chapters.methods.balances import TURNING, Balance, Plan, outer_forces, plan, silent_forces
 from rbpsym.errors import LimitError
@@ -199,13 +199,14 @@ def _kept_momentum(draft: Draft, balance: Balance, pushed: Step) -> None:
 
 
 def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
-    """The accelerations, from one equation each where that is enough."""
+    """The accelerations, from one equation each where that is enough; first those that vanish, which the others rest on."""
     solution = solve_linear([b.row for b in found.balances], found.unknowns)
     values = {n: solution.values[n] for n in draft.study.system.accelerations}
-    for name, value in values.items():
-        premises = _sources(draft, found, steps, name)
-        coordinate = name.removesuffix("_ddot")
-        draft.add(
+    zeros: dict[str, Step] = {}
+    for name in sorted(values, key=lambda name: bool(values[name])):
+        value, coordinate = values[name], name.removesuffix("_ddot")
+        premises = _sources(found, steps, name, zeros)
+        step = draft.add(
             f"motion.{coordinate}",
             "solution",
             t.equation(t.Sym(name), *_as_second_rate(draft, coordinate), draft.show(value, factor=True)),
@@ -217,6 +218,8 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
             coordinate=t.Sym(coordinate),
             acceleration=acceleration_symbol(coordinate),
         )
+        if not value:
+            zeros[name] = step
     return values
 
 
@@ -226,15 +229,21 @@ def _as_second_rate(draft: Draft, coordinate: str) -> tuple[t.Node, ...]:
     return (t.Deriv(t.Sym(coordinate), "t", 2),) if has_letter else ()
 
 
-def _sources(draft: Draft, found: Plan, steps: list[Step], name: str) -> list[str]:
-    """The one equation that holds no other unknown, with those that say of its others that they are zero; else all."""
-    zeros = {n for n in draft.study.system.accelerations if n != name and _vanishes(draft, n)}
-    for known in (set(), zeros):
-        for own, balance in zip(steps, found.balances, strict=True):
-            if balance.unknowns - known == {name}:
-                pairs = zip(steps, found.balances, strict=True)
-                return [s.id for s, b in pairs if s is own or (known and b.unknowns <= known)]
-    return [s.id for s in steps]
+def _sources(found: Plan, steps: list[Step], name: str, zeros: Mapping[str, Step]) -> list[str]:
+    """Those equations that say it, none of which can be left out, and what says of accelerations in them that they vanish."""
+    kept = dict(enumerate(found.balances))
+    for k in reversed(range(len(steps))):
+        fewer = [_without(balance.row, zeros) for other, balance in kept.items() if other != k]
+        if _gives(fewer, found.unknowns, name):
+            del kept[k]
+    in_them = frozenset().union(*(balance.unknowns for balance in kept.values()))
+    return [steps[k].id for k in kept] + [step.id for zero, step in zeros.items() if zero in in_them]
+
+
+def _gives(rows: list[Scalar], unknowns: Sequence[str], name: str) -> bool:
+    """Whether the equations determine the unknown."""
+    value = solve_linear(rows, unknowns, keep_free=True).values.get(name)
+    return value is not None and not names_in(value) & set(unknowns)
 
 
 def _vanishes(draft: Draft, name: str) -> bool:
