@@ -17,7 +17,7 @@ from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import spare, stops
-from rbpsym.mechanics.roots import At, common_zeros
+from rbpsym.mechanics.roots import At, common_zeros, factors_in
 from rbpsym.mechanics.system import System
 from rbpsym.mechanics.ways import taken
 
@@ -87,7 +87,8 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
             doubt = "where the forces balance, something else has no value"
         places += [] if doubt or valid is None else [(at, valid)]
         doubts += [doubt] if doubt else []
-    open_ = tuple(f for f in found.open_ if _may_vanish(f, names, [at for at, _ in places], given))
+    parts = (part for value in found.open_ for part in factors_in(value, *names))
+    open_ = tuple(part for part in parts if _may_vanish(part, names, [at for at, _ in places], given))
     doubts += ["an equation was not solved in closed form"] if open_ else []
     return Rest(tuple(places), None if doubts else True, "; ".join(dict.fromkeys(doubts)), open_)
 

@@ -35,7 +35,7 @@ def over(head: t.Div, sums: list[Piece], behind: list[t.Node]) -> t.Node:
     Short sums of parameters stand above the bar; where nothing else does, unknowns or any short sums do.
     """
     top = [node for node, moving in sums if not moving and is_short(node)]
-    if head.num == t.ONE and not top:
+    if isinstance(head.num, t.Num) and not top:
         top = [node for node in behind if isinstance(powered(node)[0], t.Sym)]
         top = top or [node for node, _ in sums if all(is_short(node) for node, _ in sums)]
     rest = [node for node in (*behind, *(node for node, _ in sums)) if node not in top]

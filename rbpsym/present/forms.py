@@ -216,7 +216,10 @@ def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
 def _signed(c: Coefficient, m: Monomial, style: Style) -> t.Node:
     before, behind = split(m, style)
     behind, tangents = _tangents(behind, style)
-    node = t.mul(_monomial_node(size_of(c), before, style, is_quadratic(behind)), *_powers(behind, style))
+    head, powers = _monomial_node(size_of(c), before, style, is_quadratic(behind)), _powers(behind, style)
+    node = t.mul(head, *powers)
+    if isinstance(head, t.Div) and isinstance(head.num, t.Num) and bars.is_over_parameter(head):  # x²/p, not (1/p) x²
+        node = bars.over(head, [], powers)
     deeper = tuple((i, -e) for i, e in behind if e < 0)
     if deeper:
         node = _with_denominator(size_of(c), before, behind, style)
@@ -267,7 +270,15 @@ def _monomial_node(c: Coefficient, m: Monomial, style: Style, number_in_front: b
 def _powers(m: Monomial, style: Style) -> list[t.Node]:
     """The positive powers of a monomial as factors in textbook order."""
     ordered = sorted((item for item in m if item[1] > 0), key=lambda item: atom_key(item[0], style))
-    return [t.power(atom_node(index, style), exponent) for index, exponent in ordered]
+    return [_power(index, exponent, style) for index, exponent in ordered]
+
+
+def _power(index: int, exponent: int, style: Style) -> t.Node:
+    """A power of an atom; that of an exponential in its argument."""
+    found = atoms.atom(index)
+    if found.kind == "exp" and exponent != 1:
+        return t.Fn("exp", present(found.arg * exponent, style, factor=True))
+    return t.power(atom_node(index, style), exponent)
 
 
 def atom_node(index: int, style: Style = PLAIN) -> t.Node:

@@ -105,7 +105,9 @@ class _Text(Printer):
     def row(self, box: b.Row) -> str:
         texts = [self(item) for item in box.items]
         for position, item in enumerate(box.items):
-            if isinstance(item, b.Times) and _needs_gap(box.items, texts, position):
+            if isinstance(item, b.Times) and texts[position + 1][:1].isdigit():
+                texts[position] = "·"
+            elif isinstance(item, b.Times) and _needs_gap(box.items, texts, position):
                 texts[position] = " "
         return "".join(texts)
 

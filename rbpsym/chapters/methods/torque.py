@@ -218,8 +218,9 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
             coordinate=t.Sym(coordinate),
             acceleration=acceleration_symbol(coordinate),
         )
-        if not value:
-            zeros[name] = step
+        if not value:  # what says it alone is cited, rather than its solution
+            pairs = zip(steps, found.balances, strict=True)
+            zeros[name] = next((own for own, balance in pairs if balance.unknowns == {name}), step)
     return values
 
 
@@ -237,7 +238,9 @@ def _sources(found: Plan, steps: list[Step], name: str, zeros: Mapping[str, Step
         if _gives(fewer, found.unknowns, name):
             del kept[k]
     in_them = frozenset().union(*(balance.unknowns for balance in kept.values()))
-    return [steps[k].id for k in kept] + [step.id for zero, step in zeros.items() if zero in in_them]
+    said = [step.id for zero, step in zeros.items() if zero in in_them]
+    own = [step.id for k, step in enumerate(steps) if k in kept or step.id in said]
+    return own + [id for id in said if id not in own]
 
 
 def _gives(rows: list[Scalar], unknowns: Sequence[str], name: str) -> bool:
