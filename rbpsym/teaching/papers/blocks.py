@@ -57,6 +57,7 @@ class Form(OwnBlock):
 
 
 ONE_PAGE = 17.0  # cm: what is surely not higher than a page, though it is estimated only
+KEPT = 8.0  # cm: what is higher than that leaves too much of a page empty where it does not fit
 LINE, ROW, LETTERS_A_LINE = 0.5, 1.2, 80
 
 
@@ -66,8 +67,13 @@ def height(blocks: Iterable[Block]) -> float:
 
 
 def fits_a_page(blocks: Iterable[Block]) -> bool:
-    """Whether a task can be kept together."""
+    """Whether a task has no more than a page."""
     return height(blocks) <= ONE_PAGE
+
+
+def is_kept(blocks: Iterable[Block]) -> bool:
+    """Whether a task is kept together."""
+    return height(blocks) <= KEPT
 
 
 def rows(node: t.Node) -> int:

@@ -13,7 +13,7 @@ from rbpsym.document.writers.page import Page, Print, page_for, shell
 from rbpsym.expr.tree import Node
 from rbpsym.pictures.figures.tikz import tikz_styles
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules, fits_a_page, height
+from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules, height, is_kept
 from rbpsym.teaching.papers.layout import head
 from rbpsym.typeset.escaping import latex_text
 from rbpsym.typeset.latex import PREAMBLE, render
@@ -43,7 +43,7 @@ def _sections(document: Document, page: Page) -> list[str]:
         before = replace(part, blocks=part.blocks[:first])
         found.append(section(before, page) if before.blocks or before.title else "")
         own = part.blocks[first:]
-        room = f"\\needspace{{{height(own):.1f}cm}}\n" if fits_a_page(own) else ""
+        room = f"\\needspace{{{height(own):.1f}cm}}\n" if is_kept(own) else ""
         found.append(f"{room}\\begin{{tasks}}\n{blocks(own, page)}\n\\end{{tasks}}")
     return [text for text in found if text]
 

@@ -11,7 +11,7 @@ from rbpsym.document.writers.typst import TYPST, blocks, cell_content, spoken
 from rbpsym.document.writers.typst import section as titled_section
 from rbpsym.expr.tree import Node
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules, fits_a_page
+from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules, fits_a_page, is_kept
 from rbpsym.teaching.papers.layout import head
 from rbpsym.typeset.escaping import typst_string, typst_text
 from rbpsym.typeset.typst import render, to_typst
@@ -29,9 +29,10 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
 
 
 def kept(part: Section, page: Page) -> str:
-    """A section; one without a title is its blocks, kept on one page if they fit one."""
+    """A section; one without a title is its blocks, kept on one page if that leaves not too much of another empty."""
     text = titled_section(part, page) if part.title else blocks(part.blocks, page)
-    return f"#block(breakable: false, width: 100%, above: 1em)[\n{text}\n]\n" if _is_task(part) else text
+    whole = "false" if is_kept(part.blocks) else "true"
+    return f"#block(breakable: {whole}, width: 100%, above: 1em)[\n{text}\n]\n" if _is_task(part) else text
 
 
 def section(part: Section, page: Page) -> str:
