@@ -147,10 +147,12 @@ def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
     teller = telling.Teller(said)
     if derivation.study.system.unknowns:
         yield from _intro("torque", derivation, said)
-    for (phrase, _), group in groupby(steps, key=manner_of_solution):
-        found = list(group)
+    order = [step.id for step in derivation.steps]
+    for found in solved_together(steps):
+        phrase = found[0].phrase
         slots = {name: [step.slots.get(name[:-1]) for step in found] for name in ("accelerations", "coordinates")}
-        sources = list(dict.fromkeys(source for step in found for source in step.slots.get("sources", ())))
+        named = dict.fromkeys(source for step in found for source in step.slots.get("sources", ()))
+        sources = sorted(named, key=lambda source: order.index(source.id))
         together = teller.together(found, f"{phrase}_all", sources=sources, **slots)
         yield from together if phrase in SOLUTIONS else teller.steps(found)
 
@@ -158,9 +160,17 @@ def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
 SOLUTIONS = ("torque.solved", "torque.solved_zero")
 
 
-def manner_of_solution(step: Step) -> tuple[str, frozenset[str]]:
-    """What accelerations that are found together have in common."""
-    return step.phrase, frozenset(step.reasons if step.phrase == "torque.solved" else ())
+def solved_together(steps: Iterable[Step]) -> list[list[Step]]:
+    """Steps that are told together: accelerations that vanish, and those of which each is solved from an equation of another."""
+    groups: list[list[Step]] = []
+    for step in steps:
+        last = groups[-1] if groups else []
+        alike = bool(last) and last[0].phrase == step.phrase
+        if alike and (step.phrase != "torque.solved" or any(set(step.reasons) & set(other.reasons) for other in last)):
+            last.append(step)
+        else:
+            groups.append([step])
+    return groups
 
 
 def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -8,7 +8,7 @@ from itertools import chain, groupby
 from typing import Any
 
 from rbpsym.chapters.endings import begun
-from rbpsym.document.chapters import chapter_blocks, chapter_sections, manner_of_solution
+from rbpsym.document.chapters import chapter_blocks, chapter_sections, solved_together
 from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.needless import is_struck, owed_by
 from rbpsym.document.telling import Teller
@@ -87,7 +87,7 @@ def _motion_again(derivation: Derivation, own: Words) -> Iterator[Block]:
     """That the equations of motion of an earlier phase hold again."""
     found = [step for step in derivation.chapter("motion") if step.rule == "solution" and step.id in own.elsewhere]
     if found:
-        count = len(set(map(manner_of_solution, found)))
+        count = len(solved_together(found))
         yield Paragraph(own.say("phases.same_motion", equations=[StepRef(step.id) for step in found], count=count))
 
 

@@ -270,15 +270,7 @@ def _monomial_node(c: Coefficient, m: Monomial, style: Style, number_in_front: b
 def _powers(m: Monomial, style: Style) -> list[t.Node]:
     """The positive powers of a monomial as factors in textbook order."""
     ordered = sorted((item for item in m if item[1] > 0), key=lambda item: atom_key(item[0], style))
-    return [_power(index, exponent, style) for index, exponent in ordered]
-
-
-def _power(index: int, exponent: int, style: Style) -> t.Node:
-    """A power of an atom; that of an exponential in its argument."""
-    found = atoms.atom(index)
-    if found.kind == "exp" and exponent != 1:
-        return t.Fn("exp", present(found.arg * exponent, style, factor=True))
-    return t.power(atom_node(index, style), exponent)
+    return [t.power(atom_node(index, style), exponent) for index, exponent in ordered]
 
 
 def atom_node(index: int, style: Style = PLAIN) -> t.Node:
