@@ -73,6 +73,9 @@ def _chapters(draft: Draft) -> dict[str, Mapping[str, Scalar] | None]:
     if draft.study.problem.is_at_rest:
         _written(draft, moments.write)
         return {}
+    if draft.study.problem.unstated:
+        _written(draft, kinematics.write)
+        return {}
     if draft.study.at_start:
         all(_written(draft, write) for write in THERE)
         return {}
@@ -126,6 +129,8 @@ def _carried_out(draft: Draft, name: str, method: Callable[[Draft], Mapping[str,
 
 def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None], simulation: bool) -> Derivation:
     study = draft.study
+    if study.problem.unstated:  # of forces nothing is said that could be looked at on another road
+        return Derivation(study, tuple(draft.steps), tuple(draft.skipped), {}, letters=draft.context)
     report = _simulated(draft) if simulation and not study.problem.is_at_rest else None
     lagrange = start_verdict(study) if study.at_start else lagrange_verdict(study.system, study.dynamics, study.assumptions)
     agreed, letters = agreement(study, found) if found else {}, draft.context

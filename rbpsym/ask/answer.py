@@ -28,6 +28,7 @@ from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.led import put
 from rbpsym.mechanics.solutions import SMALL
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.unsolvable import untold
 from rbpsym.quantity.bound import Bound, parts, plane
 from rbpsym.quantity.path import even, first_push, gathered, sense, work_by_energy, work_done
 from rbpsym.quantity.problem import ProblemWorld
@@ -84,6 +85,13 @@ def _meant(world: ProblemWorld, question: Question) -> Bound:
     with suppress(ReadError):  # a formula in the names of the problem
         dimension_of(read_infix(question.quantity, world.names), world.dimensions)
     return plane(world.vector(question.quantity)) if question.is_direction and len(parts(found)) == 1 else found
+
+
+def _unsolved(study: Study, name: str) -> StatementError:
+    """Why nothing is known of an acceleration or an unknown force."""
+    if study.problem.unstated:
+        return untold(study.system, name)
+    return NoClosedForm(f"no closed form was found for {name}", instead=BY_NUMBERS)
 
 
 Works = Mapping[str, tuple[Scalar, Scalar]]
@@ -194,12 +202,15 @@ def _at(world: ProblemWorld, named: Sequence[Scalar], works: Works, moment: Mome
 
 def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Question) -> Scalar:
     """The value, which must hold nothing that moves. Raises StatementError."""
+    study = world.study
     moving = names_in(value) & {*world.motion.scope.rates, *world.motion.unsettled, *world.motion.speeds}
     moving -= {"t"} if moment.how == "time" else set()
     if moving:
         name = min(moving)
         if name == "t":
             raise NoClosedForm(f"“{question.quantity}” depends on the time, which is not known there", instead=BY_NUMBERS)
+        if study.problem.unstated and name in study.system.unsettled:
+            raise _unsolved(study, name)
         if moment.state.places.get(name.removesuffix("_dot")) == symbol(name.removesuffix("_dot")):
             raise NoClosedForm(f"“{question.quantity}” depends on {name}, for which no closed form was found", instead=BY_NUMBERS)
         raise StatementError(
@@ -247,7 +258,7 @@ def _along(asked: Asked, question: Question) -> Found:
     values = tuple(short(world.motion.moved(substitute(value, closed))) for value in named)
     unsolved = next((n for value in values for n in world.motion.unsettled if depends_on(value, n)), None)
     if unsolved is not None:
-        raise NoClosedForm(f"no closed form was found for {unsolved}", instead=BY_NUMBERS)
+        raise _unsolved(study, unsolved)
     if question.of == "t" and moving_in(world, values) - {"t"}:
         return _in_time(asked, question, place)
     found = Found(study, named, values, "state" if moving_in(world, values) else "", works=works, about=bound.about)

@@ -20,7 +20,7 @@ from rbpsym.ask.senses import under, whichever
 from rbpsym.ask.special import special_problem, with_coefficient
 from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
-from rbpsym.field import granted
+from rbpsym.field import depends_on, granted
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import stops
@@ -28,6 +28,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import Bound, number
+from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Problem
 from rbpsym.typeset.machine import to_machine
 
@@ -154,11 +155,30 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     try:
         with granted(MOST_PRODUCTS):
             other, plain, given = in_letters(with_coefficient(asked, text), text)
-            found = _whole(other, plain, letter)
+            found = _stated(other, plain, letter)
             given = {**found.given, **given}
             return found if plain == text else replace(found, question=replace(found.question, text=text), given=given)
     except WorkSpent as error:
         raise WorkSpent(f"“{text}”: {error.what}", instead=LESS) from None
+
+
+def _stated(asked: Asked, plain: str, letter: str) -> Answer:
+    """The answer, which hangs on no mass that the statement leaves out, as forces do. Raises StatementError for one that does."""
+    problem = asked.problem
+    try:
+        found = _whole(asked, plain, letter)
+    except (StatementError, ReadError):
+        forces = {name for element in problem.constraints for name in (element.name, *unknowns_of(element))}
+        if problem.unstated and forces & set(re.findall(r"(?<![.\w])\w+(?![.\w])", plain)):
+            raise StatementError(f"“{plain}” is a force: it hangs on masses, which are not stated", instead=ADD_MASSES) from None
+        raise
+    missed = [name for name in problem.unstated if any(depends_on(value, name) for value in found.values)]
+    if missed:
+        raise StatementError(f"“{plain}” hangs on masses, which are not stated ({', '.join(missed)})", instead=ADD_MASSES)
+    return found
+
+
+ADD_MASSES = 'give each body its mass = "M".'
 
 
 def _whole(asked: Asked, text: str, letter: str) -> Answer:

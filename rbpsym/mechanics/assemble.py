@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rbpsym.errors import StatementError, Undecided, there
 from rbpsym.expr.tree import Node
-from rbpsym.field import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
+from rbpsym.field import NOTHING, ONE, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
 from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS
@@ -39,6 +39,8 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     try:
         tied = tie(problem, inertias, given, names)
         system = _assembled(problem, inertias, given, tied, free=free)
+        if any(state.pose.angle.den is not ONE and depends_on(state.pose.angle, CLOCK) for state in system.bodies.values()):
+            raise Undecided("an angle that the time leads is a quotient with a sum below")
     except Undecided:  # an angle that others lead may hold a sum in its denominator: it leads them
         tied = tie(problem, inertias, given, names, is_whole=True)
         system = _assembled(problem, inertias, given, tied, free=free)
@@ -172,10 +174,12 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in names}
     start |= _tied_starts(names, tied, problem, start)
-    led = [c for c in problem.coordinates if c.name in tied.solved and c.speed is not None]
+    led = sorted((c for c in problem.coordinates if c.name in tied.solved and c.speed is not None), key=_moves)  # the last one tells
     leads = [(n, c) for c in led for n in independent if names_in(tied.solved[c.name]) & {*names} == {n}]
-    start |= {f"{n}_dot": scalar(there(c.speed)) / derivative(tied.solved[c.name], n) for n, c in leads}
-    start |= {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent}
+    slopes = {n: substitute(derivative(tied.solved[c.name], n), start) for n, c in leads}
+    start |= {f"{n}_dot": scalar(there(c.speed)) / slopes[n] for n, c in leads if slopes[n]}
+    told = {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent}
+    start |= {speed: value for speed, value in told.items() if value or speed not in start}  # 0 where nothing is said
     return Meanings(rates=rates, start=start), independent
 
 

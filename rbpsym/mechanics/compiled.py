@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from rbpsym.errors import StatementError
+from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.field import Scalar
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.unsolvable import untold
 from rbpsym.statement.model import Problem
 
 Compiled = Callable[..., Any]
@@ -55,10 +56,13 @@ def compiled_accelerations(problem: Problem | Study, numbers: Mapping[str, float
 def compiled_rates(study: Study, numbers: Mapping[str, float], others: Sequence[str] = ()) -> Compiled:
     """f(t, y, *values) → ẏ for y = (q, u): the rates of all coordinates and of the independent speeds, a numpy array.
 
-    `values` are those of the parameters `others`. Raises StatementError for a parameter that has no value.
+    `values` are those of the parameters `others`. Raises StatementError for a parameter that has no value, NotApplicable
+    where masses are not stated and a coordinate is free.
     """
     import numpy as np
 
+    if study.problem.unstated and study.system.independent:
+        raise NotApplicable(untold(study.system).what)
     evaluate, size = compiled_values(study, entries_of(study), numbers, others), len(study.system.speeds)
 
     def rates(t: float, y: Sequence[float], *values: float) -> Any:

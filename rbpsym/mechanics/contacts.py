@@ -99,8 +99,8 @@ def _side(element: Element, geometry: Geometry, body: str) -> int:
 
 
 def taken(element: Element, geometry: Geometry) -> tuple[Scalar, ...]:
-    """What is positive where a side that is not stated is the one that is taken."""
-    if element.values.get("side") != "auto":
+    """What is positive where a side that is not stated is the one that is taken; of a point that is held to both, nothing."""
+    if element.values.get("side") != "auto" or (element.values.get("held") and "point" in element.values):
         return ()
     if element.values.get("circle") is not None:
         found = [_outside(element, geometry, geometry.where(element["circle"]))]

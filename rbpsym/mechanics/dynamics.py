@@ -119,7 +119,11 @@ def _inertial(system: System, along: Along, still: Mapping[str, Twist], r: int) 
 
 
 def solve(system: System) -> Dynamics:
-    """Accelerations and unknown forces. Raises StatementError if the statement does not determine them."""
+    """Accelerations and unknown forces; none of these where masses are not stated, and the motion is given as far as it is
+    known. Raises StatementError if the statement does not determine them."""
+    if system.problem.unstated:  # 0 q̈ = 0
+        nothing = (NOTHING,) * len(system.independent)
+        return Dynamics((nothing,) * len(nothing), nothing, None if nothing else {}, {}, {}, {})
     mass, forcing, ideal = equations_of_motion(system)
     if not all(ideal.values()):
         return _solve_together(system, mass, ideal)
@@ -171,8 +175,10 @@ def _accelerations(system: System, mass: Matrix, forcing: tuple[Scalar, ...]) ->
 
 
 def newton_euler_rows(system: System) -> list[tuple[str, str, Scalar]]:
-    """(body, "x"|"y"|"rotation", value) of m A - F = 0 and I α - τ_cm = 0 for every body."""
-    rows = []
+    """(body, "x"|"y"|"rotation", value) of m A - F = 0 and I α - τ_cm = 0 for every body; nothing where masses are not stated."""
+    rows: list[tuple[str, str, Scalar]] = []
+    if system.problem.unstated:
+        return rows
     for name, state in system.bodies.items():
         push = state.acceleration * state.mass
         turn = state.moment * state.alpha

@@ -113,7 +113,9 @@ def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
 
 
 def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
-    """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq."""
+    """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq; None where masses are not stated."""
+    if system.problem.unstated:
+        return None
     if system.has_clock:
         return relative_energy(system, dynamics)
     total = sum(kinetic_energy(system), NOTHING)

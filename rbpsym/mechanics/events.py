@@ -67,7 +67,7 @@ class Way(Frozen):
 
 def pushes(element: Element) -> tuple[str, ...]:
     """The unknown forces of an element that can push (or pull) only: normal forces, tensions."""
-    if not JOINTS[element.kind].is_one_sided or element.values.get("rigid"):
+    if not JOINTS[element.kind].is_one_sided or element.values.get("rigid") or element.values.get("held"):
         return ()
     return tensions(element) if element.kind == "string" else (element.name,)
 

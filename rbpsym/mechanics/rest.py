@@ -58,6 +58,8 @@ def unfit(system: System, dynamics: Dynamics) -> str:
 
 def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     """All positions of rest, as far as closed forms go."""
+    if system.problem.unstated:
+        return Rest(complete=None, reason="masses are not stated")
     reason = unfit(system, dynamics)
     forces = resting_forces(system, dynamics)
     if system.implicit and all(map(is_zero, forces)):

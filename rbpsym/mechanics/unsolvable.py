@@ -20,6 +20,15 @@ SEEN = 1e-6  # of the largest term: what is clearly not zero in numbers
 HOLDS = {"": "force or couple", "x": "force along x", "y": "force along y", "rotation": "couple"}
 
 
+def untold(system: System, name: str = "") -> StatementError:
+    """An acceleration, that of the first free coordinate if none is named, of which nothing is known without masses."""
+    coordinate = name.removesuffix("_ddot") or system.independent[0]
+    return StatementError(
+        f"the acceleration of {coordinate} is not stated, nor are masses from which it would follow",
+        instead=f'write in [coordinates.{coordinate}] acceleration = "0" where its speed stays, else what it is.',
+    )
+
+
 def indistinct(system: System, free: tuple[str, ...]) -> StatementError:
     """Unknown forces (or accelerations) that the equations leave open."""
     names = " and ".join(free) if len(free) < 3 else ", ".join(free[:-1]) + f" and {free[-1]}"

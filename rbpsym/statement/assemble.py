@@ -10,6 +10,7 @@ from rbpsym.errors import StatementError
 from rbpsym.quantities import Quantity
 from rbpsym.statement.bodies import read_bodies
 from rbpsym.statement.checks import check_names_differ, check_problem, check_unknowns
+from rbpsym.statement.completing import drives, with_masses
 from rbpsym.statement.elements import Surroundings
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
@@ -29,7 +30,7 @@ SECTIONS: dict[str, str] = {
     "level": "for whom it is, or that by language",
     "topic": "what it teaches, or that by language",
     "parameters": 'constants: name = "dimension: meaning"',
-    "coordinates": "what tells the position: meaning, dimension, start, speed, range",
+    "coordinates": "what tells the position: meaning, dimension, start, speed, acceleration, range",
     "points": 'fixed points: Q = ["a", "0"]',
     "bodies": "shape, mass, sizes, pose",
     "interactions": "forces and couples that are known laws",
@@ -49,6 +50,7 @@ def assemble(table: SourceTable, name: str) -> Problem:
     """The problem that the table of a file (or of Python) states."""
     table.check_keys(SECTIONS, "the problem")
     check_names_differ(table)
+    table, unstated = with_masses(table)
     parameters = tuple(read_parameters(table))
     scope = _scope_of(parameters)
     reader = CoordinateReader(table, scope)
@@ -60,7 +62,7 @@ def assemble(table: SourceTable, name: str) -> Problem:
     scope = replace(scope, points=_points(table, scope))
     beginning = replace(scope, starts={c.name: c.start for c in coordinates if c.start is not None})
     bodies = read_bodies(table, beginning)
-    around = Surroundings(scope, bodies)
+    around = Surroundings(scope, bodies, bool(unstated))
     interactions, constraints = read_both(table, replace(around, scope=beginning))
     problem = Problem(
         name=table.string("name") or name,
@@ -68,14 +70,15 @@ def assemble(table: SourceTable, name: str) -> Problem:
         coordinates=coordinates,
         bodies=tuple(bodies.values()),
         interactions=interactions,
-        constraints=constraints,
+        constraints=(*(led := drives(coordinates, bodies)), *constraints),
         points=scope.points,
         origins=_origins(table, around),
         implicit=tuple(reader.implicit),
+        unstated=unstated,
         **_about(table, name),
     )
     check_problem(problem, table)
-    problem = replace(problem, phases=read_phases(table, problem, around))
+    problem = replace(problem, phases=read_phases(table, problem, around, led))
     for phase in problem.phases:
         check_unknowns(phase.problem, table)
     check_translated_names(problem, table)

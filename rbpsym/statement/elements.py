@@ -14,10 +14,11 @@ from rbpsym.statement.source import SourceItem, SourceTable, did_you_mean, kind_
 
 
 class Surroundings(Frozen):
-    """What a field may refer to."""
+    """What a field may refer to; where masses `are_unstated`, contacts and strings hold to both sides."""
 
     scope: Scope
     bodies: Mapping[str, Body]
+    are_unstated: bool = False
 
 
 def read_elements(
@@ -34,6 +35,7 @@ def read_element(table: SourceTable, name: str, kinds: Mapping[str, ElementKind]
     where = f"{kind.name} “{name}”"
     table.check_keys(["type", *(field.name for field in kind.fields)], where)
     values = {field.name: _field(field, table, name, where, around) for field in kind.fields}
+    values |= {"held": True} if around.are_unstated else {}
     element = Element(name, kind.name, values, table.source.key(table.path))
     for rule in kind.rules:
         element = rule(element, around.scope, around.bodies) or element  # most rules only refuse

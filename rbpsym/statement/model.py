@@ -21,7 +21,7 @@ Pair = tuple[Node, Node]
 
 
 class Coordinate(Frozen):
-    """A generalized coordinate: its quantity, start value, start speed and range (or None)."""
+    """A generalized coordinate: its quantity, start value, start speed, range, and the acceleration that it keeps (or None)."""
 
     quantity: Quantity
     start: Node | None = None
@@ -29,6 +29,7 @@ class Coordinate(Frozen):
     lower: Node | None = None
     upper: Node | None = None
     place: Place | None = field(default=None, compare=False, repr=False)
+    acceleration: Node | None = None
 
     @property
     def name(self) -> str:
@@ -230,7 +231,8 @@ class Problem(Shown):
     wanted. `meanings` and `names` hold translations, by language and name; `example` values with units,
     by parameter; `claims` what a source says, as data; `questions` what is asked, with its words by
     language. `implicit` names the constants that no
-    one declared: a coordinate starts at them. `text` is the source that it was read from, if it was.
+    one declared: a coordinate starts at them, `unstated` the masses that no one stated. `text` is the
+    source that it was read from, if it was.
     """
 
     name: str
@@ -252,6 +254,7 @@ class Problem(Shown):
     level: str = ""
     topic: str = ""
     implicit: tuple[str, ...] = ()
+    unstated: tuple[str, ...] = ()
     phases: tuple[Phase, ...] = ()
     file: str = field(default="", compare=False)
     text: str = field(default="", compare=False, repr=False)

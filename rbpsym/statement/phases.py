@@ -42,8 +42,11 @@ PHASE_KEYS = {
 }
 
 
-def read_phases(table: SourceTable, problem: Problem, around: Surroundings) -> tuple[Phase, ...]:
-    """The phases after the first, each with the problem that then holds (its start is left to the mechanics)."""
+def read_phases(
+    table: SourceTable, problem: Problem, around: Surroundings, led: tuple[Element, ...] = ()
+) -> tuple[Phase, ...]:
+    """The phases after the first, each with the problem that then holds (its start is left to the mechanics); what leads
+    coordinates with given accelerations goes on."""
     current = {section: dict(table.table(section, section).data) for section in KINDS}
     found: list[Phase] = []
     names = {q.name: "a parameter" for q in problem.parameters} | {c.name: "a coordinate" for c in problem.coordinates}
@@ -59,7 +62,7 @@ def read_phases(table: SourceTable, problem: Problem, around: Surroundings) -> t
         impulses = tuple(
             _checked(e, row, names) for e in read_elements("impulses", row, IMPULSES, around)
         )
-        then = replace(problem, interactions=interactions, constraints=constraints)
+        then = replace(problem, interactions=interactions, constraints=(*led, *constraints))
         found.append(Phase(name, event, subject, impulses, then, value))
         if event == "begins":
             _check_begins(row, found[-1])

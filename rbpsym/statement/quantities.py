@@ -17,7 +17,7 @@ from rbpsym.statement.scope import Scope, read_expression, read_text
 from rbpsym.statement.source import SIGNS, SourceItem, SourceTable, did_you_mean, for_a_dimension, kind_of
 
 _PARAMETER_KEYS = ("dimension", "meaning", "sign", "range", "glyph")
-_COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "range", "glyph")
+_COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "acceleration", "range", "glyph")
 _EXAMPLE = (
     'write it as "length: radius of the disk", "mass, nonnegative: mass of the rod" or "length > a: outer radius"'
 )
@@ -172,7 +172,10 @@ class CoordinateReader:
         if isinstance(start, Neg) and lower is not None and (own := self.implicit.get(getattr(start.arg, "name", ""))):
             self.implicit[own.name] = replace(own, upper=neg(lower))
         speed = self._speed(table, where, dimension / TIME, name)
-        return Coordinate(quantity, start, speed, lower, upper, table.source.key(table.path))
+        gain = self._value(table, "acceleration", f"acceleration of {where}", dimension / TIME**2, f"acceleration of {name}")
+        if gain is not None:
+            table.require("start", f"{where}, whose acceleration is given,", "say where it begins: a value, or a name.")
+        return Coordinate(quantity, start, speed, lower, upper, table.source.key(table.path), gain)
 
     def _speed(self, table: SourceTable, where: str, dimension: Dimension, name: str) -> Node | None:
         if "speed" not in table and "start" not in table:

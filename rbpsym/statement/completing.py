@@ -1,0 +1,95 @@
+"""What a statement of kinematics leaves unsaid: masses that no answer needs, and what drives a coordinate of given acceleration.
+
+Both are put into the tables, so that all that reads a statement finds them as if its author had written them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from rbpsym.errors import StatementError
+from rbpsym.expr.tree import ONE, ZERO, Div, Node, Num, Pow, Sym, add, mul, names, renamed
+from rbpsym.frozen import replace
+from rbpsym.statement.model import Body, Coordinate, Element, Pair, PointRef
+from rbpsym.statement.scope import CLOCK
+from rbpsym.statement.source import SourceTable
+
+WEIGHTS, T = ("mass", "density"), Sym(CLOCK)
+
+
+def with_masses(table: SourceTable) -> tuple[SourceTable, tuple[str, ...]]:
+    """The table with a letter for each mass (and given moment of inertia) that is left out, and these letters: where nothing
+    acts on bodies that are held or driven, the motion may be given."""
+    moves = any(table.data.get(section) for section in ("coordinates", "constraints"))
+    if table.data.get("interactions") or not moves or not isinstance(table.data.get("bodies"), Mapping):
+        return table, ()
+    letters: dict[str, str] = {}
+    bodies = {name: _weighed(name, body, letters) for name, body in table.data["bodies"].items()}
+    parameters = {**(table.data.get("parameters") or {}), **letters}
+    return replace(table, data={**table.data, "bodies": bodies, "parameters": parameters}), tuple(letters)
+
+
+def _weighed(name: str, body: Any, letters: dict[str, str]) -> Any:
+    """The table of a body with its mass; parts of a composite have one each, unless something is cut out."""
+    if not isinstance(body, Mapping) or any(key in body for key in WEIGHTS):
+        return body
+    parts = body.get("parts")
+    if isinstance(parts, list) and all(isinstance(part, Mapping) for part in parts):
+        if any(key in part for part in parts for key in WEIGHTS):
+            return body
+        if not any(part.get("removed") for part in parts):
+            return {**body, "parts": [_weighed(f"{name}_{k}", part, letters) for k, part in enumerate(parts, 1)]}
+    letters[f"m_{name}"] = f"mass: mass of the {name}, which is not stated"
+    own = {**body, "mass": f"m_{name}"}
+    if body.get("shape") == "given" and "moment" not in body:
+        letters[f"I_{name}"] = f"moment of inertia: moment of inertia of the {name}, which is not stated"
+        own["moment"] = f"I_{name}"
+    return own
+
+
+def drives(coordinates: Iterable[Coordinate], bodies: Mapping[str, Body]) -> tuple[Element, ...]:
+    """What leads the coordinates of which an acceleration is given."""
+    known = tuple(coordinates)
+    return tuple(drive(c, c.acceleration, bodies, known) for c in known if c.acceleration is not None)
+
+
+def drive(coordinate: Coordinate, gain: Node, bodies: Mapping[str, Body], known: Iterable[Coordinate]) -> Element:
+    """A given angle of a body, or a given place of one of its points, in space or along another body, that follows the
+    coordinate alone. Raises StatementError where there is none."""
+    name, moving = coordinate.name, {c.name for c in known}
+    parts = (coordinate.start, mul(coordinate.speed or ZERO, T), mul(gain, Div(Pow(T, Num(2)), Num(2))))
+    then = {name: add(*(part for part in parts if part is not None and part != ZERO))}
+    letter, place = f"D_{name}", coordinate.place
+    for body in bodies.values():
+        if body.angle is not None and {*names(body.angle)} & moving == {name}:
+            values = {"body": body.name, "angle": renamed(body.angle, then), "of": None}
+            return Element(letter, "prescribed-angle", values, place)
+    for point, other, pair in _places(bodies):
+        for along, axis in zip(((ONE, ZERO), (ZERO, ONE)), pair, strict=True):
+            if {*names(axis)} & moving == {name}:
+                values = {"point": point, "distance": renamed(axis, then), "along": along, "of": other}
+                return Element(letter, "prescribed", values, place)
+    raise StatementError(
+        f"no body has an angle, or a place, that tells “{name}” alone, so that it could be led as it is stated",
+        instead='say what leads it under [constraints]: type = "prescribed" or "prescribed-angle".',
+        place=place,
+    )
+
+
+def _places(bodies: Mapping[str, Body]) -> Iterator[tuple[PointRef, str | None, Pair]]:
+    """Where the placed point of each body is: in space, then in the frame of each other one."""
+    from rbpsym.field import cosine, sine
+    from rbpsym.field.evaluate import scalar
+    from rbpsym.field.normal import in_one_angle
+    from rbpsym.present.forms import present
+
+    placed = [(body, *body.placed, PointRef(f"{body.name}.{body.placed[0]}", body.name, body.placed[0]))
+              for body in bodies.values() if body.placed]  # fmt: skip
+    yield from ((ref, None, place) for _, _, place, ref in placed)
+    for body, _, place, ref in placed:
+        for other, its, origin, _ in placed:
+            if other is not body and other.angle is not None:
+                (dx, dy), turn = (scalar(a) - scalar(b) for a, b in zip(place, origin, strict=True)), scalar(other.angle)
+                c, s, (x, y) = cosine(turn), sine(turn), map(scalar, other.points[its])
+                yield ref, other.name, (present(in_one_angle(c * dx + s * dy + x)), present(in_one_angle(c * dy - s * dx + y)))
