@@ -174,7 +174,7 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in names}
     start |= _tied_starts(names, tied, problem, start)
-    led = sorted((c for c in problem.coordinates if c.name in tied.solved and c.speed is not None), key=_moves)  # the last one tells
+    led = sorted((c for c in problem.coordinates if c.name in tied.solved and c.speed is not None), key=_moves)
     leads = [(n, c) for c in led for n in independent if names_in(tied.solved[c.name]) & {*names} == {n}]
     slopes = {n: substitute(derivative(tied.solved[c.name], n), start) for n, c in leads}
     start |= {f"{n}_dot": scalar(there(c.speed)) / slopes[n] for n, c in leads if slopes[n]}

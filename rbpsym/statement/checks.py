@@ -58,17 +58,13 @@ def _something(problem: Problem, table: SourceTable) -> None:
 
 # Sections whose names must differ from each other, and what a name of each is.
 _SYMBOLS = {"parameters": "a parameter", "coordinates": "a coordinate"}
-_THINGS = {
-    "points": "a point",
-    "bodies": "a body",
-    "interactions": "an interaction",
-    "constraints": "a constraint",
-}
+_PLACES = {"points": "a point", "bodies": "a body"}
+_THINGS = {"bodies": "a body", "interactions": "an interaction", "constraints": "a constraint"}  # may be called as a point is
 
 
 def check_names_differ(table: SourceTable) -> None:
     """Refuse a name that two sections give: before anything is read, for it confuses the rest."""
-    for sections in (_SYMBOLS, _THINGS):
+    for sections in (_SYMBOLS, _PLACES, _THINGS):
         seen: dict[str, str] = {}
         for section, what in sections.items():
             part = table.table(section, section)

@@ -99,6 +99,101 @@ length = "L"
 start = ["L*cos(theta)", "0"]
 angle = "pi - theta"
 """
+LADDER = """
+[parameters]
+L = "length"
+v = "speed: of the foot"
+[coordinates.x]
+dimension = "length"
+start = "L/4"
+speed = "v"
+[coordinates.theta]
+range = ["0", "pi/2"]
+[bodies.ladder]
+shape = "rod"
+length = "L"
+start = ["x", "0"]
+angle = "pi - theta"
+[constraints.A]
+type = "contact"
+point = "ladder.start"
+line = "y = 0"
+[constraints.B]
+type = "contact"
+point = "ladder.end"
+line = "x = 0"
+"""
+PLANET = """
+[parameters]
+a = "length: radius of the sun"
+b = "length: radius of the planet"
+omega = "angular speed: of the sun"
+[coordinates.alpha]
+start = "0"
+speed = "omega"
+[coordinates.theta]
+start = "0"
+[coordinates.phi]
+start = "0"
+[bodies.sun]
+shape = "disk"
+radius = "a"
+center = "O"
+angle = "alpha"
+[bodies.spider]
+shape = "rod"
+length = "a + b"
+start = "O"
+angle = "theta"
+[bodies.planet]
+shape = "disk"
+radius = "b"
+center = "spider.end"
+angle = "phi"
+points = { P = ["b", "0"] }
+[constraints.G]
+type = "gear"
+body = "planet"
+circle = "sun.center"
+[constraints.H]
+type = "gear"
+body = "planet"
+circle = "O"
+radius = "a + 2*b"
+side = "inside"
+"""
+SPOOL = """
+[parameters]
+R = "length"
+r = "length < R"
+d = "length > R"
+v = "speed"
+[coordinates.x]
+dimension = "length"
+start = "0"
+[coordinates.phi]
+start = "0"
+[coordinates.s]
+dimension = "length"
+start = "d"
+speed = "v"
+[bodies.spool]
+shape = "disk"
+radius = "R"
+center = ["x", "R"]
+angle = "-phi"
+points = { top = ["0", "R"] }
+[bodies.hand]
+shape = "particle"
+center = ["s", "R - r"]
+[constraints.N]
+type = "rolling"
+body = "spool"
+line = "y = 0"
+[constraints.T]
+type = "string"
+path = [{ around = "spool", radius = "r", sense = "ccw" }, "hand.center"]
+"""
 STEADY, GROWING = WHEEL.format(more=""), WHEEL.format(more='acceleration = "a"')
 
 
@@ -113,6 +208,13 @@ STEADY, GROWING = WHEEL.format(more=""), WHEEL.format(more='acceleration = "a"')
         (COLLAR, "acceleration of collar at the start", "(a - b*omega**2, b*alpha + 2*u*omega)"),
         (FOUR_BAR, "angular velocity of coupler at the start", "-a*Omega/d"),
         (FOUR_BAR, "angular acceleration of rocker at the start", "Omega**2*(1 + a/d)"),
+        (LADDER, "velocity of ladder.end where theta = pi/6", "(0, -v*sqrt(3))"),
+        (PLANET, "angular velocity of spider", "a*omega/(2*(a + b))"),
+        (PLANET, "velocity of planet.P at the start", "(0, 0)"),
+        (SPOOL, "velocity of spool.top at the start", "(2*R*v/(R - r), 0)"),
+        (SPOOL, "time until phi = 2*pi", "2*pi*(R - r)/v"),
+        (GROWING, "time until angular velocity of wheel = -2*v/R", "v/a"),
+        (FOUR_BAR.replace("constraints.E", "constraints.C"), "speed of rocker.end at the start", "a*Omega*sqrt(2)"),
         (FOUR_BAR, "instantaneous centre of coupler at the start", "(0, a + d)"),
     ],
 )
