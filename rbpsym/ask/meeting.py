@@ -66,7 +66,7 @@ def _equation(world: ProblemWorld, values: Iterable[Scalar], what: str) -> str:
     gaps = [gap for part in values if not is_zero(gap := short(substitute(part, tied)))]
     names = (*world.study.system.independent, *world.study.system.speeds, *([] if world.study.system.independent else ["t"]))
     free = [name for name in names if gaps and depends_on(gaps[0], name)]
-    ways = [name for name in free if not names_in(derivative(gaps[0], name)) & {*world.motion.scope.rates, "t"}]  # of the time, where drives alone lead
+    ways = [name for name in free if not names_in(derivative(gaps[0], name)) & {*world.motion.scope.rates, "t"}]
     if not ways or any(names_in(short(gap / gaps[0])) & {*world.motion.scope.rates, "t"} for gap in gaps[1:]):
         raise StatementError(
             f"where {what} is no equation for one coordinate",

@@ -71,11 +71,13 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 
 # what is only another way to write something
 OTHERWISE = (
+    (r"^(?:the )?(?:kinetic )?energy lost (?:in|during|by|at) (?:the )?(?:blow|collision|impact|bounce)$", "energy lost"),
     (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),
     (r"\b(functions? of) (?:the )?time\b", r"\1 t"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
     (r"\b(period|frequency|frequencies) of (?:the )?small (?:oscillations?|swings)\b", r"\1"),
+    (r"^((?:the )?(?:\w+ )?(?:period|frequency|frequencies)\b.*?),? (?:for|in) small (?:oscillations?|swings)\b", r"\1"),
     (r"\b(?:just|right|shortly|immediately) before (?:it )?(?=\w+ (?:=|reaches) )", "where "),
     (r"^(?:the )?(?:stopping|braking|sliding) distance of (\w+)$", r"displacement of \1 where \1 comes to rest"),
     (r"\b(until|when|where) (\w+) (?:meets|catches(?: up with)?|overtakes) (\w+)$", r"\1 \2 = \3"),
@@ -101,7 +103,8 @@ OTHERWISE = (
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),
     (r"\bvertical (?=velocity|acceleration|force|net force|linear momentum)", "y component of "),
     (r"\bangular speed of\b", "magnitude of angular velocity of"),
-    (r"\b(tension|normal force|friction) of (?=\w+\b)", r"\1 "),
+    (r"\b(tension|normal force|friction|reaction|force) (?:of|in) (?!phase|equilibrium)(?=\w+\b)", r"\1 "),
+    (r"\b(?:magnitude of )?(?:the )?(reaction|normal force|friction) at (?=[A-Z]\w*\b)", r"\1 "),
 )
 MANNERS = {
     r"(?:for|in) small (?:oscillations|displacements|angles|amplitudes)": "small",

@@ -133,7 +133,8 @@ def _moves(noun: str, world: ProblemWorld) -> Iterator[str]:
 
 
 def _springs(noun: str, world: ProblemWorld) -> Iterator[str]:
-    yield from (f"{noun} of {element.name}" for element in world.study.problem.of_kind("spring"))
+    of = "force" if noun == "spring force" else f"{noun} of"
+    yield from (f"{of} {element.name}" for element in world.study.problem.of_kind("spring"))
 
 
 def _turns(noun: str, world: ProblemWorld) -> Iterator[str]:
@@ -146,7 +147,7 @@ NOUNS: Mapping[str, Callable[[ProblemWorld], Iterator[str]]] = {
     "friction force": _rubs,
     **{noun: partial(_moves, noun) for noun in ("speed", "velocity", "acceleration")},
     **{noun: partial(_turns, noun) for noun in ("angular velocity", "angular acceleration", "number of turns")},
-    **{noun: partial(_springs, noun) for noun in ("elongation", "extension", "compression")},
+    **{noun: partial(_springs, noun) for noun in ("elongation", "extension", "compression", "spring force")},
     **{noun: partial(_coordinates, noun) for noun in ("period", "frequency", "amplitude", "decay rate", "damped frequency")},
 }
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 
 from rbpsym.elements.kinds import ElementKind, Field, K, known_names
-from rbpsym.frozen import Frozen
+from rbpsym.frozen import Frozen, replace
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
 from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_curve, read_line, read_point
@@ -33,6 +33,7 @@ def read_element(table: SourceTable, name: str, kinds: Mapping[str, ElementKind]
     check_name(name, table)
     kind = kind_of_element(table, kinds, "type")
     where = f"{kind.name} “{name}”"
+    table = _in_own_words(table, [field.name for field in kind.fields])
     table.check_keys(["type", *(field.name for field in kind.fields)], where)
     values = {field.name: _field(field, table, name, where, around) for field in kind.fields}
     values |= {"held": True} if around.are_unstated else {}
@@ -40,6 +41,28 @@ def read_element(table: SourceTable, name: str, kinds: Mapping[str, ElementKind]
     for rule in kind.rules:
         element = rule(element, around.scope, around.bodies) or element  # most rules only refuse
     return element
+
+
+# other words for keys, where the kind has none of that name
+OTHER_WORDS: Mapping[str, tuple[str, ...]] = {
+    "on": ("bodies", "body", "point"), "bodies": ("on",), "body": ("on", "point"), "point": ("on",),
+    "points": ("between", "path"), "between": ("points", "path"), "joins": ("points", "between"),
+    "mu": ("coefficient", "limit"), "friction_coefficient": ("coefficient", "limit"), "e": ("restitution",),
+    "k": ("stiffness",), "constant": ("stiffness", "coefficient"), "c": ("coefficient",), "damping": ("coefficient",),
+    "rest_length": ("natural_length",), "unstretched": ("natural_length",), "torque": ("couple",), "moment": ("couple",),
+    "distance": ("length",), "position": ("distance",), "surface": ("line",), "direction": ("along",),
+}  # fmt: skip
+
+
+def _in_own_words(table: SourceTable, fields: Collection[str]) -> SourceTable:
+    """The table with the kind's own keys for others that mean the same; a list of bodies where one is named."""
+    data = dict(table.data)
+    for key in table.data.keys() & OTHER_WORDS.keys() - {*fields}:
+        own = next((word for word in OTHER_WORDS[key] if word in fields and word not in data), None)
+        if own is not None:
+            value = data.pop(key)
+            data[own] = [value] if own == "bodies" and isinstance(value, str) and value != "all" else value
+    return replace(table, data=data)
 
 
 def kind_of_element(table: SourceTable, kinds: Mapping[str, K], key: str) -> K:

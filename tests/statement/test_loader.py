@@ -72,6 +72,12 @@ def test_gravity_acts_on_all() -> None:
     assert ALL.interactions[0]["bodies"] == ("rod", "disk", "bob")
 
 
+def test_keys_in_other_words() -> None:
+    """Where the kind has no key of that name: the bodies on which gravity acts, the coefficient of friction."""
+    told = load(lambda text: text.replace('[interactions.W]\n', '[interactions.W]\non = "disk"\n'))
+    assert next(e for e in told.interactions if e.name == "W")["bodies"] == ("disk",)
+
+
 def test_pivot_takes_its_place_from_the_pose() -> None:
     assert constraint(ALL, "A")["at"] == (Num(0), Num(0))
 

@@ -17,7 +17,7 @@ from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED, Verdict, proved, undecided
 from rbpsym.elements.events import EVENTS
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, short, substitute, symbol
+from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, atoms, depends_on, derivative, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import scalar, time_derivative
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
@@ -55,16 +55,28 @@ def reached_then(context: Context, step: Step) -> Verdict:
 def first_then(context: Context, step: Step) -> Verdict:
     """The stated time comes after the start, and what vanishes then does not vanish before."""
     context, time = under(context, step, ">"), right_side(context, step)
-    before = context.assumptions.with_range("t", NOTHING, time)
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in demanded(context, step)):
         ahead = compare(NOTHING, time, context.assumptions)
     left = _left(context, step)
-    kept = any(sign(value, before).is_nonzero for value in (left, derivative(left, "t")))
+    turned, then = _in_turns(left, time, context.assumptions)
+    before = context.assumptions.with_range("t", NOTHING, then)
+    kept = any(sign(value, before).is_nonzero for value in (turned, derivative(turned, "t")))
     kept = kept or _has_no_other_root(left, time, context.assumptions)
     if not ahead.is_proved and _is_square(left):  # a + b T + c T² = 0: T is -a over the mean speed b + c T
         gone, (mean, _) = -at_time(NOTHING, left), _mean_and_last(left, time)
         ahead = compare(NOTHING, gone * mean, context.assumptions)
     return weakest([ahead, Verdict(PROVED) if kept else UNSEEN])
+
+
+def _in_turns(left: Scalar, time: Scalar, given: Assumptions) -> tuple[Scalar, Scalar]:
+    """The value as a function of ω t, and what that is at the time, where its only angle runs evenly, with ω > 0; else both as
+    they are."""
+    angles = [Scalar(atom.arg) for index in left.atoms() if (atom := atoms.atom(index)).kind in ("sin", "cos")]
+    rates = {derivative(angle, "t") for angle in angles if depends_on(angle, "t")}
+    rate = rates.pop() if len(rates) == 1 else NOTHING
+    if depends_on(rate, "t") or sign(rate, given).kind != "positive":
+        return left, time
+    return substitute(left, {"t": symbol("t") / rate}), short(time * rate)
 
 
 def _has_no_other_root(left: Scalar, time: Scalar, given: Assumptions) -> bool:
