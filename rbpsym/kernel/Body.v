@@ -153,3 +153,52 @@ Ltac theory := intros; unfold motion, turns in *; repeat match goal with H : _ /
   first [solve [closed] | match goal with t : R |- _ => revert t end; first [alike
     | match goal with |- forall t, sqrt (@?f t) = sqrt ?c =>
         cut (forall t, f t = c); [let E := fresh in let u := fresh in intros E u; exact (f_equal sqrt (E u)) | cbv beta; alike] end]].
+
+(* Constant distances of the particles are enough for it that all turn alike. *)
+Lemma constant_rate : forall (f : R -> R) (c t d : R), (forall u, f u = c) -> is_derive f t d -> d = 0.
+Proof.
+  intros f c t d E D. apply (alone f t); [exact D |].
+  apply (is_derive_ext (fun _ => c)); [intro; symmetry; apply E | apply D_const].
+Qed.
+Theorem all_turn_alike : forall (particle : Type) (x y v u : particle -> R -> R) (apart : particle -> particle -> R)
+  (p q : particle), (forall i, moves (x i) (v i)) -> (forall i, moves (y i) (u i)) ->
+  (forall i j t, (x i t + - x j t) ^ 2 + (y i t + - y j t) ^ 2 = apart i j) -> 0 < apart q p ->
+  exists w : R -> R, forall i t,
+    v i t + - v p t = - (w t * (y i t + - y p t)) /\ u i t + - u p t = w t * (x i t + - x p t).
+Proof.
+  intros particle x y v u apart p q Dx Dy A P.
+  exists (fun t => ((x q t + - x p t) * (u q t + - u p t) + - ((y q t + - y p t) * (v q t + - v p t))) / apart q p).
+  intros i t.
+  assert (F : forall i j, (x i t + - x j t) * (v i t + - v j t) + (y i t + - y j t) * (u i t + - u j t) = 0).
+  { intros k j.
+    assert (2 * ((x k t + - x j t) * (v k t + - v j t) + (y k t + - y j t) * (u k t + - u j t)) = 0); [| lra].
+    apply (constant_rate _ _ t _ (A k j)). eapply D_eq; [differ |]; cbn [INR pred]; ring. }
+  pose (B := fun s => (x q s + - x p s) * (y i s + - y p s) + - ((y q s + - y p s) * (x i s + - x p s))).
+  pose (c := apart i p * apart q p - ((apart q p + apart i p - apart i q) / 2) ^ 2).
+  assert (C : forall s, B s ^ 2 = c) by (intro s; unfold B, c; rewrite <- (A i p s), <- (A q p s), <- (A i q s); field).
+  assert (D : forall s, is_derive B s ((v q s + - v p s) * (y i s + - y p s) + (x q s + - x p s) * (u i s + - u p s)
+    + - ((u q s + - u p s) * (x i s + - x p s) + (y q s + - y p s) * (v i s + - v p s)))) by (intro s; unfold B; differ).
+  assert (Z : (v q t + - v p t) * (y i t + - y p t) + (x q t + - x p t) * (u i t + - u p t)
+    + - ((u q t + - u p t) * (x i t + - x p t) + (y q t + - y p t) * (v i t + - v p t)) = 0).
+  { destruct (Req_dec (B t) 0) as [N | N].
+    - apply (constant_rate B 0 t); [| apply D]. intro s. apply Rsqr_0_uniq. unfold Rsqr.
+      pose proof (C s). pose proof (C t). rewrite N in *. nra.
+    - pose proof (constant_rate (fun s => B s ^ 2) c t _ C (D_pow B 2 t _ (D t))) as E. cbn [INR pred] in E.
+      apply (Rmult_eq_reg_r (B t)); [lra | exact N]. }
+  pose proof (F q p) as Q. pose proof (F i p) as I. pose proof (F i q) as J. pose proof (A q p t) as G.
+  clear - P Q I J G Z. revert P Q I J G Z. generalize (apart q p). intros d P Q I J G Z.
+  replace (x i t + - x q t) with (x i t + - x p t - (x q t + - x p t)) in J by ring.
+  replace (y i t + - y q t) with (y i t + - y p t - (y q t + - y p t)) in J by ring.
+  replace (v i t + - v q t) with (v i t + - v p t - (v q t + - v p t)) in J by ring.
+  replace (u i t + - u q t) with (u i t + - u p t - (u q t + - u p t)) in J by ring.
+  revert Q I J G Z. generalize (x q t + - x p t) (y q t + - y p t) (v q t + - v p t) (u q t + - u p t).
+  generalize (x i t + - x p t) (y i t + - y p t) (v i t + - v p t) (u i t + - u p t). intros X Y V U ex ey eu ev Q I J G Z.
+  assert (K : X * eu + Y * ev + ex * V + ey * U = 0) by lra.
+  split; apply (Rmult_eq_reg_r d); try lra.
+  - apply Rminus_diag_uniq. transitivity (ex * (X * eu + Y * ev + ex * V + ey * U)
+      - ey * (eu * Y + ex * U + - (ev * X + ey * V)) - X * (ex * eu + ey * ev));
+      [rewrite <- G; field; rewrite G | rewrite K, Z, Q]; lra.
+  - apply Rminus_diag_uniq. transitivity (ey * (X * eu + Y * ev + ex * V + ey * U)
+      + ex * (eu * Y + ex * U + - (ev * X + ey * V)) - Y * (ex * eu + ey * ev));
+      [rewrite <- G; field; rewrite G | rewrite K, Z, Q]; lra.
+Qed.

@@ -173,6 +173,8 @@ Lemma beyond : forall d s n, d = s + n -> 0 < s -> 0 <= n -> d <> 0.
 Proof. intros; lra. Qed.
 Lemma below : forall d s n, - d = s + n -> 0 < s -> 0 <= n -> d <> 0.
 Proof. intros; lra. Qed.
+Lemma divisor : forall w q d, w <> 0 -> w - q * d = 0 -> d <> 0.
+Proof. intros w q d W E Z. apply W. rewrite Z in E. lra. Qed.
 Lemma root_is : forall a x, 0 <= x -> x ^ 2 = a -> sqrt a = x.
 Proof. intros a x H E. rewrite <- E. apply sqrt_pow2, H. Qed.
 Lemma over : forall a, 0 <= a -> a <> 0 -> 0 < a.
@@ -187,12 +189,13 @@ Ltac known_sign := match goal with
   | Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- 0 < _ => exact (Q s H)
   | Q : forall t, ?a < t < ?b -> 0 < t -> 0 < _, H : ?a < ?s < ?b, G : 0 < ?s |- 0 < _ => exact (Q s H G)
   end.
-Ltac pos1 := first [assumption | known_sign | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
-  | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat
+Ltac pos1 := first [assumption | known_sign | lra | solve [progress rewrite ?sin_0, ?cos_0; nra] | apply PI_RGT_0
+  | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat
   | apply sqrt_lt_R0 | apply exp_pos].
 Ltac least := first [exact (Rlt_le _ _ PI_RGT_0) | apply up1 | apply up2 | apply up3 | apply up4
   | apply pow2_ge_0 | apply sqrt_pos | apply Rplus_le_le_0_compat | apply Rmult_le_pos | apply Rdiv_le_0_compat; [| solve [repeat pos1]] | apply pow_le | lra | (apply Rlt_le; solve [repeat pos1])].
-Ltac signs := repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>
+Ltac signs := repeat match goal with Q : forall x : R, 0 < _ |- context [cos ?y] =>
+  let N := fresh in pose proof (Q y) as N; cbv beta in N; clear Q end; repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>
   let N := fresh in pose proof (Q s H) as N; cbv beta in N; clear Q end.
 Ltac nng := first [solve [repeat least] | signs; solve [repeat first [lra | least]]].
 Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.
@@ -211,13 +214,14 @@ Ltac known_nonzero x := match goal with
   end.
 Ltac nonzero := match goal with
   | |- PI <> 0 => exact PI_neq0
-  | |- sqrt _ <> 0 => apply root_nonzero; [nng | nonzero]
+  | |- sqrt _ <> 0 => apply root_nonzero; [first [nng | nra] | nonzero]
   | |- ?x <> 0 => known_nonzero x
   | |- ?x <> 0 => apply Rgt_not_eq; unfold Rgt; solve [repeat pos1]
   | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero
   | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; nonzero
   | |- _ ^ _ <> 0 => apply pow_nonzero; nonzero
-  | |- _ + _ <> 0 => apply Rgt_not_eq; unfold Rgt; apply Rplus_lt_le_0_compat; [solve [repeat pos1] | solve [nng]]
+  | |- _ + _ <> 0 => apply Rgt_not_eq; unfold Rgt; first
+    [apply Rplus_lt_le_0_compat; [solve [repeat pos1] | solve [nng]] | signs; nra]
   end.
 Lemma asin_gt_0 : forall x, 0 < x -> 0 < asin x.
 Proof.
@@ -226,6 +230,9 @@ Proof.
   - rewrite asin_atan, <- atan_0 by lra. apply atan_increasing, Rdiv_lt_0_compat; [lra |].
     apply sqrt_lt_R0. unfold Rsqr. nra.
 Qed.
+(* π and the root of a number between numbers. *)
+Ltac constant := first [pose proof PI2_3_2; lra
+  | match goal with |- context [sqrt ?n] => pose proof (sqrt_pos n); pose proof (root2 n ltac:(lra)); nra end].
 Ltac ends := try match goal with _ : asin ?x < _ |- _ => assert (0 < asin x) by (apply asin_gt_0; solve [repeat pos1]) end; lra.
 Ltac over0 := first [solve [repeat pos1] | apply over; [nng | nonzero]].
 Ltac pos := repeat split; try assumption; match goal with

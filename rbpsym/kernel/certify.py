@@ -64,7 +64,7 @@ def written(derivation: Derivation, ids: Iterable[str] | None = None) -> Written
 def granted(source: ClaimSource, step: Step) -> dict[str, Proposition]:
     """The claims that a step may use: its own definitions, and what its premises say."""
     claims = named(step.id, SaidByStep(source.said[step.id].definitions))
-    for id in step.premises:
+    for id in (id for id in step.premises if id != source.own.get(step.id)):
         claims |= named(id, source.said[id] if id in source.said else source.fact(id))
     return claims
 

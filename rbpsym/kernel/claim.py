@@ -17,8 +17,8 @@ FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "exp", "ln")  # by their name
 class Proposition(Frozen):
     """What is said of all times of the motion, if the claims in `given` hold at that time.
 
-    kind: "equal"; "rate" (right is the rate of left); "start" (equal at the start); "more" (left > right); "least"
-    (left ≥ right); "differ"; "slope" (right is the derivative of left by `var` at `place`).
+    kind: "equal"; "rate" (right is the rate of left); "start" (equal at the start); "more" (left > right; with a `var`, for
+    each value of that); "least" (left ≥ right); "differ"; "slope" (right is the derivative of left by `var` at `place`).
     """
 
     left: t.Node

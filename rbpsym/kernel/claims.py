@@ -8,7 +8,7 @@ from functools import cached_property
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import Vector, names_in, short, symbol
+from rbpsym.field import Vector, cartesian, names_in, short, symbol
 from rbpsym.field.roots import without_roots_below
 from rbpsym.kernel.begins import event, letters_then
 from rbpsym.kernel.claim import Proposition, SaidByStep, letter, tree_of
@@ -31,6 +31,7 @@ class ClaimSource:
         self.integrals: dict[str, t.Integral] = {}  # for which a letter stands
         self.circular: dict[str, t.Fn | t.Sqrt | t.Group] = {}  # sines, cosines, roots and gaps that are letters
         self.unsaid: dict[str, str] = {}
+        self.own: dict[str, str] = {}  # of a step what its claim says anew: no premise of it
         self.then = {name: tree_of(value) for name, value in letters_then(derivation).items()}
         self.event = event(derivation)
         self._defined: set[str] = set()
@@ -158,6 +159,14 @@ class ClaimSource:
         open_ones = [duty.relation for duty in step.certificate.verdict.open_obligations]
         return tuple(claim for node in open_ones for row in t.chains(node) for claim in self.row(row))
 
+    def forces(self, step: Step) -> list[Force]:
+        """The forces of a step, in the letters of those that it introduces or takes from its premises."""
+        told = [self.steps[id] for id in (step.id, *step.premises) if id in self.steps and self.steps[id].rule == "torque"]
+        letters = {one.data["forces"][0]: t.chains(one.statement)[0].items[0] for one in told if len(one.data["forces"]) == 1}
+        named = {force: node.name for force, node in letters.items() if isinstance(node, t.Vec)}
+        parts = {force: cartesian(symbol(f"{name}_x"), symbol(f"{name}_y")) for force, name in named.items()}
+        return [replace(force, vector=parts.get(force, force.vector)) for force in step.data["forces"]]
+
     # --- facts
 
     def fact(self, id: str) -> SaidByStep:
@@ -257,7 +266,7 @@ def _by_forces(source: ClaimSource, step: Step, row: t.Chain) -> Iterator[Propos
         return
     about = (point for point in sorted(source.study.origins, key=len, reverse=True) if name.startswith(f"tau_{point}_"))
     origin = source.study.origins.get(next(about, ""), step.data["origin"])
-    yield Proposition(t.Sym(name), t.Add((t.ZERO, *(_torque(force, origin) for force in step.data["forces"]))))
+    yield Proposition(t.Sym(name), t.Add((t.ZERO, *(_torque(force, origin) for force in source.forces(step)))))
 
 
 def _torque(force: Force, origin: Vector) -> t.Node:
@@ -280,7 +289,7 @@ def _conserved(source: ClaimSource, step: Step, claims: list[Proposition]) -> li
 
 def _lost(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """And its rate is minus the power of the forces."""
-    rate = tree_of(-power(source.system, step.data["forces"]))
+    rate = tree_of(-power(source.system, source.forces(step)))
     return [*claims, Proposition(t.chains(step.statement)[0].items[0], rate, "rate")]
 
 
@@ -331,14 +340,18 @@ def _resting(source: ClaimSource, step: Step) -> dict[str, t.Node]:
 
 def _mode(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """If what is linear has a solution of this kind in which a coordinate takes part, the polynomial vanishes."""
-    rate, linear = step.slots["letter"], source.steps[f"linear.{step.id.split('.')[1]}"]
-    speed, gain = (t.ZERO, t.Neg(rate)) if step.rule == "secular" else (rate, t.Pow(rate, t.TWO))
+    rate, linear = step.slots["letter"], source.steps.get(f"linear.{step.id.partition('.')[2]}")
+    if linear is None or step.id.startswith(("decay", "damped")):
+        return claims
+    square = t.Pow(rate, t.TWO)
+    speed, gain = {"secular": (t.ZERO, t.Neg(rate)), "polynomial": (rate, square)}.get(step.rule, (t.ZERO, t.Neg(square)))
+    source.own[step.id] = f"def.{rate.name}"
     sizes = {name: t.Sym(f"amplitude_{name}") for name in source.system.independent}
     moved: dict[str, t.Node] = {name: t.Add((place, sizes[name])) for name, place in _resting(source, step).items()}
     moved |= {f"{name}_dot": t.Mul((speed, size)) for name, size in sizes.items()}
     moved |= {f"{name}_ddot": t.Mul((gain, size)) for name, size in sizes.items()}
     solves = [Proposition(t.renamed(row.items[0], moved), t.renamed(row.items[-1], moved)) for row in t.chains(linear.statement)]
-    taking = (Proposition(size, t.ZERO, "differ") for size in sizes.values())
+    taking = (Proposition(size, t.ZERO, "differ") for name, size in sizes.items() if f"{name}_ddot" in t.names(linear.statement))
     return [replace(claim, given=(*solves, part)) for claim in claims for part in taking]
 
 
@@ -365,6 +378,6 @@ def _asked(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[P
 
 MORE: Mapping[str, Callable[[ClaimSource, Step, list[Proposition]], list[Proposition]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
-    "linearization": _tangent, "linear_system": _tangent, "secular": _mode, "polynomial": _mode, "vanishing": _vanishes,
-    "value_there": _there, "asked": _asked,
+    "linearization": _tangent, "linear_system": _tangent, "secular": _mode, "polynomial": _mode, "motion_of_mode": _mode,
+    "vanishing": _vanishes, "value_there": _there, "asked": _asked,
 }  # fmt: skip

@@ -11,12 +11,13 @@ from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Coefficient, Monomial, Poly, Scalar, atoms, generator, symbol
 from rbpsym.field.calculus import names_in, substitute
+from rbpsym.field.division import divide
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import bases_of, in_bases, is_zero
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, parted, reduced, wound
 from rbpsym.kernel.claim import Proposition, tree_of
 from rbpsym.kernel.integrals import by_rates
-from rbpsym.kernel.positive import PositiveSum, is_wave
+from rbpsym.kernel.positive import PositiveSum, is_wave, positive_sum
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.ranges import shown, signed
 from rbpsym.mechanics.elimination import solve_linear
@@ -144,17 +145,42 @@ def gathered(search: Search) -> Iterator[KnownEquation]:
 def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[KnownEquation]) -> Iterator[Have]:
     """Why what is divided by in some formulas does not vanish, where it takes more than signs of letters."""
     seen: set[tuple[Poly, str]] = set()
-    bound = {item.var for item in search.integrals.values()} - search.source.rates.keys()
+    over = {item.var for item in search.integrals.values()}
     every = [part for node in nodes for part in t.walk(node)]
     for factor, kind in ((each, "more" if isinstance(part, t.Sqrt) else "differ") for part in every for each in _below(part)):
-        poly = search.value(factor).num
-        if (poly, kind) not in seen and not search.is_plain(Scalar(poly)) and not bound & names_in(Scalar(poly)):
-            seen |= {(poly, kind), (poly.scaled(-1), kind)}
-            why = surely(search, Scalar(poly), known)
+        value = Scalar(search.value(factor).num)
+        is_bound = over & names_in(value) - search.source.rates.keys()
+        if (value.num, kind) not in seen and not search.is_plain(value) and not is_bound:
+            seen |= {(value.num, kind), (value.num.scaled(-1), kind)}
+            name, why = f"z{len(seen)}", surely(search, value, known)
             if why is not None and (kind == "differ" or why[1].sign > 0):
-                yield shown(search, f"z{len(seen)}", (search.tree(Scalar(poly)), why[0]), why[1], why[2], kind)
+                node = search.tree(value)
+                yield anywhere(search, name, node, over & t.names(node)) or shown(search, name, (node, why[0]), *why[1:], kind)
+            elif kind == "differ" and (divides := divisor(search, name, value, known)):
+                yield divides
             elif why is None:
                 search.is_sure = False
+
+
+def anywhere(search: Search, name: str, node: t.Node, over: set[str]) -> Have | None:
+    """The claim of each value of the one coordinate in it, over which is integrated, if it takes no range to show it."""
+    if len(over) != 1 or {*filter(search.moving, t.names(node))} != over:
+        return None
+    found = positive_sum(search.value(node).num, search.always, search.least)
+    if found is None or found.sign < 0 or not any(isinstance(part, t.Fn) for part in t.walk(node)):
+        return None
+    made = shown(search, name, (node, search.value(node)), found, Multiples(), "more")
+    return replace(made, claim=replace(made.claim, var=min(over)))
+
+
+def divisor(search: Search, name: str, value: Scalar, known: Sequence[KnownEquation]) -> Have | None:
+    """A value of which a multiple is given not to vanish."""
+    for item in (item for item in search.met_by if item.kind in ("more", "differ") and item.right == t.ZERO):
+        rest, by = search.follow(search.value(item.left), known)
+        if (found := divide(rest.num, value.num)) is not None:
+            claim = Proposition(search.tree(value), t.ZERO, "differ", search.met_by)
+            return Have(name, "factor", claim, multiples=by, parts=(item.left, search.tree(Scalar(found) / Scalar(rest.den))))
+    return None
 
 
 def surely(search: Search, value: Scalar, known: Sequence[KnownEquation]) -> tuple[Scalar, PositiveSum, Multiples] | None:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Set
 from fractions import Fraction
 from itertools import product
 
-from rbpsym.field import UNITY, Coefficient, Monomial, Poly, Scalar, inverse, times
+from rbpsym.field import UNITY, Coefficient, Monomial, Poly, Scalar, generator, inverse, times
 from rbpsym.frozen import Frozen
 from rbpsym.kernel.certificates import partner, wound
 
@@ -46,7 +46,29 @@ def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset(), 
             found = _sum(value.num.scaled(sign), sign, positive, positive | least, strict)
             if found is not None:
                 return found
-    return None
+    plain = wound(Scalar(poly)).num
+    ways = (_swung(plain.scaled(sign), sign, sine, (positive, least), strict) for sine in sines for sign in (1, -1))
+    return next((found for found in ways if found is not None), None)
+
+
+def _swung(poly: Poly, sign: int, sine: int, known: tuple[Set[int], Set[int]], strict: bool) -> PositiveSum | None:
+    """What is linear in the sine s and the cosine c of an angle, as the squared distance of points on circles is:
+    2A (A + B c + D s) = A² - B² - D² + (A + B c + D s)² + (B s - D c)²."""
+    cosine = partner(sine) or sine
+    parts: dict[tuple[int, int], dict[Monomial, Coefficient]] = {}
+    for monomial, coefficient in poly.terms.items():
+        powers, rest = dict(monomial), tuple(item for item in monomial if item[0] not in (sine, cosine))
+        parts.setdefault((powers.get(sine, 0), powers.get(cosine, 0)), {})[rest] = coefficient
+    a, b, d = (Poly(parts.pop(powers, {})) for powers in ((0, 0), (0, 1), (1, 0)))
+    if parts or not a or any(c < 0 or not _is_above(m, known[0]) for m, c in a.terms.items()):
+        return None
+    found = positive_sum(a * a - b * b - d * d, *known, strict=strict)
+    if found is None or found.sign < 0:
+        return None
+    swing = Scalar(b * generator(sine) - d * generator(cosine))
+    half = UNITY / (Scalar(a) * 2)
+    squares = (*((factor * half, root) for factor, root in found.squares), (half, Scalar(poly)), (half, swing))
+    return PositiveSum(sign, found.above * half, squares, tuple((f * half, wave, turn) for f, wave, turn in found.waves))
 
 
 def is_wave(index: int) -> bool:

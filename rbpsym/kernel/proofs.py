@@ -20,7 +20,7 @@ from rbpsym.kernel.components import START, started
 from rbpsym.kernel.integrals import by_course, by_rates, courses, integrated
 from rbpsym.kernel.positive import PositiveSum
 from rbpsym.kernel.radicals import rootless
-from rbpsym.kernel.ranges import above, note_gaps, note_signs, signed, within
+from rbpsym.kernel.ranges import above, note_gaps, note_number, note_signs, signed, within
 from rbpsym.typeset.machine import to_machine
 
 SIGNS = ("sign", "gap", "positive")
@@ -120,6 +120,7 @@ class Search:
         name = next((name for name, known in self.roots.items() if known == value), f"root {to_machine(node.arg)}")
         self.source.circular.setdefault(name, node)
         self.roots[name] = value
+        note_number(self, name, node, value)
         return t.Sym(name)
 
     def moving(self, name: str) -> bool:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
+from math import isqrt
 from typing import TYPE_CHECKING
 
 from rbpsym.errors import Undecided
@@ -66,15 +67,33 @@ def note_gaps(search: Search) -> None:
     """What a range leaves between a letter and its end, as a positive letter; and π - 3."""
     ends = [(name, item) for name, item in search.given.items() if _is_in_force(search, item)]
     for source, item in (*ends, ("", Proposition(t.Sym("pi"), t.Num(3), "more"))):
-        node = t.Group(t.Add((item.left, t.Neg(item.right))))
-        high, low, gap = scalar(item.left), scalar(item.right), symbol(f"gap {source}")
-        for side, image in ((item.left, low + gap), (item.right, high - gap)):
-            if isinstance(side, t.Sym):
-                search.shifts.setdefault(side.name, []).append(image)
-        search.source.circular[f"gap {source}"] = node
-        search.note("gap", Proposition(node, t.ZERO, "more", item.given), source=source)
-        search.gaps |= gap.atoms()
-        search.later |= gap.atoms() if item.given else set()
+        sides = ((side.name, side) for side in (item.left, item.right) if isinstance(side, t.Sym))
+        search.haves.append(_gap(search, item, f"q{len(search.haves) + 1}", source, dict(sides)))
+
+
+def note_number(search: Search, name: str, node: t.Sqrt, value: Scalar) -> None:
+    """Between which hundredths the root of a number is; the root is a letter."""
+    number = value.number()
+    if number is None or number <= 0 or f"{name} 0" in search.notes:
+        return
+    low = Fraction(isqrt(int(number * 10**4)), 100)
+    bounds = (node, t.Num(low)), (t.Num(low + Fraction(1, 100)), node)
+    for place, (high, less) in enumerate(bounds):
+        own = f"b{len(search.notes)}"
+        search.notes[f"{name} {place}"] = _gap(search, Proposition(high, less, "more"), own, "", {name: node}, f"{name} {place}")
+
+
+def _gap(search: Search, item: Proposition, own: str, source: str, sides: Mapping[str, t.Node], of: str = "") -> Have:
+    """The gap between two sides, as a positive letter by which the letters among these may be replaced."""
+    node, letter = t.Group(t.Add((item.left, t.Neg(item.right)))), f"gap {of or source}"
+    for name, side in sides.items():
+        other = item.right if side is item.left else item.left
+        image = search.value(other) + symbol(letter) * (1 if side is item.left else -1)
+        search.shifts.setdefault(name, []).append(image)
+    search.source.circular[letter] = node
+    search.gaps |= symbol(letter).atoms()
+    search.later |= symbol(letter).atoms() if item.given else set()
+    return Have(own, "gap", Proposition(node, t.ZERO, "more", item.given), source=source)
 
 
 def signed(search: Search, value: Scalar, *, ranged: bool = True, strict: bool = True) -> PositiveSum | None:

@@ -161,12 +161,18 @@ class Writer(Frozen):
         """The proposition of a claim."""
         if claim.kind == "start":
             return self.relation(replace(claim, kind="equal"), "0")
+        bound = self.of_each(claim.var)
         if claim.kind == "slope":
-            bound = replace(self.terms, bound={claim.var: "x"})
             place, right = self.terms.term(claim.place), self.terms.term(claim.right)
-            return f"is_derive (fun x : R => {bound.term(claim.left)}) {place} ({right})"
+            return f"is_derive (fun x : R => {bound.terms.term(claim.left)}) {place} ({right})"
+        if claim.var:
+            return f"forall x : R, {bound.relation(claim)}"
         given = "".join(f"{self.relation(item)} -> " for item in claim.given)
         return TIMES + given + self.relation(claim)
+
+    def of_each(self, var: str) -> Writer:
+        """The same where a letter is bound."""
+        return replace(self, terms=replace(self.terms, bound={var: "x"})) if var else self
 
     def relation(self, claim: Proposition, time: str = "t") -> str:
         """The relation at a moment."""
@@ -203,7 +209,7 @@ class Writer(Frozen):
         """From what was shown on the way to the claim."""
         if claim.kind == "slope":
             close = self.less(proof.multiples, "0") + finish
-            return f"pose proof Begin as H0; eapply D_eq; [der | apply lin0; {close}]"
+            return f"eapply D_eq; [der | apply lin0; {close}]"
         enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1))])
         close = self.less(proof.multiples) + finish
         if claim.kind == "rate":
@@ -232,12 +238,14 @@ class Writer(Frozen):
         if known.name.startswith("g") and known.name[1:].isdigit():
             return known.name
         name = known.name if known.name[0] in OWN and known.name[1:].isdigit() else f"p_{known.name}"
-        return f"{name} 0 Begin" if known.when == "0" else " ".join((name, time, f"H{time}", *known.by))
+        return f"{name} 0 Begin" if "0" in (known.when, time) else " ".join((name, time, f"H{time}", *known.by))
 
     def have(self, have: Have, finish: str) -> str:
         """An assertion on the way."""
         given = "".join(f" g{place}" for place, _ in enumerate(have.claim.given, 1))
-        return f"assert ({have.name} : {self.said(have.claim)}) by (intros t Ht{given}; {HAVES[have.how](self, have, finish)})"
+        enter = "intros x" if have.claim.var else f"intros t Ht{given}"
+        shown = HAVES[have.how](self.of_each(have.claim.var), have, finish)
+        return f"assert ({have.name} : {self.said(have.claim)}) by ({enter}; {shown})"
 
     def _flat(self, have: Have, finish: str) -> str:
         rate = f"intros u Hu; eapply D_eq; [der | {self.less(have.multiples, 'u')}{finish}]"
@@ -274,13 +282,18 @@ class Writer(Frozen):
         return f"{_bounds(have)}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; ends"
 
     def _gap(self, have: Have, finish: str) -> str:
-        return f"{_bounds(have)}lra"
+        return f"{_bounds(have)}lra" if have.source else "constant"
 
     def _positive(self, have: Have, finish: str) -> str:
         """± the formula is a positive one and one that is not negative."""
         above, others = map(self.terms.term, have.parts)
         way = "above _ _" if have.how != "nonzero" else "beyond _" if have.of == have.claim.left else "below _"
         return f"apply ({way} {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
+
+    def _divisor(self, have: Have, finish: str) -> str:
+        """A multiple of it does not vanish."""
+        whole, by = map(self.terms.term, have.parts)
+        return f"apply (divisor {whole} {by}); [pos | {self.less(have.multiples)}{finish}]"
 
     def _rooted(self, have: Have, finish: str) -> str:
         """The square of a root is what stands below it."""
@@ -311,7 +324,7 @@ class Writer(Frozen):
 def _bounds(have: Have) -> str:
     """What the ranges say at the moment."""
     given = "".join(f" g{place}" for place, _ in enumerate(have.claim.given, 1))
-    return "".join(f"pose proof (p_{name} t Ht{given}); " for name in have.source.split()) or "pose proof PI2_3_2; "
+    return "".join(f"pose proof (p_{name} t Ht{given}); " for name in have.source.split())
 
 
 def _head(claim: Proposition) -> str:
@@ -323,7 +336,7 @@ def _head(claim: Proposition) -> str:
 HAVES = {
     "flat": Writer._flat, "course": Writer._course, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign,
     "gap": Writer._gap, "integral": Writer._integral, "nonzero": Writer._positive, "positive": Writer._positive,
-    "sum": Writer._sum, "root": Writer._rooted, "multiple root": Writer._same_root,
+    "sum": Writer._sum, "root": Writer._rooted, "multiple root": Writer._same_root, "factor": Writer._divisor,
 }  # fmt: skip
 
 

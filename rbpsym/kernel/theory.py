@@ -180,6 +180,6 @@ class Theory:
             script = f"timeout {LONGEST} (unfold {', '.join(dict.fromkeys((ANY, lemma.name, *lemma.premises)))}; theory)"
             end = f'first [solve [{script}] | idtac "{REFUSED}{lemma.name}"]. Abort' if trial else f"{script}. Qed"
             lines.append(f"Lemma {lemma.name}'holds : {' -> '.join((ANY, *lemma.premises, lemma.name))}.\nProof. {end}.")
-        whole = ", ".join(f"{lemma.name}'holds" for lemma in kept)
-        lines += [] if trial else [f"Definition all'of'it := ({whole}, held_rigidly).", "Print Assumptions all'of'it."]
+        whole = ", ".join((*(f"{lemma.name}'holds" for lemma in kept), "held_rigidly", "all_turn_alike"))
+        lines += [] if trial else [f"Definition all'of'it := ({whole}).", "Print Assumptions all'of'it."]
         return "\n".join([*lines, "End Theory.", ""])

@@ -14,9 +14,19 @@ from rbpsym.kernel.positive import positive_sum
 POSITIVE = ("M", "m", "k", "r", "a", "p")
 SUMS = [
     "4*(M + m) - 3*m*cos_x^2", "k^2 + r^2 + a^2 - 2*r*a*cos_x", "M^2 + m^2 + 2*M*m*cos_x + M*m", "9*sin_x^2 - 16",
-    "p^2 + u^2", "3*M - m*u^2*sin_x^2 + m*u^2", "M - sin_x*M/2",
+    "p^2 + u^2", "3*M - m*u^2*sin_x^2 + m*u^2", "M - sin_x*M/2", "2*r^2 + a^2 - 2*a*r*sin_x - 2*r^2*cos_x",
 ]  # fmt: skip
-NONE = ["M - m", "M - 2*m*cos_x", "u^2 - 1", "cos_x", "u", "M*u", "M^2 + m^2 - 2*M*m", "M - m*cos_x*sin_x"]
+NONE = [
+    "M - m",
+    "M - 2*m*cos_x",
+    "u^2 - 1",
+    "cos_x",
+    "u",
+    "M*u",
+    "M^2 + m^2 - 2*M*m",
+    "M - m*cos_x*sin_x",
+    "2*r^2 + a^2 - 3*a*r*sin_x - 2*r^2*cos_x",
+]
 
 
 def read(formula: str) -> Scalar:
