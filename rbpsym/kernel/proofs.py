@@ -119,8 +119,9 @@ class Search:
         value = self.value(node.arg)
         name = next((name for name, known in self.roots.items() if known == value), f"root {to_machine(node.arg)}")
         self.source.circular.setdefault(name, node)
-        self.roots[name] = value
-        note_number(self, name, node, value)
+        if name not in self.roots:
+            self.roots[name] = value
+            note_number(self, node, value)
         return t.Sym(name)
 
     def moving(self, name: str) -> bool:

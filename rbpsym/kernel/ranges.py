@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, generator, substitute, symbol
+from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, generator, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, circles, parted, partner, wound
 from rbpsym.kernel.claim import Proposition, brief, tree_of
@@ -67,32 +67,28 @@ def note_gaps(search: Search) -> None:
     """What a range leaves between a letter and its end, as a positive letter; and π - 3."""
     ends = [(name, item) for name, item in search.given.items() if _is_in_force(search, item)]
     for source, item in (*ends, ("", Proposition(t.Sym("pi"), t.Num(3), "more"))):
-        sides = ((side.name, side) for side in (item.left, item.right) if isinstance(side, t.Sym))
-        search.haves.append(_gap(search, item, f"q{len(search.haves) + 1}", source, dict(sides)))
+        search.haves.append(_gap(search, item, f"q{len(search.haves) + 1}", source))
 
 
-def note_number(search: Search, name: str, node: t.Sqrt, value: Scalar) -> None:
-    """Between which hundredths the root of a number is; the root is a letter."""
-    number = value.number()
-    if number is None or number <= 0 or f"{name} 0" in search.notes:
-        return
-    low = Fraction(isqrt(int(number * 10**4)), 100)
-    bounds = (node, t.Num(low)), (t.Num(low + Fraction(1, 100)), node)
-    for place, (high, less) in enumerate(bounds):
-        own = f"b{len(search.notes)}"
-        search.notes[f"{name} {place}"] = _gap(search, Proposition(high, less, "more"), own, "", {name: node}, f"{name} {place}")
+def note_number(search: Search, node: t.Sqrt, value: Scalar) -> None:
+    """Between which hundredths the root of a number is."""
+    if (number := value.number()) is not None and number > 0:
+        low = Fraction(isqrt(int(number * 10**4)), 100)
+        for high, less in ((node, t.Num(low)), (t.Num(low + Fraction(1, 100)), node)):
+            own = f"b{len(search.notes)}"
+            search.notes[own] = _gap(search, Proposition(high, less, "more"), own)
 
 
-def _gap(search: Search, item: Proposition, own: str, source: str, sides: Mapping[str, t.Node], of: str = "") -> Have:
-    """The gap between two sides, as a positive letter by which the letters among these may be replaced."""
-    node, letter = t.Group(t.Add((item.left, t.Neg(item.right)))), f"gap {of or source}"
-    for name, side in sides.items():
-        other = item.right if side is item.left else item.left
-        image = search.value(other) + symbol(letter) * (1 if side is item.left else -1)
-        search.shifts.setdefault(name, []).append(image)
-    search.source.circular[letter] = node
-    search.gaps |= symbol(letter).atoms()
-    search.later |= symbol(letter).atoms() if item.given else set()
+def _gap(search: Search, item: Proposition, own: str, source: str = "") -> Have:
+    """The gap between two sides, as a positive letter by which either is replaced if it is a letter."""
+    node, (high, low) = t.Group(t.Add((item.left, t.Neg(item.right)))), map(search.value, (item.left, item.right))
+    letter = f"gap {source or to_machine(node)}"
+    search.source.circular[letter], gap = node, symbol(letter)
+    for side, image in ((high, low + gap), (low, high - gap)):
+        for name in (name for name in names_in(side) if side == symbol(name)):
+            search.shifts.setdefault(name, []).append(image)
+    search.gaps |= gap.atoms()
+    search.later |= gap.atoms() if item.given else set()
     return Have(own, "gap", Proposition(node, t.ZERO, "more", item.given), source=source)
 
 
