@@ -8,6 +8,7 @@ from functools import cached_property
 
 from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.expr import tree as t
+from rbpsym.field.effort import at_most
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Lemma, Proof
 from rbpsym.kernel.claim import Proposition, SaidByStep
@@ -18,6 +19,7 @@ from rbpsym.kernel.reading import read_back
 from rbpsym.kernel.rocq import Terms, Writer, identifier
 from rbpsym.proof.step import Derivation, Step
 
+MOST_PRODUCTS = 2_000_000  # of terms, in the search for one step: seven times what any known proof takes
 Propositions = Mapping[str, Proposition]  # by their names
 
 
@@ -53,7 +55,8 @@ def written(derivation: Derivation, ids: Iterable[str] | None = None) -> Written
         needed |= set(step.premises if step.id in needed else ())
     for step in (step for step in derivation.steps if step.id in needed):
         try:
-            lemmas = found.lemmas[step.id] = list(_lemmas(found, step))
+            with at_most(MOST_PRODUCTS):
+                lemmas = found.lemmas[step.id] = list(_lemmas(found, step))
             said = found.source.said[step.id]  # from now on with the conditions on which it was shown
             found.source.said[step.id] = replace(said, assertions=tuple(lemma.claim for lemma in lemmas))
         except (RbpsymError, ZeroDivisionError) as error:

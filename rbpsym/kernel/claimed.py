@@ -68,10 +68,7 @@ class Notary(Frozen):
             report = compiled(whole, self.folder)
         except RbpsymError as error:
             return dict.fromkeys(filed, str(error))
-        if report.axioms is None:
-            return {key: report.refused.get(key, NO_COQC) for key in filed}
-        sound = CERTIFIED if {*report.axioms} <= AXIOMS else "it rests on further axioms"
-        return {key: report.refused.get(key, sound) for key in filed}
+        return {key: report.refused.get(key, judged(replace(report, refused={}))) for key in filed}
 
 
 def written_of(study: Study, filed: dict[str, Filed]) -> Written:

@@ -26,9 +26,11 @@ class PositiveSum(Frozen):
     waves: tuple[tuple[Scalar, Scalar, int], ...]
 
 
-def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset(), *, strict: bool = True) -> PositiveSum | None:
+def positive_sum(
+    poly: Poly, positive: Set[int], least: Set[int] = frozenset(), *, strict: bool = True, turning: bool = True
+) -> PositiveSum | None:
     """A polynomial, or what is opposite to it, as a sum of what is positive (nothing, if it is not `strict`) and of what is not
-    negative.
+    negative; `turning`: by the sines and cosines of one angle together, too.
 
     `positive`: atoms above 0; `least`: atoms that are at least 0. Sines and cosines are letters, sin² + cos² = 1 is used.
     None: no such sum was found.
@@ -47,7 +49,8 @@ def positive_sum(poly: Poly, positive: Set[int], least: Set[int] = frozenset(), 
             if found is not None:
                 return found
     plain = wound(Scalar(poly)).num
-    ways = (_swung(plain.scaled(sign), sign, sine, (positive, least), strict) for sine in sines for sign in (1, -1))
+    kinds = product(sines if turning else (), (1, -1))
+    ways = (_swung(plain.scaled(sign), sign, sine, (positive, least), strict) for sine, sign in kinds)
     return next((found for found in ways if found is not None), None)
 
 
@@ -62,7 +65,7 @@ def _swung(poly: Poly, sign: int, sine: int, known: tuple[Set[int], Set[int]], s
     a, b, d = (Poly(parts.pop(powers, {})) for powers in ((0, 0), (0, 1), (1, 0)))
     if parts or not a or any(c < 0 or not _is_above(m, known[0]) for m, c in a.terms.items()):
         return None
-    found = positive_sum(a * a - b * b - d * d, *known, strict=strict)
+    found = positive_sum(a * a - b * b - d * d, *known, strict=strict, turning=False)
     if found is None or found.sign < 0:
         return None
     swing = Scalar(b * generator(sine) - d * generator(cosine))

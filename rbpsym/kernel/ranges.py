@@ -113,7 +113,8 @@ def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> It
     for images in ways:
         value = substitute(Scalar(poly), {name: image for name, image in images.items() if image is not None})
         for above in dict.fromkeys((known, search.always)) if value.den.constant_value() == 1 else ():
-            if (found := positive_sum(value.num, above | search.gaps, search.least, strict=strict)) is not None:
+            found = positive_sum(value.num, above | search.gaps, search.least, strict=strict, turning=not any(images.values()))
+            if found is not None:
                 yield found
 
 
