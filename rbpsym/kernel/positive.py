@@ -49,8 +49,8 @@ def positive_sum(
             if found is not None:
                 return found
     plain = wound(Scalar(poly)).num
-    kinds = product(sines if turning else (), (1, -1))
-    ways = (_swung(plain.scaled(sign), sign, sine, (positive, least), strict) for sine, sign in kinds)
+    tries = product(sines if turning else (), (1, -1))
+    ways = (_swung(plain.scaled(sign), sign, sine, (positive, least), strict) for sine, sign in tries)
     return next((found for found in ways if found is not None), None)
 
 
