@@ -76,6 +76,7 @@ OTHERWISE = (
     (r"\b(functions? of) (?:the )?time\b", r"\1 t"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
+    (r"\bnatural (?:circular |angular )?(?=frequency of \w+)", "undamped "),
     (r"\b(period|frequency|frequencies) of (?:the )?small (?:oscillations?|swings)\b", r"\1"),
     (r"^((?:the )?(?:\w+ )?(?:period|frequency|frequencies)\b.*?),? (?:for|in) small (?:oscillations?|swings)\b", r"\1"),
     (r"\b(?:just|right|shortly|immediately) before (?:it )?(?=\w+ (?:=|reaches) )", "where "),

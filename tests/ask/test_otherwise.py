@@ -34,6 +34,7 @@ ASKED = (
     ("bead-on-rotating-rod", "time until r = ell", "ln((ell + sqrt(ell**2 - r_0**2))/r_0)/Omega"),
     ("sliding-ladder", "theta where N_w = 0", "asin(2*sin(theta_0)/3)"),
     ("rod-pendulum", "frequency of theta for small oscillations", "sqrt(3*g/(2*ell))"),
+    ("rod-pendulum", "natural frequency of theta", "sqrt(3*g/(2*ell))"),
     ("rod-pendulum", "magnitude of the reaction at F where theta = 0", None),
     ("bullet-in-a-rod", "energy lost in the collision", None),
     ("elastic-pendulum", "spring force at the start - force of S at the start", "0"),
