@@ -51,6 +51,14 @@ class ReadError(RbpsymError):
     """An expression or a file that can't be read."""
 
 
+class UnknownName(ReadError):
+    """A name or command that is not known where it stands."""
+
+
+class Incomplete(ReadError):
+    """A place where a number or symbol is missing."""
+
+
 class StatementError(RbpsymError):
     """A problem statement that contradicts itself or does not determine the motion."""
 

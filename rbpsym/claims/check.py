@@ -5,11 +5,9 @@ Beside a claim are assumed premises, each solved for one quantity, and the condi
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from difflib import SequenceMatcher
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, cast
 
@@ -18,6 +16,7 @@ from rbpsym.claims.conditions import asserted, is_state, relations, under
 from rbpsym.claims.ground import EqualityQuestion, Glossary, Ground, glossary, grounded, with_own_symbols
 from rbpsym.claims.integrals import NoValueError, as_vector, valued, with_dimensions
 from rbpsym.claims.model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst
+from rbpsym.claims.respelling import Change, equated, respellings
 from rbpsym.decide.points import names_of
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Kind, Verdict, all_of, refuted
@@ -93,11 +92,7 @@ if TYPE_CHECKING:
     from rbpsym.claims.theory import TheoryWorld
 
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
-LOST = re.compile(r"ends too early|number or symbol is expected")
-MISSPELLED = re.compile(rf"unknown symbol|the command “.+” is not known|“\\.+” is not expected here|{LOST.pattern}")
-MOST_SPELLED = 24
 MOST_REPAIR = 400_000  # products of terms for what a formula seems to mean
-SPELLED = (r"\sin", r"\cos", r"\tan", r"\frac", r"\dot", r"\ddot", r"\sqrt", r"\left", r"\right", r"\pi", r"\partial")
 Neighbours = Mapping[t.Chain, bool]  # relations beside one in its chain, which share a side with it, and whether they hold
 NOBODY: Neighbours = MappingProxyType({})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
@@ -131,23 +126,19 @@ class Checker(Frozen):
             return unread(claim, str(error), self.respelled(claim, claim.printed, error))
 
     def respelled(self, claim: Claim, printed: Printed | None, error: RbpsymError) -> tuple[Link, ...]:
-        """What seems to be meant where a name is unknown: the first of the claim's own names with which the formula is proved."""
-        if printed is None or error.place is None or not MISSPELLED.search(error.what) or not self.diagnose:
+        """What seems to be meant where a formula can't be read: the first change of its text with which it is proved."""
+        if printed is None or not isinstance(error, ReadError) or not self.diagnose:
             return ()
-        before = "".join(printed.latex.splitlines(keepends=True)[: error.place.line - 1])
-        begin = len(before) + error.place.column - 1
-        begin, width = min(begin, len(printed.latex)), 0 if LOST.search(error.what) else error.place.width
-        wrong, behind = printed.latex[begin : begin + width], printed.latex[begin + width :]
-        plain = replace(self, diagnose=None, witnesses=False, memory={name: {**known} for name, known in self.memory.items()})
         names = {**claim.setting.symbols, **with_own_symbols(claim.setting, self.world(claim.setting)).symbols}
-        alike = sorted((*names, *SPELLED), key=lambda name: -SequenceMatcher(None, name, wrong).ratio())
-        for name in (*alike[:MOST_SPELLED], ""):
-            fix = f"{printed.latex[:begin]}{name}{' ' * (behind[:1].isalpha() and name[-1:].isalpha())}{behind}"
+        return self._meant(claim, Link("", Outcome.UNREAD, detail=error.what), respellings(printed.latex, error, names))
+
+    def _meant(self, claim: Claim, link: Link, changes: Iterable[Change]) -> tuple[Link, ...]:
+        """The link with the first change of the formula's text with which all of it is proved."""
+        plain = replace(self, diagnose=None, witnesses=False, memory={name: {**known} for name, known in self.memory.items()})
+        for fix, words in changes:
             with suppress(RbpsymError, WorkSpent), granted(MOST_REPAIR):
                 if plain._result(claim, Printed(fix)).outcome is Outcome.PROVED:
-                    words = f"{name} in place of {wrong}" if name else f"{wrong} is too much"
-                    words = words if wrong else f"{name} is missing"
-                    return (Link("", Outcome.UNREAD, detail=error.what, diagnosis=words, fix=fix),)
+                    return (replace(link, diagnosis=words, fix=fix),)
         return ()
 
     def _is_expected(self, claim: Claim, result: Result) -> bool:
@@ -163,6 +154,9 @@ class Checker(Frozen):
         node, ground = self.opened(claim, printed)
         intended = read(claim.right, ground.glossary) if claim.right else None
         links = tuple(self.links(node, claim, ground, latex))
+        wrong = [k for k, link in enumerate(links) if link.outcome is Outcome.REFUTED and self.diagnose]
+        if len(wrong) > 1 and (meant := self._meant(claim, links[wrong[0]], equated(latex))):
+            links = (*links[: wrong[0]], *meant, *links[wrong[0] + 1 :])
         right = self._right(intended, claim, ground) if intended else ""
         form = claim.right.latex if claim.right else ""
         outcome = worst([link.outcome for link in links])

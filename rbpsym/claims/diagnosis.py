@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import combinations, pairwise
+from typing import TypeVar
 
 from rbpsym.claims.check import NOBODY, Neighbours, decide
 from rbpsym.claims.decide import equal_to_first_order, has_slopes, is_constant
@@ -46,6 +48,9 @@ FACTORS = tuple(Fraction(n, d) for n, d in (
     (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (6, 1), (1, 6), (8, 1), (1, 8), (5, 1),
     (1, 5), (12, 1), (1, 12), (-2, 1), (-1, 2),
 ))  # fmt: skip
+
+
+N = TypeVar("N", bound=t.Node)
 
 
 class Diagnosis(Frozen):
@@ -180,6 +185,18 @@ def _products(path: Path, node: t.Node) -> Iterator[Change]:
         yield replace(node, left=node.right, right=node.left), "order of the vector product"
 
 
+def _doubled(path: Path, node: t.Node) -> Iterator[Change]:
+    """A factor or a digit that is printed twice."""
+    if isinstance(node, t.Mul):
+        for k, (one, other) in enumerate(pairwise(node.factors)):
+            if one == (other.base if isinstance(other, t.Pow) else other):
+                yield t.mul(*node.factors[:k], *node.factors[k + 1 :]), f"{to_text(one)} is printed twice"
+    digits = str(node.value) if isinstance(node, t.Num) else ""
+    for k, pair in enumerate(pairwise(digits)):
+        if len({*pair}) == 1 and digits.isdigit():
+            yield t.Num(int(digits[:k] + digits[k + 1 :])), f"{pair[0]} is printed twice"
+
+
 def _coefficients(path: Path, node: t.Node) -> Iterator[Change]:
     return iter(()) if is_in_exponent(path) else numbers(path, node)
 
@@ -192,7 +209,8 @@ def _extra(relation: t.Chain) -> Iterator[Repair]:
 
 
 def _factors(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in sorted(terms(relation), key=lambda item: item[0][-1][0] != "terms"):
+    inner = [(path, node) for path, node in sites(relation) if path and path[-1][0] in ("num", "den", "arg")]
+    for path, node in [*sorted(terms(relation), key=lambda item: item[0][-1][0] != "terms"), *inner]:
         for factor in FACTORS:
             yield Repair(put(relation, path, _times(factor, node)), f"factor {factor} at {to_text(node)}")
 
@@ -234,12 +252,17 @@ def _symbols(relation: t.Chain) -> Iterator[Repair]:
                 if other != node.name:
                     words = f"{to_text(t.Sym(other))} in place of {to_text(node)}"
                     yield Repair(put(relation, path, t.Sym(other)), words)
+    for path, node in sites(relation):
+        if isinstance(node, t.Mul):
+            for one, other in combinations(sorted({part.name for _, part in sites(node) if isinstance(part, t.Sym)}), 2):
+                words = f"{to_text(t.Sym(one))} and {to_text(t.Sym(other))} exchanged"
+                yield Repair(put(relation, path, _exchanged(node, one, other)), words)
     for one in names:
         for other in (name for name in names if name > one):
             yield Repair(_exchanged(relation, one, other), f"{to_text(t.Sym(one))} and {to_text(t.Sym(other))} exchanged")
 
 
-def _exchanged(relation: t.Chain, one: str, other: str) -> t.Chain:
+def _exchanged(relation: N, one: str, other: str) -> N:
     swap = {one: other, other: one}
     for path, node in list(sites(relation)):
         if isinstance(node, t.Sym) and node.name in swap:
@@ -258,7 +281,7 @@ def _turned(path: Path, node: t.Node) -> Iterator[Change]:
 
 
 RULES: tuple[Rule, ...] = (
-    anywhere(_products), _signs, anywhere(_functions), anywhere(_coefficients), _factors, _extra,
+    anywhere(_doubled), anywhere(_products), _signs, anywhere(_functions), anywhere(_coefficients), _factors, _extra,
     *map(anywhere, (_exponents, _limits, _turned)), _symbols,
 )  # fmt: skip
 

@@ -15,7 +15,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.numerals import DEGREE
 from rbpsym.expr.places import Path, put, sites
-from rbpsym.field import NOTHING, Scalar, Space, without_even_roots
+from rbpsym.field import NOTHING, Scalar, Space, depends_on, without_even_roots
 from rbpsym.frozen import Frozen, replace
 from rbpsym.present.forms import present
 from rbpsym.typeset.latex import to_latex
@@ -28,6 +28,9 @@ MOST_SUMS, LONGEST = 16, 12  # places where a term may be missing; parts of such
 TURNS = ("sin", "cos", "tan")
 Change = tuple[t.Node, str]  # what stands in place of a part, and what was changed in words
 Rule = Callable[[t.Chain], Iterator["Repair"]]
+
+
+Pairs = set[tuple[t.Node, t.Node]]  # which factor an author prints before which
 
 
 class Repair(Frozen):
@@ -73,7 +76,11 @@ def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
 def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
     """All of them, the likeliest first."""
     wide, phrases = known(claim, ground)
-    for change in (_degrees, numbers, _angles, partial(_others, phrases), partial(_lost, phrases)):
+    products = [list(map(_base, part.factors)) for part in t.walk(relation) if isinstance(part, t.Mul)]
+    pairs = {(one, other) for factors in products for k, one in enumerate(factors) for other in factors[k + 1 :]}
+    values = {name: own for name in {*t.names(relation), *phrases} if (own := _value_of(name, wide)) is not None}
+    moving = {t.Sym(name) for name, own in values.items() if any(depends_on(own, other) for other in wide.motion.scope.rates)}
+    for change in (_degrees, numbers, _angles, partial(_others, phrases), partial(_lost, phrases, pairs, moving)):
         yield from anywhere(change, wide)(relation)
     yield from _missing(relation, wide, phrases)
 
@@ -84,8 +91,10 @@ def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
 
 
 def numbers(path: Path, node: t.Node) -> Iterator[Change]:
-    """Another small number, wherever one stands."""
-    for other in range(1, LARGEST + 1) if isinstance(node, t.Num) and isinstance(node.value, int) else ():
+    """Another small number, wherever one stands; 0 where it is all of a side."""
+    if not (isinstance(node, t.Num) and isinstance(node.value, int)):
+        return
+    for other in range(0 if path and path[-1][0] == "items" else 1, LARGEST + 1):
         if t.Num(other) != node:
             yield t.Num(other), f"{other} in place of {to_text(node)}"
 
@@ -123,9 +132,15 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
                 inside = {name for part in t.walk(term) if isinstance(part, t.Fn) for name in t.names(part)}
                 known = known and not _bare(term) & inside
                 if known and size <= LONGEST and sums <= 1 and not isinstance(term, t.Add):
-                    found.setdefault(put(relation, path, t.add(node, term)), (size, term))
+                    found.setdefault(put(relation, path, _joined(node, term)), (size, term))
     for repaired, (_, term) in sorted(found.items(), key=lambda item: item[1][0]):
         yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
+
+
+def _joined(node: t.Node, term: t.Node) -> t.Node:
+    """The sum with one more term, in front of a minus with which it would begin."""
+    first = node.terms[0] if isinstance(node, t.Add) else node
+    return t.add(term, node) if t.is_negative(first) and not t.is_negative(term) else t.add(node, term)
 
 
 def _bare(node: t.Node) -> set[str]:
@@ -218,7 +233,7 @@ def _others(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Chang
             yield t.Sym(name), f"{to_text(t.Sym(name))} in place of {to_text(node)}"
 
 
-def _lost(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
+def _lost(phrases: dict[str, str], pairs: Pairs, moving: set[t.Sym], path: Path, node: t.Node) -> Iterator[Change]:
     """A factor that is missing or too much in one term."""
     if not path or path[-1][0] not in ("terms", "items", "num", "den", "arg") or node == t.ZERO:
         return
@@ -226,9 +241,11 @@ def _lost(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]
         if isinstance(node, t.Div) and isinstance(node.num, t.Add):
             yield t.Mul((node, symbol)), f"the factor {to_text(symbol)} is missing"
         if not _holds_quotient(node):  # above the bar, and behind the sign
-            yield _among_factors(node, symbol), f"the factor {to_text(symbol)} is missing"
+            yield _among_factors(node, symbol, pairs, moving), f"the factor {to_text(symbol)} is missing"
         if symbol.name in t.names(node):
-            yield t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
+            factors = list(node.factors) if isinstance(node, t.Mul) else []
+            rest = t.mul(*(part for part in factors if part is not factors[factors.index(symbol)])) if symbol in factors else None
+            yield rest or t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
 
 
 def _holds_quotient(node: t.Node) -> bool:
@@ -236,16 +253,21 @@ def _holds_quotient(node: t.Node) -> bool:
     return inner is not node or any(isinstance(part, t.Div) and t.names(part) for part in getattr(inner, "factors", (inner,)))
 
 
-def _among_factors(node: t.Node, symbol: t.Sym) -> t.Node:
-    """The product with one more factor, in front of functions and parentheses."""
+def _among_factors(node: t.Node, symbol: t.Sym, pairs: Pairs, moving: set[t.Sym]) -> t.Node:
+    """The product with one more factor: in the author's order, else in front of functions and sums, and a constant in front of
+    what moves."""
     factors = node.factors if isinstance(node, t.Mul) else (node,)
-    plain = [isinstance(part.base if isinstance(part, t.Pow) else part, (t.Num, t.Sym)) or _is_number(part) for part in factors]
-    place = plain.index(False) if False in plain else len(plain)
+    behind = [(symbol, _base(part)) in pairs for part in factors]
+    before = [(_base(part), symbol) in pairs for part in factors]
+    ends = moving - {symbol} if symbol not in moving else set()
+    plain = [not t.names(part) or (isinstance(_base(part), t.Sym) and _base(part) not in ends) for part in factors]
+    place = len(factors) - before[::-1].index(True) if any(before) else 0
+    place = behind.index(True) if any(behind) else max(place, [*plain, False].index(False))
     return t.mul(*factors[:place], symbol, *factors[place:])
 
 
-def _is_number(node: t.Node) -> bool:
-    return not t.names(node)
+def _base(node: t.Node) -> t.Node:
+    return node.base if isinstance(node, t.Pow) else node
 
 
 # --- a repaired relation in the author's own LaTeX: what was not changed stays as it is printed
@@ -319,6 +341,10 @@ def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str
         return latex[_begin(latex, node) : _end(node)].strip()
     if isinstance(node, t.Neg):
         return f"-{_written(node.arg, latex, kept, symbols)}"
+    if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[1:]):
+        rest = latex[_begin(latex, node.terms[1]) : _end(node.terms[-1])].strip()
+        sign = "" if t.is_negative(node.terms[1]) else "+ "
+        return f"{_written(node.terms[0], latex, kept, symbols)} {sign}{rest}"
     if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[:-1]):
         sign, last = ("-", node.terms[-1].arg) if isinstance(node.terms[-1], t.Neg) else ("+", node.terms[-1])
         begin = latex[_begin(latex, node.terms[0]) : _end(node.terms[-2])].strip()

@@ -34,9 +34,9 @@ class SourceText(Frozen):
         base = self.place or Place()
         return Place(base.file, max(base.line, 1) + line, column, shown, min(width, 200))
 
-    def error(self, what: str, start: int, end: int, instead: str = "") -> RbpsymError:
+    def error(self, what: str, start: int, end: int, instead: str = "", kind: type[ReadError] = ReadError) -> RbpsymError:
         """A ReadError with the place of the characters from `start` to `end`."""
-        return ReadError(what, instead=instead, place=self.at(start, end))
+        return kind(what, instead=instead, place=self.at(start, end))
 
     def limit(self, what: str, start: int = 0, end: int = 1) -> RbpsymError:
         """A LimitError at a place."""
@@ -132,10 +132,12 @@ class Cursor(Walker, Generic[T]):
         self.position += found
         return found
 
-    def error(self, what: str, instead: str = "", token: T | None = None) -> RbpsymError:
+    def error(
+        self, what: str, instead: str = "", token: T | None = None, kind: type[ReadError] = ReadError
+    ) -> RbpsymError:
         """A ReadError at a token (the next one by default)."""
         token = token or self.token
-        return self.source.error(what, token.start, token.end, instead)
+        return self.source.error(what, token.start, token.end, instead, kind)
 
     def spanned(self, node: N, start: int) -> N:
         """The node with its span from `start` to here."""

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar
 
+from rbpsym.errors import ReadError, UnknownName
 from rbpsym.expr.glyphs import DEFAULT, Glyph, Notation, glyph
 from rbpsym.expr.latex.tokens import Token, tokenize
 from rbpsym.expr.source import Cursor, SourceText
@@ -175,7 +176,8 @@ class LatexReader(Cursor[Token]):
             return
         if self.token.kind == "end" and opening:
             raise self.error(f"this “{opening.text}” is never closed", "", opening)
-        raise self.error(f"“{self.token.text or 'the end'}” stands where “{text}” is expected")
+        kind = UnknownName if self.token.kind == "command" else ReadError
+        raise self.error(f"“{self.token.text or 'the end'}” stands where “{text}” is expected", kind=kind)
 
 
 _ACCENTED = (r"\vec", r"\boldsymbol", r"\dot", r"\ddot", r"\hat", r"\bar", r"\tilde", r"\mathcal")

@@ -351,11 +351,12 @@ def test_macros_of_packages_beside_the_text_are_those_of_the_text(folder, capsys
 
 @pytest.mark.parametrize(
     ("wrong", "right"),
-    [(r"V^2 = \ell^2\omgea^2", RIGHT), (r"V^2 = \el^2\omega^2", RIGHT), (r"V^2 = \ell^2v^2", RIGHT), (r"V^2 = \frac{}{1}", "")],
+    [(r"V^2 = \ell^2\omgea^2", RIGHT), (r"V^2 = \el^2\omega^2", RIGHT), (r"V^2 = \ell^2v^2", RIGHT), (r"V^2 = \frac{}{1}", ""),
+     (r"^2 = \ell^2\omega^2", RIGHT), (r"V^2 = \ell^2\omega^22", RIGHT), ("\f\nV^2 = \\ell^2v^2", RIGHT)],
 )
 def test_a_name_that_is_unknown_or_lost_is_repaired(folder, capsys, wrong, right):
     code, [row] = checked(folder, capsys, "a.tex", f"{TEX}\n% rbpsym: claim\n\\[{wrong}\\]")
-    assert code == 2 and row["outcome"] == "COULD NOT BE READ" and row["fix"] == right
+    assert code == 2 and row["outcome"] == "COULD NOT BE READ" and row["fix"].strip() == right
 
 
 def test_a_repair_of_a_chain_leaves_no_link_false(folder, capsys):

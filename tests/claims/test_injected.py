@@ -72,6 +72,12 @@ LOST = [  # a claims file, a claim, what is printed, and the repair
      r"\Delta K = \frac{M v^2}{8} (1 + 3 \sin^2\beta)"),
     ("ring-with-bob", "energy-integral", r"\theta^2 = \frac{g}{R}(\cos\theta - \cos\theta_0)",
      r"\dot{\theta}^2 = \frac{g}{R}(\cos\theta - \cos\theta_0)"),
+    ("spool-on-rails", "acceleration", r"a = \frac{gg\sin\theta}{1 + \frac{k^2}{r^2}}",
+     r"a = \frac{g\sin\theta}{1 + \frac{k^2}{r^2}}"),
+    ("block-on-table", "acceleration", r"a = \frac{m_2 g}{m_1 +\frac{1}{22}M + m_2}",
+     r"a = \frac{m_2 g}{m_1 +\frac{1}{2}M + m_2}"),
+    ("scotch-yoke", "motion", r"(I+MR^2\sin^2\theta)\alpha = -MR^2\omega^2\sin\theta\cos\theta",
+     r"(I+MR^2\sin^2\theta)\alpha = T-MR^2\omega^2\sin\theta\cos\theta"),
 ]  # fmt: skip
 
 

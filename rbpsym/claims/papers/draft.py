@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from itertools import islice, product
 from typing import Any
@@ -68,21 +68,17 @@ def symbols_of(formula: Formula, paper: Paper) -> tuple[str, ...]:
         trees = latex_ways(latex, ANY, whole=True).trees
     except RbpsymError:
         return ()
-    parts = (node for node in _walk(trees[0]) if isinstance(node, (t.Sym, t.Vec)) and node.name != "pi")
+    parts = (node for node in t.walk(_depending(trees[0])) if isinstance(node, (t.Sym, t.Vec)) and node.name != "pi")
     return tuple(dict.fromkeys(latex[slice(*node.span)].strip() for node in parts if node.span))
 
 
-def _walk(node: t.Node) -> Iterator[t.Node]:
-    """The parts of a formula, but for the names of which a name may be a function."""
-    yield node
-    named = isinstance(node, t.Formal) and node.kind == "value" and all(map(_is_name, node.parts[-1:]))
-    for part in node.parts[:1] if named and isinstance(node, t.Formal) else t.children(node):
-        yield from _walk(part)
-
-
-def _is_name(node: t.Node) -> bool:
-    parts = node.parts if isinstance(node, t.Formal) and node.kind == "list" else (node,)
-    return all(isinstance(part, (t.Sym, t.Vec)) for part in parts)
+def _depending(node: t.Node) -> t.Node:
+    """The formula without the names of which a name may be a function."""
+    node = t.mapped(node, _depending)
+    if not isinstance(node, t.Formal) or node.kind != "value":
+        return node
+    listed = node.parts[1].parts if isinstance(node.parts[1], t.Formal) and node.parts[1].kind == "list" else node.parts[1:]
+    return node.parts[0] if all(isinstance(part, (t.Sym, t.Vec)) for part in listed) else node
 
 
 def sections(paper: Paper) -> list[Paper]:

@@ -53,7 +53,9 @@ def _math(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:
     closed = text.closing(r"\$\$", start) if told["display"] else None
     if closed and closed[0] > start and not _BROKEN.search(text.text, start, closed[0]):
         label = _LABEL.match(text.text, closed[1])
-        return display(text.text[start : closed[0]], label[1] if label else ""), label.end() if label else closed[1]
+        body, begun = text.text[start : closed[0]], text.text[: found.start()].rpartition("\n")[2]
+        body = re.sub(r"^[ \t]*>", " ", body, flags=re.M) if begun.lstrip()[:1] == ">" else body  # in a quotation
+        return display(body, label[1] if label else ""), label.end() if label else closed[1]
     if told["inline"] and (closed := text.closing(r"\$", start, SPAN)) and text.paragraph(start, closed[0]):
         tick, (end, behind) = told["inline"][1:], closed
         body = text.text[start : end - len(tick)]

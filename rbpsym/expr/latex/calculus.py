@@ -6,7 +6,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.formal import formal, over_an_index, taken_at
 from rbpsym.expr.latex.functions import SIGNS, operand
-from rbpsym.expr.latex.grammar import argument, begins_factor, between, expression, factor, multiplied
+from rbpsym.expr.latex.grammar import argument, begins_factor, between, expression, factor, goes_on, multiplied
 from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import Token
@@ -141,7 +141,7 @@ def _integral(reader: LatexReader) -> t.Node:
         path, sign = _differential(reader), ""
         if reader.sees_sign(r"\cdot", r"\times"):
             sign = reader.take().text
-        whole = multiplied(reader) if _has_integrand(reader) else t.ONE
+        whole = multiplied(reader) if _has_integrand(reader) or goes_on(reader) else t.ONE
         return reader.spanned(_integrated(reader, start, whole, sign, path, limits), start.start)
     begin, around, reader.path = reader.position, reader.path, None
     reader.integrals += 1

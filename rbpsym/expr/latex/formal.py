@@ -10,12 +10,12 @@ import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction as Rational
 
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import Incomplete, RbpsymError, ReadError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.functions import SIGNS, relation
 from rbpsym.expr.latex.grammar import argument, between, is_vector, term_of
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, LOOSE, NEXT
+from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, LOOSE, NEXT, closed
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
@@ -86,9 +86,10 @@ def refuse(node: t.Node, source: SourceText) -> t.Node:
     for part in t.walk(node):
         if isinstance(part, t.Formal):
             what, instead = SENTENCES.get(part.kind, _OPERATOR)
+            kind = Incomplete if part.kind == "continued" else ReadError
             begin, end = part.span or (0, len(source.text))
             shown = source.text[begin:end].strip()
-            raise source.error(f"“{shown}”: {what}" if len(shown) <= 12 and what[-1] != "?" else what, begin, end, instead)
+            raise source.error(f"“{shown}”: {what}" if len(shown) <= 12 and what[-1] != "?" else what, begin, end, instead, kind)
     return node
 
 
@@ -169,14 +170,11 @@ def numeral(reader: LatexReader) -> t.Node:
 
 def _word(reader: LatexReader, begin: int) -> t.Word:
     """What stands in the braces at a place, as it is written."""
-    reader.position, depth = begin, 0
-    opening = reader.token
-    while reader.token.kind != "end":
-        depth += (reader.token.text == "{") - (reader.token.text == "}")
-        reader.take()
-        if not depth:
-            return t.Word(reader.source.text[opening.start + 1 : reader.previous_end - 1].strip())
-    raise reader.error("this “{” is never closed", "", opening)
+    opening, end = reader.tokens[begin], closed(reader.tokens, begin)
+    if end >= len(reader.tokens) - 1:
+        raise reader.error("this “{” is never closed", "", opening)
+    reader.position = end + 1
+    return t.Word(reader.source.text[opening.start + 1 : reader.previous_end - 1].strip())
 
 
 @begins(*_SUMMED)

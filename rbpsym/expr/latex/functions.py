@@ -13,7 +13,7 @@ from __future__ import annotations
 from fractions import Fraction as Rational
 from itertools import dropwhile
 
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import Incomplete, RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.hyperbolic import HYPERBOLIC
 from rbpsym.expr.latex.grammar import (
@@ -31,7 +31,7 @@ from rbpsym.expr.latex.grammar import (
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token
+from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token, closed
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 
@@ -53,15 +53,21 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     while reader.sees_sign(*SIGNS):
         sign = reader.take()
         ops.append(SIGNS[sign.text])
-        while sign.text == r"\to" and reader.sees_sign("^", "_"):  # a word on the arrow
-            label_after(reader)
+        _pass_word(reader, sign)
         ends = reader.token.kind == "end"
         items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else expression(reader))
     found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
     if not reader.sees_sign(*LOOSE):
         return found
-    loose = LOOSE[reader.take().text]
+    loose = LOOSE[_pass_word(reader, reader.take())]
     return reader.spanned(t.Formal(loose, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
+
+
+def _pass_word(reader: LatexReader, sign: Token) -> str:
+    """Pass what stands on an arrow or another sign, which says how; the sign. What is above = may belong to a name."""
+    while reader.sees_sign("_") or (sign.text in (r"\to", *LOOSE) and reader.sees_sign("^")):
+        label_after(reader)
+    return sign.text
 
 
 MOST_ASKED = 6  # of such questions in a formula; behind them, what varies is a function
@@ -87,7 +93,8 @@ _NAMED = (t.Sym, t.Vec, t.Deriv)
 def called(reader: LatexReader, node: t.Node) -> t.Node:
     """In a text of which nothing is known: with what stands in brackets behind it, of which it may be a function."""
     parts = (node.num, node.den) if isinstance(node, t.Div) else (node,)
-    while reader.table.open and reader.sees_sign("(", "[") and all(isinstance(one, (*_NAMED, t.Pow, t.Formal)) for one in parts):
+    may = reader.table.open and all(isinstance(one, (*_NAMED, t.Pow, t.Formal)) and one != t.Sym("pi") for one in parts)
+    while may and reader.sees_sign("(", "["):
         if reader.sees_sign("[") and reader.ahead(len(_inside(reader))).text == "_":
             break
         node = _value(reader, node)
@@ -126,28 +133,23 @@ def applied(reader: LatexReader, name: t.Node, first: int, raised: bool = False)
     return name
 
 
-def _inside(reader: LatexReader) -> list[Token]:
+def _inside(reader: LatexReader) -> tuple[Token, ...]:
     """The tokens from the bracket that opens here to the one that closes it."""
-    depth, inner = 0, list[Token]()
-    for token in reader.tokens[reader.position :]:
-        depth += (token.text in ("(", "[", "{", r"\{")) - (token.text in (")", "]", "}", r"\}"))
-        inner.append(token)
-        if not depth:
-            break
-    return inner
+    return reader.tokens[reader.position : closed(reader.tokens, reader.position) + 1]
 
 
-def _holds_several(inner: list[Token]) -> bool:
+def _holds_several(inner: tuple[Token, ...]) -> bool:
     """Is there a comma in the brackets, or a relation: f(2x, y), f(x = 0)?"""
-    depth = 0
-    for token in inner:
-        depth += (token.text in ("(", "[", "{", r"\{")) - (token.text in (")", "]", "}", r"\}"))
-        if depth == 1 and (token.text == "," or token.text in SIGNS or token.text in LOOSE):
+    place = 1
+    while place < len(inner) - 1:
+        token = inner[place]
+        if token.text == "," or token.text in SIGNS or token.text in LOOSE:
             return True
+        place = closed(inner, place) + 1
     return False
 
 
-def _is_value(reader: LatexReader, first: int, inner: list[Token]) -> bool:
+def _is_value(reader: LatexReader, first: int, inner: tuple[Token, ...]) -> bool:
     """Is in the parentheses behind a name a number, or one term that makes no product by its dimension: θ(π/2), v(2R)?
 
     A product that is all of a side would not be said to be 0 or another number.
@@ -278,7 +280,7 @@ def _argument(reader: LatexReader, head: Token) -> t.Node:
     if reader.token.text in FUNCTIONS:
         return _function(reader)
     if reader.sees_differential() or not (_is_simple(reader) or begins_name(reader.token)):
-        raise reader.error(f"{head.text} needs its argument here", "", head)
+        raise reader.error(f"{head.text} needs its argument here", "", head, Incomplete)
     factors = [_part(reader, head)]
     while _is_number(factors[-1]) and _is_simple(reader) and not _is_apart(reader, factors[-1]):
         if reader.token.kind == "digit":

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import Incomplete, RbpsymError, UnknownName
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.numerals import number
@@ -167,7 +167,7 @@ def _one(reader: LatexReader, factors: list[t.Node], start: int) -> t.Node:
         return factors[0]
     for place, part in enumerate(factors):
         path = part.path if isinstance(part, t.PathIntegral) else t.Sym(part.var) if isinstance(part, t.Integral) else None
-        if path and any(t.names(path) & t.names(one) for one in factors[place + 1 :]):  # ∫ r dr e^{−r²}
+        if path and any(reader.table.open or t.names(path) & t.names(one) for one in factors[place + 1 :]):  # ∫ r dr e^{−r²}
             raise reader.error("does this belong to the integral?", "Put the integrand in parentheses.")
     return reader.spanned(t.Mul(tuple(factors)), start)
 
@@ -230,7 +230,7 @@ def refuse_number(reader: LatexReader) -> None:
     while before.kind == "letter" and reader.token.kind == "digit":
         reader.take()
     behind, reader.position = behind or (reader.position > place and begins_factor(reader)), place  # B2\pi f
-    if reader.token.kind == "digit" and not behind:
+    if reader.token.kind == "digit" and not behind and reader.token.end == reader.token.start + 1:  # a zero in bold is no digit
         raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
 
 
@@ -334,10 +334,10 @@ def _exponential(reader: LatexReader) -> t.Node | None:
 def _missing(reader: LatexReader) -> RbpsymError:
     token = reader.token
     if token.kind == "end":
-        return reader.error("the formula ends too early", "A number or symbol is missing here.")
+        return reader.error("the formula ends too early", "A number or symbol is missing here.", kind=Incomplete)
     if token.kind == "command":
-        return reader.error(f"the command “{token.text}” is not known here", UNKNOWN_COMMAND)
-    return reader.error(f"“{token.text}” stands where a number or symbol is expected")
+        return reader.error(f"the command “{token.text}” is not known here", UNKNOWN_COMMAND, kind=UnknownName)
+    return reader.error(f"“{token.text}” stands where a number or symbol is expected", kind=Incomplete)
 
 
 def argument(reader: LatexReader) -> t.Node:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from difflib import get_close_matches
 
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import Incomplete, RbpsymError, UnknownName
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.scripts import (
     ACCENTS,
@@ -19,7 +19,7 @@ from rbpsym.expr.latex.scripts import (
     numbered,
     primes_ahead,
 )  # fmt: skip
-from rbpsym.expr.latex.tokens import Token, tokenize
+from rbpsym.expr.latex.tokens import Token, closed, tokenize
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, SymbolTable, spelling
 
@@ -101,7 +101,7 @@ def _prescribed(reader: LatexReader) -> t.Node:
         mark += reader.token.text + label_after(reader)
     if not (braces or (mark[1:2].isalpha() and begins_name(reader.token))):
         what = "“^” stands where a number or symbol is expected"
-        raise reader.error(what, "Write empty braces before a mark that stands before a name.", opening)
+        raise reader.error(what, "Write empty braces before a mark that stands before a name.", opening, Incomplete)
     if not begins_name(reader.token) or reader.sees_differential():
         return reader.spanned(t.Formal("seen from", (t.Word(mark[1:]), COMMANDS["operand"](reader))), start)
     drawn, vector = _scripted(reader)
@@ -156,7 +156,7 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
     while reader.pass_sign("{"):
         inside += 1
     if not begins_name(reader.token):
-        raise reader.error(f"“{token.text}” stands before something that is no letter")
+        raise reader.error(f"“{token.text}” stands before something that is no letter", "", token, Incomplete)
     with reader.deeper():
         drawn, vector = _scripted(reader) if inside else _accented(reader)
     while inside and (token.text in VECTORS or token.text == r"\bar") and reader.token.kind == "letter":
@@ -172,13 +172,7 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
 
 def _close_before(reader: LatexReader) -> None:
     r"""Read \mathbf{r(t)} as \mathbf{r}(t): what is closed behind the parenthesis is closed before it."""
-    depth, place = 0, reader.position
-    while place < len(reader.tokens) - 1:
-        text = reader.tokens[place].text
-        depth += (text == "(") - (text == ")")
-        place += 1
-        if not depth:
-            break
+    place = min(closed(reader.tokens, reader.position) + 1, len(reader.tokens) - 1)
     if reader.tokens[place].text == "}":
         begin, tokens = reader.position, reader.tokens
         reader.tokens = (*tokens[:begin], tokens[place], *tokens[begin:place], *tokens[place + 1 :])
@@ -195,14 +189,8 @@ def _with_accent(drawn: Drawn, command: str) -> Drawn:
 
 def _power_before_subscript(reader: LatexReader) -> int:
     """In x^2_1, the position of `_`; 0 if no subscript follows the superscript."""
-    position, depth = reader.position + 1, 0
-    while position < len(reader.tokens) - 1:
-        text = reader.tokens[position].text
-        depth += (text == "{") - (text == "}")
-        position += 1
-        if depth <= 0:
-            break
-    return position if reader.tokens[position].text == "_" else 0
+    position = closed(reader.tokens, reader.position + 1) + 1
+    return position if position < len(reader.tokens) and reader.tokens[position].text == "_" else 0
 
 
 def _label_behind(reader: LatexReader, end: int) -> str:
@@ -270,8 +258,7 @@ def _unknown(reader: LatexReader, drawn: Drawn, first: int) -> RbpsymError:
     hint = f"Did you mean “{known[near[0]]}”?" if near else (
         "The symbols are: " + ", ".join(sorted(set(known.values()))) + "."
     )  # fmt: skip
-    return reader.source.error(f"unknown symbol “{text[:60]}”", begin.start, reader.previous_end,
-                               hint)  # fmt: skip
+    return reader.source.error(f"unknown symbol “{text[:60]}”", begin.start, reader.previous_end, hint, UnknownName)
 
 
 def _shown(drawn: Drawn) -> str:

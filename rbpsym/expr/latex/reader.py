@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 from typing import Any
 
-from rbpsym.errors import Place, RbpsymError
+from rbpsym.errors import Place, RbpsymError, ReadError, UnknownName
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import DEFAULT, Notation
 from rbpsym.expr.infix import Ways
@@ -244,8 +244,8 @@ def _rows(reader: LatexReader) -> t.Node:
         else:
             rows.append(row)
     if reader.token.kind != "end":
-        hint = UNKNOWN_COMMAND if reader.token.kind == "command" else ""
-        raise reader.error(f"“{reader.token.text}” is not expected here", hint)
+        hint, kind = (UNKNOWN_COMMAND, UnknownName) if reader.token.kind == "command" else ("", ReadError)
+        raise reader.error(f"“{reader.token.text}” is not expected here", hint, kind=kind)
     found = [_asserted(rows, conditions, reader) for rows, conditions in groups]
     return found[0] if len(found) == 1 else t.Relations(tuple(found), span=(0, reader.previous_end))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+from rbpsym.errors import Incomplete
 from rbpsym.expr.latex.tokens import FUNCTION_WORDS
 from rbpsym.expr.symbol_table import Drawn, LatexReader
 
@@ -27,6 +28,8 @@ def label_after(reader: LatexReader, *, begun: bool = False) -> str:
     """The subscript that follows, as one label; `begun`: behind its sign, or what stands below an accent in it."""
     if not begun:
         reader.take()
+    if reader.sees_sign("=", "<", ">"):
+        raise reader.error("this subscript is empty", "Remove it, or write what belongs there.", kind=Incomplete)
     if not reader.sees_sign("{"):
         return _label_part(reader)
     opening, label, depth = reader.take(), "", 1
@@ -112,7 +115,7 @@ def mark_above(reader: LatexReader, named: bool) -> str:
         place += 1
     depth = sum(token.text == "{" for token in reader.tokens[reader.position : place])
     mark, behind = reader.tokens[place].text, reader.tokens[place + 1 :][: max(depth, 1)]
-    closed = all(token.text == "}" if depth else token.kind not in ("digit", "letter") for token in behind)
+    closed = all(token.text == "}" if depth else token.kind != "digit" for token in behind)
     if mark not in _TRANSPOSED and (named or not closed or mark not in ("*", "+", "-", *_NAMED)):
         return ""
     if depth and not closed:

@@ -6,7 +6,7 @@ every other character makes one, or an error that names it. Gaps make one where 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 
 from rbpsym.errors import LimitError
@@ -90,7 +90,7 @@ _PATTERNS = (
     rf"|(?<![A-Za-z\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) == 2)})(?=\s*(?:\(|\\left|\\[a-z])))"
     r"|(?P<arrow>\\x(?:right|Right|mapsto)arrow\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})"
     r"|(?P<command>\\(?:v[abu]\*|[A-Za-z]+|[|{}]))"
-    r"|(?P<dots>\.\.\.)"
+    r"|(?P<word>[\u3040-\u30ff\u4e00-\u9fff\uac00-\ud7af]+)|(?P<dots>\.\.\.)"
     r"|(?P<digit>[0-9])|(?P<mark>\{[,.]\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!?])"
 )
@@ -166,13 +166,13 @@ def _arrayed(tokens: list[Token]) -> list[Token]:
     for k, token in enumerate(tokens[:-1]):
         if token.text not in (r"\mqty", r"\pmqty", r"\bmqty", r"\vmqty"):
             continue
-        if (end := _closed(tokens, k + 1)) < len(tokens):
+        if (end := closed(tokens, k + 1)) < len(tokens):
             opening, closing = (replace(tokens[at], kind="sign", text=text) for at, text in ((k, COLUMN), (end, END_COLUMN)))
             return _arrayed([*tokens[:k], opening, *tokens[k + 2 : end], closing, *tokens[end + 1 :]])
     return tokens
 
 
-_OPENING, _CLOSING = ("(", "[", "{", r"\lvert"), (")", "]", "}", r"\rvert")
+_OPENING, _CLOSING = ("(", "[", "{", r"\{", r"\lvert"), (")", "]", "}", r"\}", r"\rvert")
 _TAKING = ("command", "text", "begin", "differential")
 
 
@@ -185,16 +185,16 @@ def _divided(tokens: list[Token]) -> list[Token]:
     while begin and depth >= 0:
         begin -= 1
         depth += (tokens[begin].text in _CLOSING) - (tokens[begin].text in _OPENING)
-    end = _closed(tokens, begin)
+    end = closed(tokens, begin)
     if depth >= 0 or end == len(tokens):
         return tokens
     over, inner = tokens[place], tokens[begin].text == "{"
-    opened, closed = (replace(over, kind="sign", text=text) for text in "{}")
-    made = [replace(over, text=r"\frac"), opened, *tokens[begin + 1 : place], closed, opened, *tokens[place + 1 : end], closed]
+    one, last = (replace(over, kind="sign", text=text) for text in "{}")
+    made = [replace(over, text=r"\frac"), one, *tokens[begin + 1 : place], last, one, *tokens[place + 1 : end], last]
     return _divided([*tokens[: begin + (not inner)], *made, *tokens[end + inner :]])
 
 
-def _closed(tokens: list[Token], k: int) -> int:
+def closed(tokens: Sequence[Token], k: int) -> int:
     """Where the brackets are closed that open there; the last place, if nowhere."""
     depth = 0
     for end in range(k, len(tokens)):
@@ -212,7 +212,7 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
         if token.text == r"\boldsymbol" and texts[1:4] in _BOLD_SIGNS:
             dropped |= {k, k + 1, k + 3}
         if token.text == r"\indices" and texts[1:2] == ["{"]:
-            dropped |= {k, k + 1, _closed(tokens, k + 1)}
+            dropped |= {k, k + 1, closed(tokens, k + 1)}
         for size in (2, 3) if token.text == "{" else ():
             inner = tokens[k + 1 : k + size]
             named = size == 2 or (bool(inner) and inner[0].kind == "command" and inner[0].text[1:] not in FUNCTION_WORDS)
@@ -319,6 +319,7 @@ _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in seve
     "gradient": lambda _: ("command", r"\nabla"),
     "degree": lambda _: ("sign", "°"),
     "arrow": lambda _: ("command", r"\to"),  # with a word on it, which says how one gets there
+    "word": lambda text: ("text", text),  # of a text in Chinese, Japanese or Korean
     "dots": lambda _: ("command", r"\dots"),
     "empty": lambda text: ("sign", re.sub(r"\s", "", text)),
 }
