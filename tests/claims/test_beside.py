@@ -352,7 +352,7 @@ def test_macros_of_packages_beside_the_text_are_those_of_the_text(folder, capsys
 @pytest.mark.parametrize(
     ("wrong", "right"),
     [(r"V^2 = \ell^2\omgea^2", RIGHT), (r"V^2 = \el^2\omega^2", RIGHT), (r"V^2 = \ell^2v^2", RIGHT), (r"V^2 = \frac{}{1}", ""),
-     (r"^2 = \ell^2\omega^2", RIGHT), (r"V^2 = \ell^2\omega^22", RIGHT), ("\f\nV^2 = \\ell^2v^2", RIGHT)],
+     (r"^2 = \ell^2\omega^2", rf"\vec {RIGHT}"), (r"V^2 = \ell^2\omega^22", RIGHT), ("\f\nV^2 = \\ell^2v^2", RIGHT)],
 )
 def test_a_name_that_is_unknown_or_lost_is_repaired(folder, capsys, wrong, right):
     code, [row] = checked(folder, capsys, "a.tex", f"{TEX}\n% rbpsym: claim\n\\[{wrong}\\]")
