@@ -15,7 +15,7 @@ from types import MappingProxyType
 from rbpsym.claims.conditions import relations
 from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.document.notes import notation_of
-from rbpsym.errors import RbpsymError, ReadError
+from rbpsym.errors import LimitError, RbpsymError, ReadError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.expr.infix import read_relation
@@ -223,7 +223,10 @@ class PhaseSheet(Frozen):
 
     def _is_kept(self, gap: Scalar) -> bool:
         """Does it vanish all along the motion, and not at a rest or a moment only?"""
-        found = self.context.on_motion(gap)
+        try:
+            found = self.context.on_motion(gap)
+        except LimitError:  # known at the start alone
+            return False
         return isinstance(found, Scalar) and is_zero(found)
 
     def _tells(self, ends: tuple[t.Node, t.Node]) -> bool:
