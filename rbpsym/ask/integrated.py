@@ -58,13 +58,14 @@ def _in_phase(
     if place > asked.lasting and not question.phase and any(depends_on(value, work) for value in named for work in ledger):
         raise StatementError("without a closed form, a work is counted in one phase", instead="name it: “… in phase PHASE”.")
     values = [*named, _watched(world, when), *ledger.values(), *_lasting(study)]
-    values = [_on_motion(study, value) for value in values]
+    values = [substitute(study.on_motion(value), study.system.dependent) for value in values]
     moving, known = (*study.system.coordinates, *study.system.speeds), study.system.scope.start
     if missing := [name for name in moving if known.get(name) is None]:
         raise StatementError(f"it is not said where “{missing[0]}” starts", instead='give its coordinate a start = "...".')
     begin = {name: known[name] for name in moving}
     require_numbers(study, [*values, *begin.values()], {*numbers, *begin, *ledger, "t"})
-    evaluate = _evaluated(study, values, numbers, tuple(ledger))
+    compiled, size = compiled_values(study, values, numbers, tuple(ledger)), len(moving)
+    evaluate: Evaluate = lambda time, state: compiled(time, state[:size], *state[size:])  # noqa: E731
     start = [*(number(value, numbers) for value in begin.values()), *(0.0 for _ in ledger)]
     time, state = _followed(study, evaluate, start, numbers, len(named), len(ledger), when)
     if place + 1 < len(asked.names):
@@ -108,18 +109,7 @@ def _lasting(study: Study) -> list[Scalar]:
     return [*found, *slips(study.system).values()]
 
 
-def _on_motion(study: Study, value: Scalar) -> Scalar:
-    return substitute(study.on_motion(value), study.system.dependent)
-
-
 Evaluate = Callable[[float, "np.ndarray"], "np.ndarray"]
-
-
-def _evaluated(study: Study, values: list[Scalar], numbers: Numbers, works: tuple[str, ...]) -> Evaluate:
-    """The values in a state (places, speeds, works)."""
-    size = len(study.system.coordinates) + len(study.system.speeds)
-    evaluate = compiled_values(study, values, numbers, works)
-    return lambda time, state: evaluate(time, state[:size], *state[size:])
 
 
 def _followed(

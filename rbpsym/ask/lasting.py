@@ -18,8 +18,8 @@ from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, v
 from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, possible
 from rbpsym.mechanics.endings import LAWS, uniform_motion
-from rbpsym.mechanics.events import Way
-from rbpsym.mechanics.friction import slips
+from rbpsym.mechanics.events import Way, ways_of
+from rbpsym.mechanics.friction import slips, stops
 from rbpsym.mechanics.led import sense_to
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
@@ -165,8 +165,21 @@ def _in_phase(found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
         lasts, doubts = lasts_to(study, found.moment)
         return (*(_sides(study) if found.moment.how == "rest" else begins(study)), *lasts), doubts
     lost = contacts_last(study, {n: symbol(n) for n in study.system.coordinates}) if found.of == "position" else ()
-    along = (*held(study), *running(study)) if found.of == "position" else regime(study)
+    along = [one for one in (*held(study), *running(study)) if not _kept(study, one)] if found.of == "position" else regime(study)
     return (*begins(study), *(demand for _, demand in lost), *along), ()
+
+
+def _kept(study: Study, demand: Demand) -> bool:
+    """Whether it is positive ahead of the start, where the motion never comes to lie behind that: it starts from rest, friction
+    stops it, or it does not turn round."""
+    given = study.assumptions
+    for way in ways_of(study.system, study.dynamics, demand.value, study.squares, given):
+        ends = given.range_of(way.name)
+        ahead = given.with_range(way.name, *((way.start, ends[1]) if way.sense > 0 else (ends[0], way.start)))
+        is_pushed = not is_zero(study.system.scope.start.get(f"{way.name}_dot", NOTHING))
+        turns = is_pushed and not stops(study.system) and sign(way.square, ahead).kind != "positive"
+        return not turns and sign(demand.value, ahead).kind == "positive"
+    return False
 
 
 def _sides(study: Study) -> Iterator[Demand]:

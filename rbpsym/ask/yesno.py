@@ -28,7 +28,8 @@ def does(world: AskedPhase, text: str, *, opposite: bool = False, condition: Wan
     condition = condition or wanted(world, text)
     if condition.equal:
         raise StatementError(f"“{text}” is no condition of a whole motion", instead="ask “where …”, or “does … depend on …”.")
-    if condition.along is None and moving(world, condition.values) and not _always(condition):
+    in_every_state = (Demand(value, ">=" if condition.closed else ">") for value in condition.values)
+    if condition.along is None and moving(world, condition.values) and settle(in_every_state, condition.given) != ():
         condition = on_way(world, condition.values, text, None, None, condition.given)
     if opposite and not condition.comes:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
@@ -49,7 +50,10 @@ def does(world: AskedPhase, text: str, *, opposite: bool = False, condition: Wan
         return Finding(**said, says="yes" if holds else "no", holds=holds, valid=surely)
     says = "no where this is met, else yes" if opposite else "yes where this is met, else no"
     says = says.partition(",")[0] if surely else says  # what is asked of the motion does not tell what is else
-    return Finding(**_said(parts, condition, holds=None, opposite=opposite), valid=(*surely, *left), says=says)
+    both = settle((*surely, *left), world.motion.assumptions)
+    if both is None:
+        return Finding(undecided("the conditions exclude each other, as it seems"))
+    return Finding(**_said(parts, condition, holds=None, opposite=opposite), valid=both, says=says)
 
 
 def _said(parts: Sequence[Part], condition: Wanted, *, holds: bool | None, opposite: bool) -> dict[str, Any]:
@@ -149,11 +153,6 @@ def _least(condition: Wanted, demands: Sequence[Demand]) -> Iterator[Part]:
         told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
         strict = condition.end is not None and op == ">="
         yield from ((one, low, _of_low(low, way if strict else op)) for low, way in zip(lows, told, strict=True))
-
-
-def _always(condition: Wanted) -> bool:
-    """Whether it is met in every state."""
-    return settle([Demand(value, ">=" if condition.closed else ">") for value in condition.values], condition.given) == ()
 
 
 def _of_low(low: Extreme, op: str) -> Demand:

@@ -76,11 +76,11 @@ def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...]
     demands = [Demand(item.value) if item in parts else item for item in demands]
     known = [Demand(value, ">=" if is_loose else ">") for value, is_loose in given.known]
     demands = list(dict.fromkeys(_divided(item, [*demands, *known]) for item in demands))
+    other_than_zero = {item.value * way for item in demands if item.op == "!=" for way in (1, -1)}
+    demands = [Demand(item.value) if item.op == ">=" and item.value in other_than_zero else item for item in demands]
     firm = {one.value * way for one in demands if one.op == ">" for way in (1, -1)}
     apart = [item for k, item in enumerate(demands) if item.value in firm or Demand(-item.value, "!=") in demands[:k]]
     demands = [item for item in demands if item.op != "!=" or item not in apart]
-    other_than_zero = {item.value for item in demands if item.op == "!="}
-    demands = [Demand(item.value) if item.op == ">=" and item.value in other_than_zero else item for item in demands]
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]
     for item in list(demands):
         others = [other for other in demands if other is not item]

@@ -21,7 +21,8 @@ STATED = {"value_then", "value_along", "value_told", "solution", "direction"}  #
 
 
 def keep(found: Answer) -> None:
-    """Raises AssertionError where a PROVED answer breaks the law."""
+    """Raises AssertionError where a PROVED answer breaks the law, or tells a condition twice."""
+    assert len({*found.valid}) == len(found.valid), (found.question.text, found.valid)
     if not found.verdict.is_proved:
         return
     if found.conclusion is None:

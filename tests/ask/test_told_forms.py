@@ -114,3 +114,5 @@ def test_conditions_that_others_leave_are_not_told() -> None:
     assert [to_text(node) for node in found.valid] == [
         "a √(R² − a²) sin θ₀ + (3R² − 2a²) cos θ₀ ≥ 0", "(3R² − 2a²) cos θ₀ − a √(R² − a²) sin θ₀ ≥ 0",
     ]  # fmt: skip
+    found = answered(asked("drum-and-load"), "speed of y as a function of y")  # it only goes down: the string does not run out
+    assert [to_text(node) for node in found.valid] == ["v₀²(mr² + I) + 2r(mgr − M_f) y ≥ 0"]

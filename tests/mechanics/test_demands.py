@@ -213,6 +213,11 @@ def test_a_factor_of_what_is_positive_is_not_asked_for_beside_it() -> None:
     assert settle([Demand(a - b, "!="), Demand((a - b) * (a - c))], Assumptions()) == (Demand((a - b) * (a - c)),)
 
 
+def test_what_is_neither_zero_nor_negative_is_positive() -> None:
+    a, b = map(symbol, "ab")
+    assert settle([Demand(b - a, "!="), Demand(a - b, ">=")], Assumptions()) == (Demand(a - b),)
+
+
 def test_what_is_never_met_is_no_empty_condition() -> None:
     """“Never” is told by `possible`, and nobody takes it for “nothing is asked”."""
     asked = [[Demand(symbol("m"))], demands(["m - M > 0"]), demands(["m - M > 0", "M - m > 0"])]
