@@ -84,13 +84,13 @@ class _Reader:
             _, below = self._attached() if self.place < len(self.tokens) else ("", UNBALANCED)
             made = bare = rf"\frac{{{bare}}}{{{below}}}" + "\n" * gap.count("\n")
 
-    def _attached(self, stop: str = "") -> tuple[str, str]:
+    def _attached(self, *stops: str) -> tuple[str, str]:
         """A thing with its subscripts, exponents and primes: as it stands, and in a fraction, without parentheses round all.
 
-        What is attached may have things attached itself, up to `stop`: x_a^b_c raises b_c.
+        What is attached may have things attached itself, up to `stops`: x_a^b_c raises b_c, and x^n! is (xⁿ)!.
         """
         made, bare = self._thing()
-        while self._at("_", "^", "'", "!") and not self._at(stop):
+        while self._at("_", "^", "'", "!") and not self._at(*stops):
             sign = self._take()[1]
             if sign not in ("'", "!"):
                 other = "_" if sign == "^" else "^"
@@ -102,7 +102,7 @@ class _Reader:
     def _script(self, stop: str) -> str:
         self._spaces()
         self.depth += 1
-        made = self._attached(stop)[1] if self.place < len(self.tokens) else UNBALANCED
+        made = self._attached(stop, "!")[1] if self.place < len(self.tokens) else UNBALANCED
         self.depth -= 1
         return f"{{{made}}}"
 

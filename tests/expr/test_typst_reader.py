@@ -59,3 +59,7 @@ def test_what_is_printed_comes_back(latex):
 def test_what_is_not_whole_is_refused(text):
     with pytest.raises(RbpsymError):
         read_latex(typst_to_latex(f"{text} = x"), NAMES)
+
+
+def test_a_factorial_is_of_what_its_script_is_attached_to():
+    assert typst_to_latex("x^n! + M_s! + a/k!") == r"x^{n}! + M_{s}! + \frac{a}{k!}"
