@@ -22,17 +22,17 @@ Attempt = list[Lemma]  # as one: it has come through if each of them is accepted
 
 
 def _turned(claim: Proposition) -> Proposition:
-    """The other sign on the right; what is more becomes less."""
+    """The other sign on the right (0 = x stays true: one more); what is more becomes less."""
     if claim.kind in ("more", "least"):
         return replace(claim, left=claim.right, right=claim.left)
-    return replace(claim, right=t.add(t.neg(claim.right), t.ONE) if claim.right == t.ZERO else t.neg(claim.right))
+    return replace(claim, right=t.add(claim.right, t.ONE) if t.ZERO in (claim.left, claim.right) else t.neg(claim.right))
 
 
 def _doubled(claim: Proposition) -> Proposition:
-    """A factor on the right; one more where nothing stands there."""
+    """A factor on the right; two more where a side is 0."""
     if claim.kind in ("more", "least"):
         return replace(claim, right=t.Add((claim.left, t.ONE)))
-    return replace(claim, right=t.ONE if claim.right == t.ZERO else t.Mul((t.TWO, claim.right)))
+    return replace(claim, right=t.add(claim.right, t.TWO) if t.ZERO in (claim.left, claim.right) else t.Mul((t.TWO, claim.right)))
 
 
 WRONG = {"sign": _turned, "factor": _doubled}
