@@ -96,7 +96,7 @@ def _program(study: Study, names: tuple[str, ...], *, moving: bool = True, solve
     inputs |= {name: f"x[{k}]" for k, name in enumerate(state)}
     if not solved:
         return _eliminating(study, Program(inputs, system.defined))
-    none = dict.fromkeys(system.unknowns, NOTHING)  # where masses are not stated
+    none = dict.fromkeys(system.unknowns if study.problem.unstated else (), NOTHING)
     program = Program(inputs, {**system.defined, **none, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})})
     if dynamics.accelerations is None:
         program.solve_for(system.accelerations, dynamics.mass_matrix, dynamics.forcing)
@@ -181,7 +181,7 @@ def seen(
         "coordinates": {name: put(symbol(name)) for name in shown},
         "speeds": {name: put(system.scope.rates.get(name, symbol(f"{name}_dot"))) for name in shown},
         "accelerations": {name: put(symbol(f"{name}_ddot")) for name in shown if program.knows(f"{name}_ddot")},
-        "unknowns": {name: put(symbol(name)) for name in system.unknowns if name in study.solved.reactions},
+        "unknowns": {name: put(symbol(name)) for name in system.unknowns if not study.problem.unstated},
         "couples": [name for name in system.unknowns if any(depends_on(f.couple, name) for f in system.forces)],
         "forces": [_force(force, put) for force in system.forces],
         "potential": _potential(study, put),
