@@ -28,8 +28,7 @@ def does(world: AskedPhase, text: str, *, opposite: bool = False, condition: Wan
     condition = condition or wanted(world, text)
     if condition.equal:
         raise StatementError(f"“{text}” is no condition of a whole motion", instead="ask “where …”, or “does … depend on …”.")
-    in_every_state = (Demand(value, ">=" if condition.closed else ">") for value in condition.values)
-    if condition.along is None and moving(world, condition.values) and settle(in_every_state, condition.given) != ():
+    if condition.along is None and moving(world, condition.values) and not _always(condition):
         condition = on_way(world, condition.values, text, None, None, condition.given)
     if opposite and not condition.comes:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
@@ -153,6 +152,11 @@ def _least(condition: Wanted, demands: Sequence[Demand]) -> Iterator[Part]:
         told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
         strict = condition.end is not None and op == ">="
         yield from ((one, low, _of_low(low, way if strict else op)) for low, way in zip(lows, told, strict=True))
+
+
+def _always(condition: Wanted) -> bool:
+    """Whether it is met in every state."""
+    return settle([Demand(value, ">=" if condition.closed else ">") for value in condition.values], condition.given) == ()
 
 
 def _of_low(low: Extreme, op: str) -> Demand:
