@@ -20,6 +20,7 @@ from rbpsym.mechanics.study import MOST_PRODUCTS, Study
 from rbpsym.mechanics.system import ConstraintCondition, System, by_letters
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.statement.completing import drive
+from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
 
 ONLY_THERE = "formulas for every position would be long: accelerations and unknown forces are told at the start alone"
@@ -44,7 +45,7 @@ def _evenly(problem: Problem) -> Problem:
         is_plain = not places & {*names(speed)} and not any(isinstance(part, Fn) for part in walk(speed))
         if is_plain and speed != ZERO and assemble(problem).independent:
             with suppress(StatementError):
-                led = drive(c, ZERO, bodies, problem.coordinates)
+                led = drive(c, ZERO, bodies, problem.coordinates, letters_of(problem).free(f"D_{c.name}"))
                 problem = replace(problem, constraints=(led, *problem.constraints))
     return problem
 

@@ -10,7 +10,7 @@ from rbpsym.errors import StatementError
 from rbpsym.quantities import Quantity
 from rbpsym.statement.bodies import read_bodies
 from rbpsym.statement.checks import check_names_differ, check_problem, check_unknowns
-from rbpsym.statement.completing import drives, with_masses
+from rbpsym.statement.completing import drives, with_masses, words_of
 from rbpsym.statement.elements import Surroundings
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
@@ -70,7 +70,7 @@ def assemble(table: SourceTable, name: str) -> Problem:
         coordinates=coordinates,
         bodies=tuple(bodies.values()),
         interactions=interactions,
-        constraints=(*(led := drives(coordinates, bodies)), *constraints),
+        constraints=(*(led := drives(coordinates, bodies, words_of(table))), *constraints),
         points=scope.points,
         origins=_origins(table, around),
         implicit=tuple(reader.implicit),

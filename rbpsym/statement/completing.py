@@ -5,7 +5,8 @@ Both are put into the tables, so that all that reads a statement finds them as i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import Any
 
 from rbpsym.errors import StatementError
@@ -25,12 +26,22 @@ def with_masses(table: SourceTable) -> tuple[SourceTable, tuple[str, ...]]:
     if table.data.get("interactions") or not moves or not isinstance(table.data.get("bodies"), Mapping):
         return table, ()
     letters: dict[str, str] = {}
-    bodies = {name: _weighed(name, body, letters) for name, body in table.data["bodies"].items()}
+    taken = words_of(table)
+    bodies = {name: _weighed(name, body, letters, taken) for name, body in table.data["bodies"].items()}
     parameters = {**(table.data.get("parameters") or {}), **letters}
     return replace(table, data={**table.data, "bodies": bodies, "parameters": parameters}), tuple(letters)
 
 
-def _weighed(name: str, body: Any, letters: dict[str, str]) -> Any:
+def words_of(table: SourceTable) -> Set[str]:
+    """All words in a table, which no letter of ours may be."""
+    return {*re.findall(r"\w+", str(table.data))}
+
+
+def _unused(wanted: str, taken: Set[str]) -> str:
+    return next(name for name in (wanted, *(f"{wanted}_{k}" for k in range(1, len(taken) + 2))) if name not in taken)
+
+
+def _weighed(name: str, body: Any, letters: dict[str, str], taken: Set[str]) -> Any:
     """The table of a body with its mass; parts of a composite have one each, unless something is cut out."""
     if not isinstance(body, Mapping) or any(key in body for key in WEIGHTS):
         return body
@@ -39,28 +50,30 @@ def _weighed(name: str, body: Any, letters: dict[str, str]) -> Any:
         if any(key in part for part in parts for key in WEIGHTS):
             return body
         if not any(part.get("removed") for part in parts):
-            return {**body, "parts": [_weighed(f"{name}_{k}", part, letters) for k, part in enumerate(parts, 1)]}
-    letters[f"m_{name}"] = f"mass: mass of the {name}, which is not stated"
-    own = {**body, "mass": f"m_{name}"}
+            return {**body, "parts": [_weighed(f"{name}_{k}", part, letters, taken) for k, part in enumerate(parts, 1)]}
+    mass, moment = (_unused(f"{stem}_{name}", taken) for stem in "mI")
+    letters[mass] = f"mass: mass of the {name}, which is not stated"
+    own = {**body, "mass": mass}
     if body.get("shape") == "given" and "moment" not in body:
-        letters[f"I_{name}"] = f"moment of inertia: moment of inertia of the {name}, which is not stated"
-        own["moment"] = f"I_{name}"
+        letters[moment] = f"moment of inertia: moment of inertia of the {name}, which is not stated"
+        own["moment"] = moment
     return own
 
 
-def drives(coordinates: Iterable[Coordinate], bodies: Mapping[str, Body]) -> tuple[Element, ...]:
-    """What leads the coordinates of which an acceleration is given."""
+def drives(coordinates: Iterable[Coordinate], bodies: Mapping[str, Body], taken: Set[str]) -> tuple[Element, ...]:
+    """What leads the coordinates of which an acceleration is given; `taken` are words that its unknown may not be."""
     known = tuple(coordinates)
-    return tuple(drive(c, c.acceleration, bodies, known) for c in known if c.acceleration is not None)
+    led = ((c, c.acceleration, _unused(f"D_{c.name}", taken)) for c in known if c.acceleration is not None)
+    return tuple(drive(c, gain, bodies, known, letter) for c, gain, letter in led)
 
 
-def drive(coordinate: Coordinate, gain: Node, bodies: Mapping[str, Body], known: Iterable[Coordinate]) -> Element:
+def drive(coordinate: Coordinate, gain: Node, bodies: Mapping[str, Body], known: Iterable[Coordinate], letter: str) -> Element:
     """A given angle of a body, or a given place of one of its points, in space or along another body, that follows the
     coordinate alone. Raises StatementError where there is none."""
     name, moving = coordinate.name, {c.name for c in known}
     parts = (coordinate.start, mul(coordinate.speed or ZERO, T), mul(gain, Div(Pow(T, Num(2)), Num(2))))
     then = {name: add(*(part for part in parts if part is not None and part != ZERO))}
-    letter, place = f"D_{name}", coordinate.place
+    place = coordinate.place
     for body in bodies.values():
         if body.angle is not None and {*names(body.angle)} & moving == {name}:
             values = {"body": body.name, "angle": renamed(body.angle, then), "of": None}

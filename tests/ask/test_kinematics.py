@@ -247,3 +247,13 @@ def test_nothing_is_said_of_forces() -> None:
     found = derive(load_text(GROWING))
     assert found.steps and all(step.certificate.verdict.is_proved for step in found.steps)
     assert found.lagrange is None
+
+
+def test_letters_that_stand_for_what_is_not_stated_meet_none_of_the_authors():
+    """The author's m_wheel is a length, and a constraint is called D_x."""
+    text = WHEEL.format(more='acceleration = "a"').replace("[coordinates.x]", 'm_wheel = "length: tread"\n[coordinates.x]', 1)
+    other = {'radius = "R"': 'radius = "R + m_wheel"', '["x", "R"]': '["x", "R + m_wheel"]', "constraints.N": "constraints.D_x"}
+    for old, new in other.items():
+        text = text.replace(old, new)
+    [found] = ask(load_text(text), "angular acceleration of wheel")
+    assert found.verdict.is_proved and found.text == "-a/(R + m_wheel)"
