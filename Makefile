@@ -6,7 +6,7 @@
 # make check   derive every problem that ships and decide every claim, all of it anew
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
 # make distractors  every wrong answer of every problem, for 200 students: none may look right
-# make certify  each step of every problem that ships, re-proved by Rocq; the report in build/certify.txt
+# make certify  each step of every problem that ships, re-proved by Rocq, and coqchk on it all; the report in build/certify.txt
 # make lint    style, by ruff; types, by mypy
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
@@ -87,8 +87,9 @@ distractors: $(VENV)/run.stamp
 
 certify: $(VENV)/run.stamp
 	@mkdir -p $(OUT)
+	$(BIN)/rbpsym certify theory --coqchk -o $(OUT)/rocq
 	@find derivations -name '*.toml' ! -path '*/courses/*' ! -path '*/claims/*' ! -path '*/worksheets/*' | sort | \
-	    xargs -n 5 -P $(JOBS) $(BIN)/rbpsym certify > $(OUT)/certify.txt; \
+	    xargs -n 5 -P $(JOBS) $(BIN)/rbpsym certify --coqchk > $(OUT)/certify.txt; \
 	    found=$$?; grep 'certified by\|written as' $(OUT)/certify.txt; \
 	    awk '/certified by/ {m += $$2; n += $$4; l += $$9; s += $$12} \
 	        END {print m " of " n " steps, " l " lemmas in " s " s of coqc"}' $(OUT)/certify.txt; exit $$found

@@ -10,26 +10,29 @@ from rbpsym.ask.asked import Asked
 from rbpsym.ask.found import Found
 from rbpsym.chapters.impulses import hand_over
 from rbpsym.field import names_in
-from rbpsym.proof.step import Step, StepRef
+from rbpsym.proof.step import Derivation, Step, StepRef
 
 # what a phase begins with, by the ids of the steps that say so: the first of each row that was made
 BEGINS = (("moment", "place"), ("state.place",), ("after.speeds", "state.speed"))
 
 
-def before(asked: Asked, place: int, found: Found) -> tuple[tuple[str, ...], tuple[Step, ...]]:
-    """The steps by which the phases up to this one begin, as far as the value rests on them or they ask for something; and
-    the ids of those that say with what this one begins. An id says which phase begins."""
+def before(asked: Asked, place: int, found: Found) -> tuple[tuple[str, ...], tuple[Step, ...], list[Derivation]]:
+    """The steps by which the phases up to this one begin, as far as the value rests on them or they ask for something; the
+    ids of those that say with what this one begins; and the steps with their letters. An id says which phase begins."""
     begun: tuple[str, ...] = ()
+    each: list[Derivation] = []
     steps: list[Step] = []
     for k, phase in enumerate(asked.problem.phases[:place], 1):
-        made = {step.id: step for step in hand_over(k, phase, asked.stage(k - 1), asked.stage(k)).steps}
+        draft = hand_over(k, phase, asked.stage(k - 1), asked.stage(k))
+        made = {step.id: step for step in draft.steps}
         said = [next((id for id in row if id in made), "") for row in BEGINS]
         ends = [*filter(None, said if k < place else _used(found, said))]
         kept = needed([*made.values()], *ends, *(id for id, step in made.items() if step.obligations))
         names = {id: f"phase{k + 1}.{id}" for id in made}
+        each.append(Derivation(draft.study, kept, letters=draft.context))
         steps += [resting_on(begun, _renamed(step, names)) for step in kept]
         begun = tuple(names[id] for id in ends)
-    return begun, tuple(steps)
+    return begun, tuple(steps), each
 
 
 def resting_on(begun: tuple[str, ...], step: Step) -> Step:

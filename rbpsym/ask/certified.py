@@ -34,7 +34,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.checks.values import TURNED, told_as
 from rbpsym.proof.draft import Draft
-from rbpsym.proof.step import Step
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 from rbpsym.typeset.text import to_text
@@ -57,11 +57,12 @@ def certified(
     with its steps and its verdict; the ground of another answer (`is_ground`) is a formula, and does not say how far the
     motion lasts."""
     place = found.moment.place if found.moment else asked.place(found.study)
-    begun, earlier = before(asked, place, found)
+    begun, earlier, each = before(asked, place, found)
     for k, part in enumerate(found.since):
         first = certified(asked, question, part, f"{letter}_{k}")
         parts = (replace(step, phrase="ask.part") if step.phrase in ANSWERS else step for step in first.steps)
         earlier += tuple(replace(step, id=f"since.{k}.{step.id}") for step in parts if step not in earlier)
+        each += first.derivations
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     if found.about is not None:
         _spread(draft, found, *found.about)
@@ -78,7 +79,9 @@ def certified(
     if question.is_direction:
         last, values = _direction(draft, question, found)
     asking = [step.id for step in draft.steps if step.obligations] if found.told.startswith("phase ") else ()
-    steps = tuple(resting_on(begun, step) for step in needed(draft.steps, last.id, *asking))
+    own = needed(draft.steps, last.id, *asking)
+    each.append(Derivation(draft.study, own, letters=draft.context))
+    steps = tuple(resting_on(begun, step) for step in own)
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
     comes += map(undecided, open_)
@@ -89,7 +92,8 @@ def certified(
     says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
     says = _behind(draft, last) if found.told.endswith("phase lag") else says
     asked_ = tuple(dict.fromkeys((*held, *valid)))
-    return Answer(question, found.study, values, nodes, verdict, found.of, asked_, (*earlier, *steps), says=says)
+    return Answer(question, found.study, values, nodes, verdict, found.of, asked_, (*earlier, *steps), says=says,
+                  derivations=tuple(each))  # fmt: skip
 
 
 def _behind(draft: Draft, last: Step) -> str:

@@ -71,6 +71,7 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
         equation=None if found.equation is None else draft.show(found.equation, factor=True),
         conclusion=last,
         grounds=tuple(map(ground, found.grounds)),
+        derivations=tuple(part for one in quantities for part in one.derivations),
         at=None if found.place is None or found.place[1] is None else (found.place[0], draft.show(found.place[1])),
     )
 

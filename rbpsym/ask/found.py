@@ -14,7 +14,7 @@ from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
-from rbpsym.proof.step import Step
+from rbpsym.proof.step import Derivation, Step
 from rbpsym.typeset.machine import to_machine
 
 
@@ -55,7 +55,7 @@ class Answer(Frozen):
     Of a parameter: the `symbol` that was asked for, its `relation` to the values, `each` with conditions of its own; a
     sentence, yes or no (`holds_so`), the `equation` that it solves where that has no closed solution; `at`: where an
     extremum lies; what is `given` for letters of the question itself; the `conclusion`, and the `grounds` on which rules
-    have checked it."""
+    have checked it; `derivations`: the steps with their letters, phase by phase, for the prover that is asked of them."""
 
     question: Question
     study: Study
@@ -75,6 +75,7 @@ class Answer(Frozen):
     given: Mapping[str, str] = field(default_factory=dict)
     conclusion: Step | None = None
     grounds: tuple[Step, ...] = ()
+    derivations: tuple[Derivation, ...] = field(default=(), compare=False, repr=False)
 
     @property
     def value(self) -> Scalar:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rbpsym.ask.found import Answer
     from rbpsym.ask.numbers import GivenNumbers
     from rbpsym.expr.glyphs import Notation
+    from rbpsym.kernel.coqc import Report
     from rbpsym.statement.model import Problem
 
 FINE, DOUBTFUL, UNANSWERED, BROKEN = 0, 1, 2, 70
@@ -26,7 +27,8 @@ OURS = (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError,
 @click.argument("questions", nargs=-1, metavar='"QUESTION"...')
 @click.option("--json", "as_json", is_flag=True, help="Print the answers as JSON, for programs.")
 @click.option("--with", "given", metavar='"M = 10 kg, ..."', help="Numbers with units (“example”: the file's): the value too.")
-def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | None) -> int:
+@click.option("--certified", is_flag=True, help="Mark with ✓ only what Rocq certifies too (takes a while).")
+def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | None, certified: bool) -> int:
     """Answer questions about a problem: any quantity, at any moment or along the motion, with its proof.
 
     \b
@@ -37,11 +39,13 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
       rbpsym ask my-problem.toml            # the questions of the file itself: [[ask]]
 
     A question is a quantity, and when, where or as a function of what it is asked for: docs/ask.md has the
-    whole grammar. In JSON, `answer` is text for sympy.sympify with the names that `symbols` tells.
+    whole grammar. In JSON, `answer` is text for sympy.sympify with the names that `symbols` tells. With --certified
+    ○ stands before what is proved, and not certified by Rocq.
     """
     from rbpsym.ask.asked import Asked
     from rbpsym.ask.numbers import read_numbers
     from rbpsym.commands.arguments import found, stated
+    from rbpsym.commands.certify import report_on_answer
     from rbpsym.errors import ReadError
 
     problem = stated(found(name, ("problem",))[1], questions)
@@ -52,13 +56,16 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     asked = Asked(numbers.in_case(problem) if numbers else problem)
     tell = _told if len(questions) == 1 else _told_or_refused
     told = [tell(asked, text, numbers) for text in questions]
-    records = [record for _, record in told]
+    reports = [report_on_answer(answer) if certified and answer else None for answer, _ in told]
+    records = [record | ({} if report is None else {"certified": report.record()})
+               for (_, record), report in zip(told, reports, strict=True)]  # fmt: skip
     if as_json:
         import json
 
         click.echo(json.dumps(records[0] if len(records) == 1 else records, indent=2, ensure_ascii=False))
     else:
-        click.echo("\n\n".join("\n".join(lines(answer, record, numbers, problem)) for answer, record in told))
+        rows = zip(told, reports, strict=True)
+        click.echo("\n\n".join("\n".join(lines(*each, numbers, problem, report)) for each, report in rows))
     errors = [record["error"] for record in records if "error" in record]
     if errors:
         return BROKEN if any(error.startswith(INSIDE) for error in errors) else UNANSWERED
@@ -97,19 +104,24 @@ def _told_or_refused(asked: Asked, text: str, numbers: GivenNumbers | None) -> t
         return None, {**unanswered(text, told), "error": told}
 
 
-def lines(found: Answer | None, record: Mapping[str, Any], numbers: GivenNumbers | None, problem: Problem) -> Iterator[str]:
-    """An answer with its short road, as a textbook prints it, and its numbers."""
+def lines(
+    found: Answer | None, record: Mapping[str, Any], numbers: GivenNumbers | None, problem: Problem, report: Report | None = None
+) -> Iterator[str]:
+    """An answer with its short road, as a textbook prints it, its numbers, and what Rocq says, if it was asked."""
     from rbpsym.ask.telling import numbered
-    from rbpsym.decide.verdict import Kind
-    from rbpsym.document.writers.terminal import MARKS
+    from rbpsym.commands.certify import lines as certificate
+    from rbpsym.decide.verdict import PROVED, Kind
+    from rbpsym.document.writers.terminal import MARKS, UNCERTIFIED
     from rbpsym.expr.glyphs import Notation
 
     notation = Notation(problem.notation)
     yield click.style(record["question"], bold=True)
-    sign, colour = MARKS[Kind(record["verdict"])]
+    is_doubtful = report is not None and record["verdict"] == PROVED and not report.is_whole
+    sign, colour = UNCERTIFIED if is_doubtful else MARKS[Kind(record["verdict"])]
     mark = click.style(sign, fg=colour)
     yield from _road(found, mark, notation) if found else [f"  {mark} {record['reason']}"]
     yield from (f"    {line}" for line in numbered(record, numbers)) if numbers and {"value", "table"} & record.keys() else ()
+    yield from (f"    {line}" for line in certificate(report)) if report else ()
 
 
 def _road(found: Answer, mark: str, notation: Notation) -> Iterator[str]:

@@ -11,6 +11,7 @@ import click
 from rbpsym.commands.arguments import FOLDER, ShelfName
 
 if TYPE_CHECKING:
+    from rbpsym.ask.found import Answer
     from rbpsym.kernel.coqc import Report
 
 USUAL = Path("build", "rocq")
@@ -81,6 +82,20 @@ def report_on(path: Path) -> Report:
     from rbpsym.claims.run import default_folder
 
     return certified(path, None, default_folder())
+
+
+def report_on_answer(found: Answer) -> Report:
+    """The report on the steps of an answer; one that stands in none of its derivations, as what is concluded, has no lemma."""
+    from rbpsym.claims.run import default_folder
+    from rbpsym.frozen import replace
+    from rbpsym.kernel.certify import written
+    from rbpsym.kernel.coqc import compiled, together
+
+    told = together(("", compiled(written(own), default_folder())) for own in found.derivations)
+    stated = {step.statement for own in found.derivations for step in own.steps}
+    steps = (*found.steps, *([] if found.conclusion is None else [found.conclusion]))
+    refused = {step.id: "what is concluded has no words yet" for step in steps if step.statement not in stated}
+    return replace(told, steps=told.steps + len(refused), refused=told.refused | refused)
 
 
 def certified(path: Path, output: Path | None, folder: Path | None, *, check: bool = False) -> Report:

@@ -277,7 +277,7 @@ def _torque(force: Force, origin: Vector) -> t.Node:
 
 
 DEFINED: Mapping[str, Callable[[ClaimSource, Step, t.Chain], Iterator[Proposition]]] = {
-    "statement": _by_place, "potential": _by_place, "torque": _by_forces,
+    "statement": _by_place, "potential": _by_place, "torque": _by_forces, "value_along": _by_place, "value_then": _by_place,
 }  # fmt: skip
 
 
@@ -376,8 +376,21 @@ def _asked(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[P
     return [Proposition(force, t.Mul((ratio, shown))), Proposition(ratio, t.ZERO, "more")]
 
 
+def _then(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
+    """At the start, or at any time after it at which the event holds."""
+    if step.data["moment"].how == "start":
+        return [replace(c, left=started(c.left, source.moving), right=started(c.right, source.moving)) for c in claims]
+    if step.data["moment"].how != "event" or source.event is None:
+        raise RbpsymError("such a moment has no words yet")
+    return [replace(claim, given=(Proposition(tree_of(source.event), t.ZERO), AHEAD)) for claim in claims]
+
+
+def _told(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
+    raise RbpsymError("what a chapter tells has no words for it yet")
+
+
 MORE: Mapping[str, Callable[[ClaimSource, Step, list[Proposition]], list[Proposition]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
     "linearization": _tangent, "linear_system": _tangent, "secular": _mode, "polynomial": _mode, "motion_of_mode": _mode,
-    "vanishing": _vanishes, "value_there": _there, "asked": _asked,
+    "vanishing": _vanishes, "value_there": _there, "asked": _asked, "value_then": _then, "value_told": _told,
 }  # fmt: skip

@@ -25,7 +25,7 @@ from rbpsym.kernel.theory import Theory
 PRELUDE, BODY, MODEL = (Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Body", "Particles"))
 NOT_ACCEPTED = "coqc does not accept its proof"
 LONGEST = 900  # seconds that coqc may take for one file
-CHECKED = ("-silent", "-norec", "Prelude", "-norec", "Steps")  # what is written, and not the libraries below it once more
+WRITTEN = ("-norec", "Prelude", "-norec", "Steps")  # what coqchk looks at of a problem; with the theory, all libraries below it
 AXIOMS = frozenset((  # of the real numbers (the last for their arctangent), and that functions are equal that have equal values
     "ClassicalDedekindReals.sig_not_dec",
     "ClassicalDedekindReals.sig_forall_dec",
@@ -53,6 +53,11 @@ class Report(Frozen):
         """What is certified, for programs."""
         certified = 0 if self.axioms is None else self.steps - len(self.refused)
         return {"steps": self.steps, "certified": certified, "not_certified": self.refused, "axioms": self.axioms}
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether coqc accepted every step."""
+        return self.axioms is not None and not self.refused
 
     @property
     def is_sound(self) -> bool:
@@ -102,7 +107,8 @@ def _said(found: Written | Theory, whole: str, check: bool) -> dict[str, Any]:
         if done.returncode:
             raise RbpsymError(f"coqc does not read the written file: {done.stderr[-400:]}")
     axioms = re.findall(r"^([\w.']+)\s*:", done.stdout.partition("Axioms:")[2], re.MULTILINE)
-    checked = _run(Path(_desk().name), *CHECKED, program="coqchk").returncode == 0 if check else None
+    parts = ("Steps",) if isinstance(found, Theory) else WRITTEN
+    checked = _run(Path(_desk().name), "-silent", *parts, program="coqchk").returncode == 0 if check else None
     return {"bad": bad, "axioms": axioms, "seconds": time.perf_counter() - begin, "checked": checked}
 
 
