@@ -108,12 +108,13 @@ def name_of(drawn: Drawn) -> str:
 
 
 _MARKS = {
-    "'": "_prime", "+": "plus", "-": "minus", "*": "star", "^": "_", "(": "of", "/": "per", "=": "is", ";": "semicolon",
+    "'": "prime", "+": "plus", "-": "minus", "*": "star", "^": "_", "(": "of", "/": "per", "=": "is", ";": "semicolon",
     ",": "comma", "|": "bar", "<": "below", ">": "above",
 }  # fmt: skip
 
 
 def _label_parts(label: str) -> list[str]:
+    label = re.sub(r"\^(?=\d)", "_sup", re.sub(r"(?<![^_^])([A-Z])'", r"\1_'", label))  # I_{O'}, and x^1 beside x_1
     plain = "".join(NAME_OF_LETTER.get(char, char) if not char.isascii() else _MARKS.get(char, char) for char in label)
     return [part for part in re.sub(r"[^\w]", "", plain).split("_") if part]
 

@@ -36,14 +36,14 @@ def read(latex):
         (r"a = I_{zz}^{C1} \frac{d^2\theta}{dt^2}", "a = I_(zz,C₁) d²θ/dt²"),
         (r"\left\lbrace\begin{aligned} a &= b \end{aligned}\right. \& {\color{red} c = \underline{d + e}}", "a = b\nc = d + e"),
         (r"\theta = {\tan}^{-1}(a/b)", "θ = arctan(a/b)"),
-        (r"J_{j} = x^1 + x^2 + d'_{\text A}", "Jⱼ = x₁ + x₂ + d′_A"),
+        (r"J_{j} = x^1 + x^2 + d'_{\text A}", "Jⱼ = xₛᵤₚ₁ + xₛᵤₚ₂ + d′_A"),
         (r"I = \frac{c{E}_{0}^{2}}{2} - a \quad \checkmark", "I = cE₀²/2 − a"),
         (r"{e}^{+} = {}_{Z}^{A}{\text{X}}_{N} + {\bf{q}}", "eₚₗᵤₛ = X_(Z,AN) + q⃗"),
         (r"1.\quad v = a t", "v = at"),
         (r"v = 2(t^{\prime 2} + 1) + {}^W L", "v = 2(t′² + 1) + L_W"),
         (r"\mathbf{v} \mathbf{\cdot} \mathbf{w} = \frac{\partial^2 {}}{\partial {\theta}^2} T", "v⃗ · w⃗ = ∂²T/∂θ²"),
         (r"\left\{ \, \begin{aligned} a &= b \end{aligned} \right. \quad \lor \quad c = 2", "a = b\nc = 2"),
-        (r"a = x_{n+\frac12} + L_{y^\prime}, &\quad \text{(2D)}", "a = xₙₚₗᵤₛ₁ₚₑᵣ₂ + L′_y"),
+        (r"a = x_{n+\frac12} + L_{y^\prime}, &\quad \text{(2D)}", "a = xₙₚₗᵤₛ₁ₚₑᵣ₂ + L_yprime"),
     ],
 )
 def test_is_read_as_it_is_meant(latex, told):

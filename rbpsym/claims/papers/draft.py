@@ -46,11 +46,11 @@ class _Any(dict[Drawn, tuple[str, ...]]):
     """A table in which every drawn letter has a name; words in a sentence have none."""
 
     def get(self, drawn: Drawn, default: Any = ()) -> Any:
-        unit = drawn in [Drawn(base, accent="hat") for base in "ijk"]
+        unit = drawn in [Drawn(base, accent="hat") for base in "ijkıȷ"]
         return default if unit or drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) else (name_of(drawn),)
 
 
-ANY = SymbolTable(_Any(), varies=lambda name: True, open=True)
+ANY = SymbolTable(_Any(), varies=lambda name: True, directed=lambda name: "_hat" in name, open=True)
 
 
 class Fit(Frozen):

@@ -11,6 +11,7 @@ from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import Token
 from rbpsym.expr.symbol_table import Drawn, LatexReader, begins
+from rbpsym.frozen import replace
 
 Limits = tuple[t.Node | str | None, t.Node | str | None]
 
@@ -23,7 +24,8 @@ def _fraction(reader: LatexReader) -> t.Node:
     if num is None and (derivative := _derivative(reader, start)):
         return derivative
     num = argument(reader) if num is None else num
-    return reader.spanned(t.Div(num, argument(reader)), start)
+    below = _by_index(argument(reader)) if isinstance(num, t.Formal) else argument(reader)
+    return reader.spanned(t.Div(num, below), start)
 
 
 def _with_differential(reader: LatexReader) -> t.Node | None:
@@ -58,7 +60,7 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     place = reader.position
     if (parts := _below(reader, order)) is None and of is None:  # ∂/∂x^μ in front of what it stands for
         reader.position = place
-        below = argument(reader)
+        below = _by_index(argument(reader)) if order == 1 else argument(reader)
         return formal(reader, start, "differential", operand(reader) if begins_factor(reader) else t.Word(""), below)
     if parts is None:
         reader.position = begin
@@ -68,6 +70,13 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     for wrt, times in reversed(parts):
         of = reader.spanned(t.Deriv(of, wrt, times, partial), start)
     return of
+
+
+def _by_index(below: t.Node) -> t.Node:
+    """∂x^2 below a ∂: x^2 is a coordinate."""
+    if not (isinstance(below, t.Pow) and isinstance(below.base, t.Formal) and below.base.kind == "differential"):
+        return below
+    return replace(below.base, parts=(t.Formal("raised", (below.base.parts[0], below.exponent)),))
 
 
 @begins("d/")

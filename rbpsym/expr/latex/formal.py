@@ -65,7 +65,9 @@ SENTENCES: Mapping[str, Sentence] = {
     "marked": ("only a symbol can have a subscript, prime or mark", "Give all of it a symbol."),
     "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
     "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
-    "crossed": ("is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side."),
+    "run": ("is this a product, or one name?", "Leave a thin space between factors, or make a name upright."),
+    **dict.fromkeys(("crossed", "dotted"), (
+        "is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side.")),
     "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),
     "raised": ("is this a power, or an index above?", "Say in the symbols what all of it means, or write the index below."),
     "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),

@@ -93,7 +93,7 @@ _NAMED = (t.Sym, t.Vec, t.Deriv)
 def called(reader: LatexReader, node: t.Node) -> t.Node:
     """In a text of which nothing is known: with what stands in brackets behind it, of which it may be a function."""
     parts = (node.num, node.den) if isinstance(node, t.Div) else (node,)
-    may = reader.table.open and all(isinstance(one, (*_NAMED, t.Pow, t.Formal)) and one != t.Sym("pi") for one in parts)
+    may = reader.table.open and all(isinstance(one, (*_NAMED, t.Pow, t.Formal)) for one in parts)
     while may and reader.sees_sign("(", "["):
         if reader.sees_sign("[") and reader.ahead(len(_inside(reader))).text == "_":
             break

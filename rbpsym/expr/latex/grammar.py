@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rbpsym.errors import Incomplete, RbpsymError, UnknownName
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.names import begins_name, read_name
+from rbpsym.expr.latex.names import begins_name, letter_run, read_name
 from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.rows import OPEN
 from rbpsym.expr.latex.scripts import label_after, mark_above
@@ -115,6 +115,8 @@ def _joined(reader: LatexReader, left: t.Node, right: t.Node, sign: Token) -> t.
     half = is_vector(left) != is_vector(right) and bool(t.names(left) and t.names(right))
     if sign.text == r"\times" and (half or all(directed)):
         return t.Formal("crossed", (left, right))
+    if reader.table.open and sign.text == r"\cdot" and (half or any(directed)):
+        return t.Formal("dotted", (left, right))
     factors = [part for side in (left, right) for part in (side.factors if isinstance(side, t.Mul) else (side,))]
     return t.Mul(tuple(factors))
 
@@ -275,7 +277,8 @@ def _exponent(reader: LatexReader) -> t.Node:
 def atom(reader: LatexReader) -> t.Node:
     """A number, a name, or what a command begins; with what it is taken of in parentheses behind it."""
     first = reader.position
-    return COMMANDS["applied"](reader, bare_atom(reader), first)
+    run = letter_run(reader) if reader.table.open else None
+    return COMMANDS["applied"](reader, run or bare_atom(reader), first)
 
 
 def bare_atom(reader: LatexReader) -> t.Node:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from difflib import get_close_matches
 
@@ -30,6 +31,40 @@ _LONGEST = 24
 def begins_name(token: Token) -> bool:
     """Can a name (or a word) begin with this token?"""
     return token.kind in ("letter", "text") or (token.kind == "command" and token.text in HEADS)
+
+
+_WORDS = re.compile(
+    r"(?<![A-Za-z\\])(?:Re|Im|KE|PE|[Tt]r|det|dim|sgn|rot|div|grad|curl|lim|max|min|const|[ck]onstant[e]?|konst)(?![A-Za-z])"
+)
+
+
+def as_words(text: str, tokens: list[Token]) -> list[Token]:
+    """The tokens with the letters of a word that nobody means as a product, Re(z) or p = const, as one name or command."""
+    for found in _WORDS.finditer(text):
+        inside = [k for k, token in enumerate(tokens) if found.start() <= token.start < found.end()]
+        if all(tokens[k].kind == "letter" for k in inside) and len(inside) == len(found[0]):
+            indexed = tokens[inside[-1] + 1].text == "_" and found[0] in ("Re", "Im")  # the number of Reynolds
+            is_command = rf"\{found[0]}" in COMMANDS and not indexed
+            kind, word = ("command", rf"\{found[0]}") if is_command else ("letter", found[0])
+            tokens[inside[0] : inside[-1] + 1] = [Token(kind, word, *found.span())]
+    return tokens
+
+
+def letter_run(reader: LatexReader) -> t.Node | None:
+    """Letters side by side of which nothing is known and which may be one word: in front of a bracket, four, or three capitals.
+
+    None, and nothing passed, for any other, and where one of them is raised, has an index, or may be the d of a differential.
+    """
+    place, run = reader.position, ""
+    while (token := reader.tokens[place + len(run)]).kind == "letter" and token.text.isascii() and len(token.text) == 1:
+        if run and token.start > reader.tokens[place + len(run) - 1].end:
+            break
+        run += token.text
+    word = token.text in ("(", "[") or len(run) > 3 or (run.isupper() and len(run) > 2)
+    if len(run) < 2 or not word or token.text in ("_", "^", "'") or "d" in run:
+        return None
+    start = reader.token.start
+    return reader.spanned(t.Formal("run", tuple(read_name(reader) for _ in run)), start)
 
 
 def read_name(reader: LatexReader) -> t.Node:

@@ -32,6 +32,7 @@ from rbpsym.expr.latex import (
 )
 from rbpsym.expr.latex.functions import relation
 from rbpsym.expr.latex.grammar import BELOW, UNKNOWN_COMMAND
+from rbpsym.expr.latex.names import as_words
 from rbpsym.expr.latex.rows import GAP, laid_out
 from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, EQUIVALENT, IMPLIED, MAX_LENGTH, Token, tokenize
 from rbpsym.expr.source import SourceText
@@ -218,7 +219,7 @@ def _formula_tokens(text: str, source: SourceText, table: SymbolTable) -> tuple[
     own = {row[0] for row in table.spellings if len(row) == 1}  # commands that are names: \\th
     tokens = tokenize(SourceText(text, source.place), gaps=True)
     named = (replace(one, kind="letter") if one.kind == "command" and one.text in own else one for one in tokens)
-    return laid_out(source, tuple(named))
+    return laid_out(source, tuple(as_words(text, [*named]) if table.open else named))
 
 
 def _rows(reader: LatexReader) -> t.Node:
