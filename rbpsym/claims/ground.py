@@ -114,7 +114,8 @@ _MARKS = {
 
 
 def _label_parts(label: str) -> list[str]:
-    label = re.sub(r"\^(?=\d)", "_sup", re.sub(r"(?<![^_^])([A-Z])'", r"\1_'", label))  # I_{O'}, and x^1 beside x_1
+    label = re.sub(r"(?<![^_^])([A-Z])'", r"\1_'", label.replace("^'", "'"))  # I_{O'}
+    label = re.sub(r"\^(?=\d)", "_sup", label)  # x^1 beside x_1
     plain = "".join(NAME_OF_LETTER.get(char, char) if not char.isascii() else _MARKS.get(char, char) for char in label)
     return [part for part in re.sub(r"[^\w]", "", plain).split("_") if part]
 

@@ -35,6 +35,11 @@ def _differentials(*of: str) -> str:
     return UNBALANCED if any("[" in one for one in of) else " ".join(rf"\mathrm{{d}} {one}" for one in of)
 
 
+def _in_bold(body: str) -> str:
+    """In bold, a letter is a vector; a whole relation is but shown so."""
+    return body if _SUM.search(body) else rf"\boldsymbol{{{body}}}"
+
+
 def _before(sign: str, *of: str) -> str:
     return UNBALANCED if len(of) > 1 or _SUM.search(of[0]) else f"{sign} {of[0]}"
 
@@ -65,12 +70,12 @@ NAMES = {
     "dots": r"\dots", "dots.v": r"\vdots", "dots.down": r"\ddots", "dotless.i": r"\imath", "dotless.j": r"\jmath",
     "grad": r"\nabla", "curl": r"\nabla \times", "laplacian": r"\nabla^2", "dprod": r"\cdot", "cprod": r"\times",
     "times.o": r"\otimes", "plus.o": r"\oplus", "dot.o": r"\odot", "arrow.l.r": r"\leftrightarrow",
-    "TT": r"\mathsf{T}",
+    "TT": r"\mathsf{T}", "slash": "/",
 }  # fmt: skip
 CALLS: dict[str, str | Callable[..., str]] = {
     "frac": r"\frac{%s}{%s}", "sqrt": r"\sqrt{%s}", "root": r"\sqrt[%s]{%s}", "dot": r"\dot{%s}",
     "dot.double": r"\ddot{%s}", "dot.triple": r"\dddot{%s}", "arrow": r"\vec{%s}", "hat": r"\hat{%s}",
-    "tilde": r"\tilde{%s}", "macron": r"\bar{%s}", "overline": r"\bar{%s}", "bold": r"\boldsymbol{%s}",
+    "tilde": r"\tilde{%s}", "macron": r"\bar{%s}", "overline": r"\bar{%s}", "bold": _in_bold,
     "cal": r"\mathcal{%s}", "italic": "{%s}", "upright": r"\mathrm{%s}", "abs": r"\left|%s\right|",
     "norm": r"\left\|%s\right\|", "lr": "%s", "display": "%s", "inline": "%s", "cancel": r"\cancel{%s}",
     "op": r"\operatorname{%s}", "diaer": r"\ddot{%s}", "underline": r"\underline{%s}", "bb": r"\mathbb{%s}", "mid": "%s",

@@ -165,7 +165,7 @@ FORMAL = {  # read whole, without a value
     r"a = b = ": "a = b = unfinished",
     r"a = b \quad \text{ruotato di } x \text{ nel piano}": "a = b\n  condition(ruotato di x nel piano)",
     r"a = \sum_{i\in A} m_i + f_{j\ne k}": "a = sum(mᵢ, ∈(i, A)) + fⱼₙₑₖ",
-    r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s²)",
+    r"L = \SI{2.5}{m/s^2}": "L = measured(5/2, m/s^2)",
     r"L = \SI{-8.3e-5}{m}": "L = measured(−0.000083, m)",
     r"T = F h(\hat y) + \overline{v^2}": "T = F value(h, ŷ) + accented(bar, v²)",
     r"\frac{d}{dt} a b = \sum \frac12 m v^2": "d/dt(several(ab)) = sum(½mv²)",
@@ -209,6 +209,12 @@ def test_marks_before_and_behind_a_name_are_no_powers(latex, told):
 @pytest.mark.parametrize(("latex", "told"), [
     (r"a = \omega^2(t) R + r^2(\Delta V)^2", "a = value(ω², t) R + raised(value(r², ΔV), 2)"),
     (r"T = h(\hat k) + x^2(y + z)", "T = value(h, k̂) + value(x², y + z)"),
+    (r"Im(z) = Cov(X, y) + f{\left(x \right)}", "value(Im, z) = value(run(C, o, v), list(X, y)) + value(f, x)"),
+    (r"mgh(1 - x) = nAve + Re_\tau", "value(run(m, g, h), 1 − x) = run(n, A, v, e) + Re_τ"),
+    (r"p = const + \pi(x) + ABC", "p = const + value(π, x) + run(A, B, C)"),
+    (r"\hat n \cdot \vec F = m \cdot \vec a", "dotted(n̂, F⃗) = dotted(m, a⃗)"),
+    (r"\frac{\partial}{\partial x^2} f = \frac{\partial f}{\partial x^2}",
+     "differential(f, differential(raised(x, 2))) = differential(f)/differential(raised(x, 2))"),
 ])  # fmt: skip
 def test_of_what_nothing_is_known_no_power_and_no_product_is_said(latex, told):
     assert to_text(latex_ways(latex, ANY, whole=True).trees[0]) == told

@@ -44,6 +44,17 @@ def read(latex):
         (r"\mathbf{v} \mathbf{\cdot} \mathbf{w} = \frac{\partial^2 {}}{\partial {\theta}^2} T", "v⃗ · w⃗ = ∂²T/∂θ²"),
         (r"\left\{ \, \begin{aligned} a &= b \end{aligned} \right. \quad \lor \quad c = 2", "a = b\nc = 2"),
         (r"a = x_{n+\frac12} + L_{y^\prime}, &\quad \text{(2D)}", "a = xₙₚₗᵤₛ₁ₚₑᵣ₂ + L_yprime"),
+        (r"x_{P/O'} = x'_{P/O} + I_{O'}", "x_PperOprime = x′_PperO + I_(O′)"),
+        (r"A = \hat{\imath}\cdot\vec v", "A = î · v⃗"),
+        (r"-a^* = -b^* \\ 0 = c^*", "−aₛₜₐᵣ = −bₛₜₐᵣ\n0 = cₛₜₐᵣ"),
+        (r"a = b + \\ -c", "a = b − c"),
+        (r"\frac{\partial y}{\partial x} = \frac{\partial z/\partial x}{\partial z/\partial y}", "∂y/∂x = (∂z/∂x)/(∂z/∂y)"),
+        (r"a = \mathrm{i} 2\omega", "a = i · 2ω"),
+        (r"u = \int_0^T v\ dt = b", "u = ∫₀^T vdt = b"),
+        (r"\lefteqn{a + b =} \\ && c > d", "a + b = c > d"),
+        (r"a = 0 \,, \quad \text{con } i = 1, 2, 3 \,.", "a = 0"),
+        (r"a = 0, \qquad i,j\in\{1,2,3\}.", "a = 0"),
+        (r"\Delta = a", "Δ = a"),
     ],
 )
 def test_is_read_as_it_is_meant(latex, told):
@@ -83,6 +94,13 @@ def test_is_read_as_it_is_meant(latex, told):
         (r"V = \cancel{m g} + b", "cancelled"),
         (r"A = \mqty(a & b \\ c & d)", "matrix"),
         (r"a = \unit[-2.3]{m}", "measured"),
+        (r"P(A|B) = 1", "|"),
+        (r"A = \{x \mid |x| < 1\}", "|"),
+        (r"\delta_{ij} = \begin{cases} 1, & \text{si } i = j, \\ 0, & \text{si } i \ne j. \end{cases}", "cases"),
+        (r"d = \left\{\begin{aligned} 1, a = b,\\ 0, a \ne b. \end{aligned}\right.", "cases"),
+        (r"u = \int I\,d\nu\,d\Omega", "integral"),
+        (r"\frac{\partial_z^j}{j!} a = 0", "∂"),
+        (r"A \otimes_C B = 0", "⊗"),
     ],
 )
 def test_what_has_no_value_is_a_formal_part(latex, kind):

@@ -104,8 +104,13 @@ def closing(text: str, start: int, most: int = sys.maxsize) -> int:
     raise ReadError("a brace is never closed")
 
 
+_OWN = {r"\mathchoice": Macro("#1", 4)}  # in displays, the first
+_LOOKS = (r"\vec", r"\hat", r"\bar", r"\tilde", r"\dot", r"\ddot")  # defined anew, they look otherwise and mean the same
+
+
 def expanded(latex: str, macros: Mapping[str, Macro]) -> str:
     """The formula with all macros put in. Raises LimitError for what does not end."""
+    macros = {**_OWN, **{name: macro for name, macro in macros.items() if name not in _LOOKS}}
     for _ in range(DEEPEST):
         latex, count = _once(_DROPPED.sub(" ", latex), macros)
         if not count:

@@ -51,8 +51,11 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
         return None
     begin = reader.position
     reader.take()
+    if slashed_derivative(reader) is not None:  # (∂z/∂x)/(∂z/∂y)
+        reader.position = begin
+        return None
     partial = reader.take().text == "∂"
-    order = _order(reader)
+    order = 0 if reader.sees_sign("_") else _order(reader)
     of = None if reader.sees_sign("}") or not order else expression(reader)
     if not order or not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
         reader.position = begin  # the fraction of a length d, or of a differential
@@ -166,6 +169,13 @@ def _integral(reader: LatexReader) -> t.Node:
     if found is None and not reader.sees_differential():
         raise reader.error("the integral has no differential", "Write dθ at its end.", start)
     path = _differential(reader) if found is None else found
+    if reader.sees_differential() and not reader.integrals:  # of several variables, by one sign
+        paths = [path]
+        while reader.sees_differential():
+            paths.append(_differential(reader))
+        ends = (end for end in limits if isinstance(end, t.Node))
+        parts = (t.Formal("differential", (one,)) for one in paths)
+        return formal(reader, start.start, "integral", t.Mul((integrand, *parts)), *ends)
     return reader.spanned(_integrated(reader, start, integrand, sign, path, limits), start.start)
 
 

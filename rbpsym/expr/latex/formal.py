@@ -35,14 +35,14 @@ _BARS = ("|", r"\lvert", r"\rvert")
 _DOTTED = (r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb")
 _MEASURED = (r"\SI", r"\qty", r"\si", r"\unit", r"\SIrange", r"\qtyrange")
 _SUMMED = {
-    r"\prod": "product over", r"\bigcup": "union over", r"\bigoplus": "sum over",
+    r"\prod": "product over", r"\bigcup": "union over", r"\bigcap": "intersection over", r"\bigoplus": "sum over",
     **dict.fromkeys((r"\oint", r"\iint", r"\iiint", r"\oiint"), "∮"),
 }  # fmt: skip
 _BINOMIALS = (r"\binom", r"\dbinom", r"\tbinom")
 _QUANTIFIERS = {r"\forall": "∀", r"\exists": "∃"}
 _OPERATORS = (
     r"\det", r"\min", r"\max", r"\Re", r"\Im", r"\arg", r"\sup", r"\inf", r"\dim", r"\ker", r"\Tr", r"\tr", r"\sgn", r"\deg",
-    r"\argmin", r"\argmax",
+    r"\argmin", r"\argmax", r"\Pr", r"\lg", r"\gcd",
 )  # fmt: skip
 _GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
 SENTENCES: Mapping[str, Sentence] = {
@@ -143,10 +143,11 @@ def _measured(reader: LatexReader) -> t.Node:
     alone = head.text in (r"\si", r"\unit")
     if alone and reader.sees_sign("["):  # \unit[9.8]{m} of units
         groups.append(COMMANDS["["](reader))
+    numbers = 0 if alone else 2 if head.text.endswith("range") else 1
     while reader.sees_sign("{") and len(groups) < (1 + bool(groups) if alone else 3):
         begin = reader.position
         try:
-            groups.append(numeral(reader))
+            groups.append(numeral(reader) if len(groups) < numbers else _word(reader, begin))
         except RbpsymError:
             groups, reader.position = [*groups, _word(reader, begin)], reader.position
     if len(groups) == 1 and not alone:
@@ -300,18 +301,19 @@ def _column(reader: LatexReader) -> t.Node:
     waiting, rows = (reader.integrals, reader.bars), [list[t.Node]()]
     reader.integrals, reader.bars = 0, False
     while not reader.sees_sign(END_COLUMN):
+        reader.position += reader.token.kind == "row"  # “if”
         empty = reader.sees_sign("&", NEXT)
         rows[-1].append(t.Word("") if empty else relation(reader))
-        reader.pass_sign(",")
+        apart = reader.pass_sign(",", ".", ";")
         if reader.sees_sign("&", NEXT):
             rows += [[]] if reader.take().text == NEXT else []
-        elif not reader.sees_sign(END_COLUMN):
+        elif not (apart or reader.token.kind == "row" or reader.sees_sign(END_COLUMN)):
             raise reader.error(*_ROWS, opening)
     reader.integrals, reader.bars = waiting
     reader.take()
-    begun = reader.source.text[: opening.end]
-    kind = next((kind for word, kind in _SHAPES.items() if word in begun[opening.start :]), "matrix")
-    braced = begun[: opening.start].rstrip().endswith(r"\{") and bool(re.search(r"array|\{matrix", begun[opening.start :]))
+    before, begun = reader.source.text[: opening.start], reader.source.text[opening.start : opening.end]
+    kind = next((kind for word, kind in _SHAPES.items() if word in begun), "matrix")
+    braced = before.rstrip().endswith(r"\{") and bool(re.search(r"array|\{matrix|aligned", begun))
     kind = "cases" if braced else kind
     cells = [cell for row in rows for cell in row]
     line = 1 in (len(rows), len(rows[0])) and 1 < len(cells) <= 3 and not any(map(is_vector, cells))

@@ -89,6 +89,8 @@ def multiplied(reader: LatexReader) -> t.Node:
     node = _product(reader)
     while reader.sees_sign(r"\cdot", r"\times", "*", *_OPERATORS) and not ends_integrand(reader):
         sign = reader.take()
+        if sign.text in _OPERATORS and reader.sees_sign("_"):
+            label_after(reader)  # ⊗_A
         begin, negative = reader.token.start, reader.pass_sign("-")
         right = reader.spanned(t.Neg(_product(reader)), begin) if negative else _product(reader)
         wedge = sign.text == r"\wedge" and is_vector(node) and is_vector(right)  # how French and Italian texts print a cross
@@ -229,7 +231,7 @@ def refuse_number(reader: LatexReader) -> None:
     """Raise ReadError for 2 3."""
     before, place = reader.tokens[reader.position - 1], reader.position
     behind = before.text in ("}", END_COLUMN) and reader.ahead(-2).text != "^"
-    while before.kind == "letter" and reader.token.kind == "digit":
+    while before.kind in ("letter", "text") and reader.token.kind == "digit":
         reader.take()
     behind, reader.position = behind or (reader.position > place and begins_factor(reader)), place  # B2\pi f
     if reader.token.kind == "digit" and not behind and reader.token.end == reader.token.start + 1:  # a zero in bold is no digit

@@ -261,6 +261,8 @@ def _changed(reader: LatexReader) -> t.Node:
         return read_name(reader)
     if reader.sees_sign("(", "{", "[", r"\lvert", "|", r"\int", r"\sum", r"\frac"):
         return COMMANDS[reader.token.text](reader)
+    if reader.table.open:  # the operator, or a quantity called so
+        return t.Word("")
     raise reader.error("a symbol or a parenthesis is expected after Δ")
 
 

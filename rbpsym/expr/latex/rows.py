@@ -34,6 +34,7 @@ _SIGNS = frozenset((*RELATIONS, *_JOINING, "-", r"\pm", r"\mp"))
 ARROW = r"\to"
 _LEAST = frozenset((r"\min", r"\max", r"\sup", r"\inf"))
 _QUANTIFIERS = (r"\forall", r"\exists")
+_REACHING = (r"\int", r"\iint", r"\oint", r"\sum")  # behind which an & aligns
 _CUT = (r"\left.", r"\right.")
 _HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
 _DEEPER, _HIGHER = frozenset("([{⟨") | {r"\{", COLUMN}, frozenset(")]}⟩") | {r"\}", END_COLUMN}
@@ -145,9 +146,10 @@ class _Layout:
         several, self.parted = self.parted, 0
         if before is None or behind is None:
             return None
-        if {before.text, behind.text} <= {"+", "-"}:
+        if {before.text, behind.text} <= {"+", "-"} and before.text == "-":
             raise self._error(token, "a sign ends this row, and a sign begins the next", "Write it once.")
-        if before.text in _SIGNS or behind.text in _JOINING:
+        raised = self.source.text[: before.start].rstrip().endswith("^")  # z^*
+        if (before.text in _SIGNS and not raised) or behind.text in _JOINING:
             return None
         if self.depth:
             if behind.text in (*_SIGNS, *_HELD) or before.text in PUNCTUATION:
@@ -178,7 +180,7 @@ class _Layout:
             return None
         while self.all[last + 1].kind == "gap":
             last += 1
-        if self.all[last + 1].text == "&" or self._is_least(k):
+        if self.all[last + 1].text == "&" or self._is_least(k) or self._is_integrated(last + 1):
             return None
         if self.depth:
             inner = token.text in _WIDE and self.open[-1] in ("[", "(")
@@ -209,7 +211,7 @@ class _Layout:
         near = [found.text for found in (before, behind) if found]
         if self.depth or {*RELATIONS, ":"}.intersection(near):
             return token if self.depth else None
-        if near[0] in PUNCTUATION or self._cell_before(k) or self._is_least(k):
+        if near[0] in (*PUNCTUATION, *_REACHING) or self._cell_before(k) or self._is_least(k):
             return None
         remark = behind is not None and behind.kind == "text" and self.related and not self._relates(k)
         if remark and (end := self._remark_behind(k)):
@@ -233,6 +235,11 @@ class _Layout:
     def _is_least(self, k: int) -> bool:
         """Does what follows stand behind “min” or “max”, which is of it?"""
         return not self.related and bool(_LEAST.intersection(self.all[place].text for place in self._row_before(k)))
+
+    def _is_integrated(self, k: int) -> bool:
+        """Does the differential of an integral stand there: ∫ v  dt?"""
+        differential = self.all[k].kind == "differential" or (self.all[k].text == "d" and self.all[k + 1].kind == "letter")
+        return differential and any(self.all[place].text == r"\int" for place in self._row_before(k))
 
     def _is_quantified(self, k: int) -> bool:
         """Does it part what “for all” is of: ∀ x, y ∈ M?"""

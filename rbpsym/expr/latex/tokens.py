@@ -30,7 +30,7 @@ _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}|\{\}(?=\s*\})"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|lefteqn|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
+    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
     r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
@@ -42,13 +42,14 @@ _DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
 _APART = r"(?:(?<=[,;:(~])|(?<=[,;:(~] )|(?<=quad)|(?<=quad ))"  # in a = 2 b, i = 1, 2, ... the b is a factor
 _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
     rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:\s*[-+]\s*\w)?|\d+))?"
+    rf"|{_INDEX}(?:\s*,\s*{_INDEX})*\s*\\in\s*(?:\\left)?\s*\\\{{[\d\s,]*(?:{_DOTS})?[\w\s,]*(?:\\right)?\s*\\\}}"
     r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))(?:\s*,\s*(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu)))*\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
 _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
     r"(?<=[\s,~(:;])"
     rf"(?:\\(?:text(?:rm)?|mbox)\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}(?:\s|\\[,:; ]|\\q?quad)*)?"
     rf"\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
-    rf"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
+    rf"(?=\s*(?:\\[,;]\s*)?(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
 )
 _ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
 _DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
@@ -76,7 +77,7 @@ _PATTERNS = (
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
     r"|(?P<differential>\\(?:mathrm|text|textrm|textup|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
-    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
+    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up|tt)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
     rf"|\\q(?:c|comma|{_QUICK})\*?(?![A-Za-z])"
     r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}|\\(?:text(?:rm|it|bf)?|mathrm|mbox)\s+[A-Za-z\d]"
     rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
@@ -84,7 +85,7 @@ _PATTERNS = (
     r"|(?P<begin>\\begin\s*\{(?:array|alignedat|aligned|gathered|multlined|split)\}(?:\s*\[[tbc]\])?"
     r"(?:(?<!split\})(?<!ed\})\s*\{(?:[lcr|\s\d]|[@!p]\{[^{}]*\})*\})?|\\(?:begin|end)\s*\{[^{}]*\})"
     r"|(?P<over>\\(?:overset|stackrel)\s*\{(?:[^{}]|\{[^{}]*\})*\}\s*\{\s*(?:[=<>]|\\[a-z]+)\s*\})"
-    rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|\\newline(?![A-Za-z])|\\&|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
+    rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|\\newline(?![A-Za-z])|\\&|{_SO}|\\(?:short)?intertext\s*\{{(?:[^{{}}]|\{{[^{{}}]*\}})*\}})"
     rf"|(?P<degree>{_DEGREE})"
     rf"|(?P<plain>(?<![a\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) > 2)})(?=\s*[(\[{{^\\]|\s+[A-Za-z\d])"
     rf"|(?<![A-Za-z\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) == 2)})(?=\s*(?:\(|\\left|\\[a-z])))"
@@ -133,6 +134,8 @@ LOOSE = {
     r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
     ":": ":", r"\leftrightarrow": "↔", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯",
 }  # fmt: skip
+GIVEN = r"\given"
+LOOSE |= {GIVEN: "|", r"\longmapsto": "↦", r"\colon": ":"}
 COLUMN, END_COLUMN, NEXT = r"\column", r"\endcolumn", r"\next"  # signs round the rows of a vector, and between them
 _COLUMNS = frozenset({"pmatrix", "bmatrix", "matrix", "smallmatrix", "psmallmatrix", "Bmatrix", "vmatrix", "Vmatrix"})
 _ENVIRONMENTS = frozenset({
@@ -157,7 +160,7 @@ def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
             f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read",
             instead="Split it into smaller parts.",
         )
-    found = _unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"])))
+    found = _given(_unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"]))))
     return (*found, Token("end", "", len(source.text), len(source.text)))
 
 
@@ -213,15 +216,32 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
             dropped |= {k, k + 1, k + 3}
         if token.text == r"\indices" and texts[1:2] == ["{"]:
             dropped |= {k, k + 1, closed(tokens, k + 1)}
+        free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
+        if free and texts[:2] == ["{", "("] and closed(tokens, k + 1) == closed(tokens, k) - 1:  # f{\left(x \right)}
+            dropped |= {k, closed(tokens, k)}
         for size in (2, 3) if token.text == "{" else ():
             inner = tokens[k + 1 : k + size]
             named = size == 2 or (bool(inner) and inner[0].kind == "command" and inner[0].text[1:] not in FUNCTION_WORDS)
             alone = bool(inner) and inner[-1].kind in ("letter", "text") and named
             alone = alone or (size == 2 and "".join(texts[1:2])[1:] in FUNCTION_WORDS)
-            free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
             if alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"], ["}", "^"]):
                 dropped |= {k, k + size}
     return [token for k, token in enumerate(tokens) if k not in dropped]
+
+
+def _given(tokens: list[Token]) -> list[Token]:
+    """The tokens with a bar that stands alone in brackets, as in P(A|B) or {x | x > 0}, as a relation of its own."""
+    alone, begun = set[int](), list[tuple[str, list[int]]]()
+    for k, token in enumerate(tokens):
+        if token.text in (*_OPENING, "⟨"):
+            begun.append((token.text, []))
+        elif token.text in (*_CLOSING, "⟩") and begun:
+            opening, bars = begun.pop()
+            single = len(bars) == 1 or (len(bars) % 2 and token.text == r"\}")
+            alone |= {*bars[:1]} if single and opening in ("(", "[", r"\{") and token.text in (")", "]", r"\}") else set()
+        elif token.text == "|" and begun and tokens[k + 1 : k + 2] and tokens[k + 1].text != "_":
+            begun[-1][1].append(k)
+    return [replace(token, text=GIVEN) if k in alone else token for k, token in enumerate(tokens)]
 
 
 _BOLD_SIGNS = [["{", sign, "}"] for sign in (r"\cdot", r"\times", "+", "-", "=")]
@@ -332,13 +352,15 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
     before = whole[: max(start, 0)].rstrip().removesuffix(r"\displaystyle").rstrip(" &")
     before = re.sub(r"(?<=[\[(|])\s*\{$", "", before)  # \left[ {\begin{array}
     cut = before.removesuffix(r"\{").rstrip().removesuffix(r"\left").rstrip(" &")
+    if name == "aligned" and cut == before:
+        return False
     return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
 
 
 def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
     name = text.partition("{")[2].partition("}")[0]
-    in_rows = name in ("array", "cases", "dcases") and not _is_column(source.text, name, text, start, end)
-    if name.removesuffix("*") in _COLUMNS or (name in ("array", "cases", "dcases") and not in_rows):
+    by_cases = name in ("array", "cases", "dcases", "aligned") and _is_column(source.text, name, text, start, end)
+    if name.removesuffix("*") in _COLUMNS or by_cases:
         return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
     if name not in _ENVIRONMENTS:
         what = f"the environment “{name[:40]}” can't be read"
