@@ -68,6 +68,8 @@ ROWS: Rows = (
     (rf"{_BEST} (.+) {_FOR} (.+)", ahead.bounded),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: ahead.which(world, None, name, text)),
     (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
+    (rf"{_NO_MODE}{_BEST} (.+?) (?:until|up to) (?:the )?([\w-]+)(?: begins)?",
+     lambda w, best, phrase, phase: through.extremum(w, best, phrase, None, None, None, until=phase)),
     (rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)",
      lambda w, best, phrase, name, place: through.extremum(w, best, f"{phrase} {place}", name, None, None)),
     (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", through.extremum),

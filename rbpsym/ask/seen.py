@@ -28,7 +28,7 @@ from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
 from rbpsym.mechanics.friction import slips, spare
 from rbpsym.mechanics.numbers import floating, sample
-from rbpsym.mechanics.pushing import begun_numbers
+from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.mechanics.roots import period
 from rbpsym.present.forms import present
 from rbpsym.quantity.problem import ProblemWorld
@@ -180,7 +180,7 @@ def whole_ways(world: AskedPhase, name: str, given: Assumptions) -> list[tuple[W
         end, asked = _lost(world, way, range_)
         way = replace(way, asked=(*way.asked, *asked))
         whole.append((way, _both(way, range_, _back(world, way, range_, given)) if end is None else way.until(end, given)))
-    return [(way, _until_next(world, way, range_)) for way, range_ in whole]
+    return [_until_next(world, way, range_) for way, range_ in whole]
 
 
 def _lost(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Scalar | None, tuple[Demand, ...]]:
@@ -229,17 +229,17 @@ def _kept_on(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, .
     )
 
 
-def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> Assumptions:
-    """The range up to where the next phase begins, if the coordinate comes there without turning round. Raises
+def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Way, Assumptions]:
+    """The way and the range up to where the next phase begins, if the coordinate comes there without turning round. Raises
     StatementError where that is not decided."""
     if world.number + 1 == len(world.asked.names):
-        return given
+        return way, given
     phase, before = world.asked.names[world.number + 1], world.asked.began(world.number + 1).before
     end, onwards = before.places[way.name], sign(before.speeds[way.name] * way.sense, world.motion.assumptions)
     if onwards.is_nonnegative and end != symbol(way.name):
-        return way.until(end, given)
+        return replace(way, asked=tuple(dict.fromkeys((*way.asked, *before.valid)))), way.until(end, where_met(given, before.valid))
     if onwards.kind in ("negative", "nonpositive"):
-        return given
+        return way, given
     raise StatementError(
         f"whether “{way.name}” turns round before “{phase}” begins depends on the parameters, or is not known",
         instead=f"ask for its value when {phase} begins, or where it comes to rest.",
@@ -265,6 +265,8 @@ def ways_to(
     found = ways(study.system, study.dynamics, name, square, given)
     if not found:
         raise StatementError(f"in which sense “{name}” sets out is not known", instead="ask for its acceleration at the start.")
+    begun = where_met(given, begins(study)) if len(found) > 1 else given  # the slips that are stated tell the sense, too
+    found = [way for way in found if settle(way.asked, begun) is not None] or found
     asked = [() if end is None else settle([Demand(way.ahead(end))], where_met(given, way.asked)) for way in found]
     pairs = zip(found, asked, strict=True)
     coming = [replace(way, asked=(*way.asked, *ahead)) for way, ahead in pairs if ahead is not None]

@@ -20,10 +20,13 @@ from rbpsym.typeset.machine import to_machine
 
 def extremum(
     world: AskedPhase, superlative: str, phrase: str, over: str | None, low: str | None, high: str | None, *,
-    by_place: bool = False,
+    by_place: bool = False, until: str | None = None,
 ) -> Finding:
-    """The same as `optima.extremum`, through all phases from the first that does not end at once, if none is named."""
-    last, asked = len(world.asked.names), world.asked
+    """The same as `optima.extremum`, through all phases from the first that does not end at once, if none is named (`until` a
+    phase: before that one)."""
+    asked = world.asked
+    last = len(asked.names) if until is None else asked.named(until)
+    world = scene(asked, world.number) if until is not None and world.number + 1 == last else world
     if world.is_named or low is not None or over not in (None, *world.coordinates) or world.number + 1 == last:
         found = optima.extremum(world, superlative, phrase, over, low, high, by_place=by_place)
         is_told = over or low is not None or by_place or not _is_open(found)
@@ -102,7 +105,7 @@ def _known(world: AskedPhase, phrase: str, last: int) -> list[int]:
 
 def _in_phase(part: AskedPhase, superlative: str, phrase: str, over: str | None) -> Finding:
     phrase, value = optima.sized(part, phrase)
-    if not moving(part, (value,)):
+    if not moving(part, (value,)) and read_question(phrase).when is None:  # at one moment there is none
         names, given = tuple(part.motion.scope.rates), part.motion.assumptions
         return Finding(values=(value,), **checked("no_change", value=value, names=names, best=value, given=given))
     part.used.clear()
