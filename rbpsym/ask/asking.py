@@ -216,12 +216,15 @@ PLACED = re.compile(r"(.+?),? (where|when|once|until|as soon as) ((?:the )?\w+ .
 
 
 def _by_quantity(asked: Asked, plain: str, letter: str) -> Answer | None:
-    """What is asked for where another quantity has a value: where the coordinate that moves is what makes it so, which is
-    proved first; None where that is not one place."""
-    said, name = PLACED.fullmatch(plain), mover(asked.study(asked.lasting))
-    if said is None or name is None:
+    """What is asked for where another quantity has a value: where the coordinate that moves, or else the time, is what makes it
+    so, which is proved first; None where that is not one place."""
+    said = PLACED.fullmatch(plain)
+    if said is None:
         return None
-    place = _whole(asked, f"{name} for which {said[3]}", letter)
+    name, value = mover(asked.study(asked.lasting)) or "t", said[3]
+    if name == "t":  # as a function of that, which its equation asks for
+        value = re.sub(r" (?:=|reaches|is) ", " as a function of t = ", value, count=1)
+    place = _whole(asked, f"{name} for which {value}", letter)
     if not (place.verdict.is_proved and len(place.values) == 1 and place.symbol == name and place.relation == "="):
         return None
     found = _whole(under(asked, place), f"{said[1]} {said[2]} {name} = {to_machine(present(place.values[0]))}", letter)

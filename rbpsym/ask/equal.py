@@ -25,7 +25,7 @@ def equal_for(world: AskedPhase, superlative: str | None, name: str, condition: 
     if name in world.coordinates:
         way, given = way_to(world, name, None, given)
         asked = possible(way.asked, world.motion.assumptions, never_told(text))
-    else:
+    elif name != "t":
         parameter(world, name)
     free = [other for other in moving(world, (value,)) if other != name]
     if free:
