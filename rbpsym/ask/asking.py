@@ -14,7 +14,7 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.found import Answer, Found
 from rbpsym.ask.meeting import met
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
-from rbpsym.ask.question import MANNERS, read_question
+from rbpsym.ask.question import MANNERS, SUPERLATIVES, read_question
 from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import under, whichever
 from rbpsym.ask.special import special_problem, with_coefficient
@@ -30,6 +30,7 @@ from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Problem
+from rbpsym.statement.paths import tensions
 from rbpsym.typeset.machine import to_machine
 
 MOST_PRODUCTS = 10_000_000  # for one question, some ten seconds: three times what the longest that is tested takes
@@ -122,6 +123,30 @@ TO_THE_END = re.compile(r"(?:the )?total (?:way|angle|change) of (?:the )?(\w+)(
 WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) (?:the )?\w+|(?:for|in the limit) .+)")
 
 
+VANISHES = r"(\b(?:where|when|until|once) (?:the )?(?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)(?=$|,? with )"
+AT_PLACE = r" as (?:a )?functions? of (?:the )?(\w+),? (?:with|where|at) \1 ?= ?"  # a function, and where: its value there
+BACK = re.compile(
+    r"\b(until|when|where|once) (?:the )?\w+ (?:comes back|returns|is back)(?: to (?:where it started|(?:the|its) (?:start|starting (?:point|place))))?"
+    r"(?=$|,? with )"
+)
+
+
+def _begun(asked: Asked) -> str:
+    """“x = VALUE” of the start of the one coordinate that moves. Raises StatementError where none is known."""
+    study = asked.study(asked.lasting)
+    if (name := mover(study)) is None or (begun := study.system.scope.start.get(name)) is None:
+        raise StatementError("what comes back is not known", instead="say which place: “time until x = 0”.")
+    return f"{name} = {to_machine(present(begun))}"
+
+
+def _in_strings(asked: Asked, text: str) -> str:
+    """The tensions T, T_1, T_2 of the only string, which has another name, by that name."""
+    found = [tensions(element) for element in asked.problem.of_kind("string")]
+    names = dict(zip(("T",) if len(found[0]) == 1 else ("T_1", "T_2", "T_3", "T_4"), found[0], strict=False)) if len(found) == 1 else {}
+    known = {*asked.problem.dimensions, *(name for element in asked.problem.constraints for name in unknowns_of(element))}
+    return re.sub(r"(?<![.\w])T(?:_\d)?(?![.\w])", lambda said: said[0] if said[0] in known else names.get(said[0], said[0]), text)
+
+
 def _plain(asked: Asked, text: str) -> str:
     """The words of a question, values of parameters (“with F = 0”) at the end, “in phase rolling” for “in rolling”, “impulse of
     J” for what is called J in a blow, “with F = 0” for “where F = 0”."""
@@ -130,6 +155,12 @@ def _plain(asked: Asked, text: str) -> str:
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
     named = "|".join(re.escape(name) for name in asked.names if name not in ("rest", "equilibrium"))
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
+    for pattern, written in ((VANISHES, r"\1 = 0"), (AT_PLACE, r" where \1 = ")):
+        plain = re.sub(pattern, written, plain)
+    moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))
+    plain = re.sub(rf"(?<=\w),? with (?=(?:{moved}) ?= ?)", " where ", plain)
+    plain = BACK.sub(lambda said: f"{said[1]} {_begun(asked)}", plain)
+    plain = _in_strings(asked, plain)
     plain = TURNED_ROUND.sub(lambda said: f"{'where' if said[1] == 'after' else 'until'} number of turns = {said[2]}", plain)
     if TO_THE_END.match(plain) and stops(asked.study(asked.lasting).system):
         plain = TO_THE_END.sub(r"displacement of \1 until \1 comes to rest", plain)
@@ -201,7 +232,7 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
         return replace(found := _whole(asked, spelt, letter), question=replace(found.question, text=plain))
     try:
         found = _answered(asked, plain, letter)
-    except StatementError:
+    except (StatementError, ReadError):
         with suppress(RbpsymError):  # by the time at which the coordinate has that value
             if inverse := converse(asked, plain, last=True):
                 return _by_letter(inverse, plain, letter)
@@ -215,19 +246,22 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
 PLACED = re.compile(r"(.+?),? (where|when|once|until|as soon as) ((?:the )?\w+ .+? (?:=|reaches|is) .+)")
 
 
+BEYOND = re.compile(rf"(.+) is ({'|'.join(SUPERLATIVES)})")
+
+
 def _by_quantity(asked: Asked, plain: str, letter: str) -> Answer | None:
     """What is asked for where another quantity has a value: where the coordinate that moves, or else the time, is what makes it
     so, which is proved first; None where that is not one place."""
-    said = PLACED.fullmatch(plain)
-    if said is None:
+    if (said := PLACED.fullmatch(plain)) is None:
         return None
     name, value = mover(asked.study(asked.lasting)) or "t", said[3]
     if name == "t":  # as a function of that, which its equation asks for
         value = re.sub(r" (?:=|reaches|is) ", " as a function of t = ", value, count=1)
-    place = _whole(asked, f"{name} for which {value}", letter)
-    if not (place.verdict.is_proved and len(place.values) == 1 and place.symbol == name and place.relation == "="):
+    best = BEYOND.fullmatch(said[3])
+    place = _whole(asked, f"where is {best[1]} {best[2]}" if best else f"{name} for which {value}", letter)
+    if not (place.verdict.is_proved and len(place.values) == 1 and place.symbol and place.relation == "="):
         return None
-    found = _whole(under(asked, place), f"{said[1]} {said[2]} {name} = {to_machine(present(place.values[0]))}", letter)
+    found = _whole(under(asked, place), f"{said[1]} {said[2]} {place.symbol} = {to_machine(present(place.values[0]))}", letter)
     first = tuple(replace(step, id=f"place.{step.id}") for step in place.steps if step not in found.steps)
     return replace(found, question=replace(found.question, text=plain), steps=(*first, *found.steps),
                    valid=tuple(dict.fromkeys((*place.valid, *found.valid))))  # fmt: skip

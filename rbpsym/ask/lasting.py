@@ -22,6 +22,7 @@ from rbpsym.mechanics.events import Way, ways_of
 from rbpsym.mechanics.friction import slips, stops
 from rbpsym.mechanics.led import sense_to
 from rbpsym.mechanics.numbers import floating
+from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import InTime
@@ -230,6 +231,11 @@ def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand
 def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
     """What the same ask of the parameters at a moment and on the whole way to it, and what of that is not decided. Raises
     StatementError where they surely do not last so far."""
+    if moment.is_small and (item := swinging(study)) is not None:  # close to it they are what they are there
+        still, kept = item.at | dict.fromkeys(study.system.speeds, NOTHING), held(study)
+        found = tuple(Demand(neat(substitute(one.value, still), study.assumptions), one.op) for one in kept)
+        if all(one.value for one in found):
+            return found, ()
     if moment.how in ("start", "rest"):
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))

@@ -7,6 +7,7 @@ new way to say when or where is a new row of CLAUSES.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from rbpsym.errors import ReadError
 from rbpsym.frozen import Frozen, replace
@@ -70,7 +71,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 
 
 # what is only another way to write something
-OTHERWISE = (
+OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"^(?:the )?(?:kinetic )?energy lost (?:in|during|by|at) (?:the )?(?:blow|collision|impact|bounce)$", "energy lost"),
     (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),
     (r"\b(functions? of) (?:the )?time\b", r"\1 t"),
@@ -103,6 +104,9 @@ OTHERWISE = (
     (r"\bvertical (?:component|part) of\b", "y component of"),
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),
     (r"\bvertical (?=velocity|acceleration|force|net force|linear momentum)", "y component of "),
+    (r"\bof ([\w-]+) about (?:its|the) (?:own )?cent(?:re|er)(?: of mass)?$", r"of \1 about \1.cm"),
+    (r"\b(from|to|and|about) (?:the |its )?(?:common )?cent(?:re|er) of mass(?: of (?:the )?(\w+))?(?=$| )",
+     lambda said: f"{said[1]} {said[2] or 'system'}.cm"),
     (r"\bangular speed of\b", "magnitude of angular velocity of"),
     (r"\b(tension|normal force|friction|reaction|force) (?:of|in) (?!phase|equilibrium)(?=\w+\b)", r"\1 "),
     (r"\b(?:magnitude of )?(?:the )?(reaction|normal force|friction) at (?=[A-Z]\w*\b)", r"\1 "),
@@ -141,7 +145,7 @@ def read_question(text: str) -> Question:
         if begin is not None and end is not None:
             return replace(found, quantity=since[1], since=begin, when=end)
     for pattern, manner in (*MANNERS.items(), *MANNERS.items()):  # one may stand behind another
-        if way := re.search(rf",? ({pattern})(?=$|,| as )", found.quantity):
+        if way := re.search(rf",? ({pattern})(?=$|,| (?:as|where|when) )", found.quantity):
             found = replace(found, quantity=found.quantity[: way.start()] + found.quantity[way.end() :])
             found = replace(found, manner=f"{found.manner} {manner}".strip())
     while clause := _clause(found.quantity):

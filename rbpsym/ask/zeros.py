@@ -13,7 +13,7 @@ from math import gcd
 from rbpsym.ask.limits import leading
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.bounds import of_symbol
-from rbpsym.decide.rooted import neat, rooted, sign_along
+from rbpsym.decide.rooted import neat, over_growth, rooted, sign_along
 from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, ONE, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, short, symbol
 from rbpsym.field.calculus import atom_depends, depends_on, derivative, function, root, substitute
@@ -209,7 +209,9 @@ def _undone(factor: Scalar, index: int, name: str, given: Assumptions) -> list[P
     """a arccos x + b = 0 where x = cos(b/a), between the ends of what arccos can be."""
     parts = {k: Scalar(part) for k, part in factor.num.by_power(index).items()}
     if set(parts) - {0, 1} or any(depends_on(part, name) for part in parts.values()):
-        return None
+        other = over_growth(factor, name)  # of two exponentials one is left
+        grown = [i for i in (other or factor).num.atoms() if atoms.atom(i).kind == "exp" and atom_depends(i, name)]
+        return _all_places(other, name, given) if other is not None and len(grown) == 1 else None
     kind, low, high = UNDONE[atoms.atom(index).kind]
     angle = short(-parts.get(0, NOTHING) / parts[1])
     found = _all_places(atoms.atom(index).arg - function(kind, angle), name, given)

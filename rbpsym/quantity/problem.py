@@ -22,6 +22,7 @@ from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.quantities import TIME, Dimension
 from rbpsym.quantity.bound import Bound, Motion, number
 from rbpsym.quantity.phrases import EXAMPLES, PHRASES
+from rbpsym.quantity.vectors import of_role
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.model import PointRef
 from rbpsym.statement.source import did_you_mean
@@ -246,7 +247,8 @@ class ProblemWorld(Frozen):
         if names in ("net", "external"):
             return [force for force in here if names == "net" or force.by not in states]
         known = {force.name for force in here}
-        wanted = re.split(r",\s*|\s+and\s+", names)
+        each = re.split(r",\s*|\s+and\s+", names)
+        wanted = [one for name in each for one in ([name] if name in known else of_role(self, name, known) or [name])]
         for name in wanted:
             if name not in known:
                 raise StatementError(f"no force “{name}” acts on {on}", instead=did_you_mean(name, known, "forces"))

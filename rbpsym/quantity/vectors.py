@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -103,9 +103,6 @@ PHRASES: tuple[Phrase, ...] = (
 )  # fmt: skip
 
 
-if TYPE_CHECKING:
-    from rbpsym.quantity.problem import ProblemWorld
-
 HELD = {"tension": "tension", "normal force": "contact"}  # as what the force of a constraint holds
 
 
@@ -150,6 +147,21 @@ NOUNS: Mapping[str, Callable[[ProblemWorld], Iterator[str]]] = {
     **{noun: partial(_springs, noun) for noun in ("elongation", "extension", "compression", "spring force")},
     **{noun: partial(_coordinates, noun) for noun in ("period", "frequency", "amplitude", "decay rate", "damped frequency")},
 }
+
+
+ROLES = {  # by the kinds of interactions, and the nouns of what holds
+    "weight": ("gravity",), "gravity": ("gravity",), "drag": ("resistance",), "resistance": ("resistance", "resisting-couple"),
+    "spring": ("spring", "torsion-spring"), "damper": ("damper", "rotary-damper"), "motor": ("couple",),
+}  # fmt: skip
+
+
+def of_role(world: ProblemWorld, noun: str, known: Iterable[str]) -> list[str]:
+    """Of the known forces those that a word means: friction, the weights, the springs, tensions."""
+    noun = noun.removeprefix("the ").removesuffix(" force" if noun.endswith(("n force", "g force")) else "s")
+    kinds = ROLES.get(noun, ())
+    of_kind = [element.name for element in world.study.problem.interactions if element.kind in kinds]
+    held = [phrase.rsplit(" ", 1)[1] for phrase in NOUNS[noun](world)] if noun in ("friction", *HELD) else []
+    return [name for name in (*of_kind, *held) if name in {*known}]
 
 
 def alone(world: ProblemWorld, noun: str) -> Bound:
