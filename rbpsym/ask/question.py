@@ -105,7 +105,7 @@ OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),
     (r"\bvertical (?=velocity|acceleration|force|net force|linear momentum)", "y component of "),
     (r"\bof ([\w-]+) about (?:its|the) (?:own )?cent(?:re|er)(?: of mass)?$", r"of \1 about \1.cm"),
-    (r"\b(from|to|and|about) (?:the |its )?(?:common )?cent(?:re|er) of mass(?: of (?:the )?(\w+))?(?=$| )",
+    (r"\b(from|(?<!relative )to|and|about) (?:the |its )?(?:common )?cent(?:re|er) of mass(?: of (?:the )?(\w+))?(?=$| )",
      lambda said: f"{said[1]} {said[2] or 'system'}.cm"),
     (r"\bangular speed of\b", "magnitude of angular velocity of"),
     (r"\b(tension|normal force|friction|reaction|force) (?:of|in) (?!phase|equilibrium)(?=\w+\b)", r"\1 "),

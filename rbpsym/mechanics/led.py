@@ -8,7 +8,7 @@ from contextlib import suppress
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.errors import Undecided
-from rbpsym.field import Scalar, atoms, depends_on, derivative, names_in, short, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, atoms, depends_on, derivative, names_in, short, substitute, symbol
 from rbpsym.field.normal import angles_apart
 from rbpsym.mechanics.arrivals import ArrivalState, of_coordinate
 from rbpsym.mechanics.demands import Demand, settle
@@ -54,9 +54,23 @@ def led_by(study: Study, name: str, value: Scalar) -> dict[str, Scalar] | None:
     times = [neat(time, given) for time in zeros(substitute(tie, {name: value}), CLOCK)]
     ahead = [time for time in times if sign(time, given).kind != "negative"]
     first = next((one for one in ahead if all(sign(other - one, given).is_nonnegative for other in ahead)), None)
-    if first is None or not sign(substitute(derivative(tie, name), {CLOCK: first}), given).is_nonzero:
+    is_one = first is not None and sign(substitute(derivative(tie, name), {CLOCK: first}), given).is_nonzero
+    if first is None or not (is_one or way_from_start(study, name, value, first)):
         return None
     return led_to(study, {name: value, CLOCK: first})
+
+
+def way_from_start(study: Study, name: str, value: Scalar, time: Scalar) -> int:
+    """1 or -1 where a coordinate that drives lead goes from its start in that sense, and comes, if the value lies ahead, to it at a
+    time without turning round: between, neither slope of its tie vanishes, so that each time has one place; else 0."""
+    tie, start, given = tie_to_time(study.system, name), study.system.scope.start.get(name), study.assumptions
+    if tie is None or start is None:
+        return 0
+    slopes, begun = (derivative(tie, name), derivative(tie, CLOCK)), {name: start, CLOCK: NOTHING}
+    first = [sign(neat(substitute(slope, begun), given), given).sense for slope in slopes]
+    way = -first[0] * first[1]
+    within = given.with_range(name, *((start, value) if way > 0 else (value, start))).with_range(CLOCK, NOTHING, time)
+    return way if way and first == [sign(slope, within).sense for slope in slopes] else 0
 
 
 def state_reached(study: Study, name: str, value: Scalar) -> ArrivalState | None:
@@ -69,7 +83,7 @@ def state_reached(study: Study, name: str, value: Scalar) -> ArrivalState | None
     ends = zip(study.assumptions.range_of(name), (1, -1), strict=True)
     within = (Demand((value - end) * side, ">=") for end, side in ends if end is not None)
     start = study.system.scope.start.get(name)
-    way = 0 if start is None else sense_to(study, name, (start, value))
+    way = 0 if start is None else sense_to(study, name, (start, value)) or way_from_start(study, name, value, image[CLOCK])
     ahead = Demand(image[CLOCK] if start is None or not way else (value - start) * way)
     valid = settle([ahead, *within], study.assumptions)
     return None if valid is None else ArrivalState(image[CLOCK], {**places, name: value}, speeds, valid)

@@ -117,13 +117,28 @@ def led_then(context: Context, ending: Any, what: str, name: str, stated: Scalar
         new = names_in(tie.value) & open_
         rest = substitute(tie.value, {n: place for n, place in there.items() if n not in new})
         verdicts += [_same(context, substitute(tie.value, there), NOTHING)]
-        verdicts += [UNSEEN] if len(new) > 1 else [_only_there(context, rest, n, there[n]) for n in new]
+        if not names_in(tie.value) & {*context.study.system.coordinates} - new and _comes_there(context, tie.value, there, *new):
+            verdicts += [Verdict(PROVED)]
+        else:
+            verdicts += [UNSEEN] if len(new) > 1 else [_only_there(context, rest, n, there[n]) for n in new]
         open_ -= new
     return weakest(verdicts)
 
 
 def _same(context: Context, first: Scalar, second: Scalar) -> Verdict:
     return scalars_equal(first, second, context.assumptions)
+
+
+def _comes_there(context: Context, tie: Scalar, there: Mapping[str, Scalar], name: str, *more: str) -> bool:
+    """Whether a coordinate goes one way from its start to the place: up to that time the tie changes strictly with each of both,
+    in senses that take it there."""
+    begin, given = context.start(symbol(name)), context.assumptions
+    way = sign(there[name] - begin, given).sense
+    if more or not way or not is_zero(substitute(tie, {name: begin, "t": NOTHING})):
+        return False
+    between = given.with_range(name, *((begin, there[name]) if way > 0 else (there[name], begin)))
+    between = between.with_range("t", NOTHING, there["t"])
+    return -sign(derivative(tie, name), between).sense * sign(derivative(tie, "t"), between).sense == way
 
 
 def _only_there(context: Context, value: Scalar, name: str, place: Scalar) -> Verdict:

@@ -135,7 +135,7 @@ def state_then(context: Context, step: Step) -> Verdict:
     ending, letters, stated = step.data["ending"], step.data["letters"], named_sides(context, step)
     if any(letter not in letters for letter, _ in stated):
         return undecided("the step does not say of what it gives the value")
-    see = _by_what(context, ending)
+    see, context = _by_what(context, ending), under(context, step, ">")
     return weakest([see(context, ending, step.data["what"], letters[letter], value) for letter, value in stated])
 
 
