@@ -237,7 +237,8 @@ def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Way, A
     phase, before = world.asked.names[world.number + 1], world.asked.began(world.number + 1).before
     end, onwards = before.places[way.name], sign(before.speeds[way.name] * way.sense, world.motion.assumptions)
     if onwards.is_nonnegative and end != symbol(way.name):
-        return replace(way, asked=tuple(dict.fromkeys((*way.asked, *before.valid)))), way.until(end, where_met(given, before.valid))
+        comes = tuple(dict.fromkeys((*way.asked, *before.valid)))
+        return replace(way, asked=comes), way.until(end, where_met(given, before.valid))
     if onwards.kind in ("negative", "nonpositive"):
         return way, given
     raise StatementError(

@@ -61,8 +61,8 @@ def led_by(study: Study, name: str, value: Scalar) -> dict[str, Scalar] | None:
 
 
 def way_from_start(study: Study, name: str, value: Scalar, time: Scalar) -> int:
-    """1 or -1 where a coordinate that drives lead goes from its start in that sense, and comes, if the value lies ahead, to it at a
-    time without turning round: between, neither slope of its tie vanishes, so that each time has one place; else 0."""
+    """1 or -1 where a coordinate that drives lead goes from its start in that sense, and comes to the value, if that lies
+    ahead, at a time without turning round: between, no slope of its tie vanishes, so that each time has one place; else 0."""
     tie, start, given = tie_to_time(study.system, name), study.system.scope.start.get(name), study.assumptions
     if tie is None or start is None:
         return 0

@@ -1,0 +1,41 @@
+"""Problems stated from the documentation alone, with answers worked out by hand first: greatest values up to a phase, places and
+moments that a quantity tells by the time, forces by what they are, other words.
+
+Kleppner & Kolenkow 1, 2; Beer & Johnston 11, 13; Hibbeler 12, 14; Meriam & Kraige 2, 3.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
+
+SLIDES, LEFT = "(sin(beta) + mu*cos(beta))", "sqrt(k*d**2/m - 2*g*d*(sin(beta) + mu*cos(beta)))"
+GAIN = "(g*(m_2 - m_1*sin(beta) - mu*m_1*cos(beta))/(m_1 + m_2 + M/2))"
+ANSWERS = (
+    ("block-shot-up-slope", "largest speed of s until free", f"sqrt(k/m)*(d - m*g*{SLIDES}/k)"),  # not when it is free
+    ("block-shot-up-slope", "largest speed of s", f"sqrt(k/m)*(d - m*g*{SLIDES}/k)"),
+    ("block-shot-up-slope", "largest speed of s in phase free", LEFT),
+    ("block-shot-up-slope", "largest elongation of S until free", "0"),
+    ("block-shot-up-slope", "height of block where speed of s is largest", f"-m*g*{SLIDES}*sin(beta)/k"),
+    ("block-shot-up-slope", "speed of s where acceleration of s vanishes", f"sqrt(k/m)*(d - m*g*{SLIDES}/k)"),
+    ("block-shot-up-slope", "work of the spring until free", "k*d**2/2"),
+    ("block-shot-up-slope", "work of friction until free", "-mu*m*g*d*cos(beta)"),
+    ("coin-on-turntable", "t where magnitude of f = mu*m*g", "sqrt(sqrt(mu**2*g**2 - r**2*alpha**2)/(r*alpha**2))"),
+    ("coin-on-turntable", "time until magnitude of f = mu*m*g", "sqrt(sqrt(mu**2*g**2 - r**2*alpha**2)/(r*alpha**2))"),
+    ("coin-on-turntable", "speed of phi where magnitude of f = mu*m*g", "sqrt(sqrt(mu**2*g**2 - r**2*alpha**2)/r)"),
+    ("coin-on-turntable", "time until number of turns of table = 2", "sqrt(8*pi/alpha)"),
+    ("motor-that-tires", "largest power of C", "tau_0*omega_m/4"),
+    ("motor-that-tires", "speed of phi where power of C is largest", "omega_m/2"),
+    ("boat-by-winch", "speed of x where x = d/2", "-u*sqrt(d**2 + 4*h**2)/d"),
+    ("boat-by-winch", "time until x = d/2", "(2*sqrt(h**2 + d**2) - sqrt(4*h**2 + d**2))/(2*u)"),
+    ("block-pulley-load", "T_2", f"m_2*(g - {GAIN})"),
+    ("block-pulley-load", "work of friction until s = h", "-mu*m_1*g*h*cos(beta)"),
+    ("block-pulley-load", "work of the weight on load until s = h", "m_2*g*h"),
+    ("block-pulley-load", "moment of inertia of pulley about its centre", "M*R**2/2"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: str(value)[:60])
+def test_it_finds_what_is_worked_out_by_hand(name: str, question: str, worked_out: str) -> None:
+    found(name, question, worked_out)
