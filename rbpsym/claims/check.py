@@ -211,11 +211,12 @@ class Checker(Frozen):
             if link.outcome in HOLDS:
                 shown[relation] = {*opened}
             link = replace(link, how=", ".join(filter(None, (link.how, solved))))
-            if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
+            if link.outcome in (Outcome.REFUTED, Outcome.UNDECIDED) and self.diagnose and not claim.right:
                 near = (one for one, _, _ in rows if one is not relation and {*map(id, one.items)} & {*map(id, relation.items)})
-                found = self.diagnose(relation, claim, ground, {one: decided(one).outcome in HOLDS for one in near})
-                fix = self._fix(latex, place, relation, found.relation, claim) if found.relation and latex else ""
-                link = replace(link, diagnosis=found.words, fix=fix)
+                with suppress(RbpsymError):  # of what else the motion would have to be known
+                    found = self.diagnose(relation, claim, ground, {one: decided(one).outcome in HOLDS for one in near})
+                    fix = self._fix(latex, place, relation, found.relation, claim) if found.relation and latex else ""
+                    link = replace(link, diagnosis=found.words, fix=fix)
             yield replace(link, relation=to_text(relation), mathml=self._drawn(relation))
 
     def _fix(self, latex: str, place: int, relation: t.Chain, repaired: t.Chain, claim: Claim) -> str:

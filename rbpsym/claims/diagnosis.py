@@ -14,9 +14,9 @@ from typing import TypeVar
 
 from rbpsym.claims.check import NOBODY, Neighbours, decide
 from rbpsym.claims.decide import equal_to_first_order, has_slopes, is_constant
-from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, anywhere, edits, numbers
+from rbpsym.claims.diagnosis_edits import TURNS, Change, Repair, Rule, alone_last, anywhere, edits, numbers
 from rbpsym.claims.diagnosis_numbers import TOLERANCE, Sample, samples
-from rbpsym.claims.ground import HOW, EqualityQuestion, Ground, holds_unknowns
+from rbpsym.claims.ground import EqualityQuestion, Ground, holds_unknowns
 from rbpsym.claims.integrals import prepared, valued
 from rbpsym.claims.model import Claim, Outcome
 from rbpsym.errors import RbpsymError
@@ -68,7 +68,7 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground, near: Neighbours 
     told, loosely = _said_otherwise(relation, claim, ground)
     loose = _is_loose(relation, ground)
     looks = [] if loose else samples(EqualityQuestion(ground, claim.holds), relation=relation)
-    first = None
+    first = empty = None
     decided, unseen, most = 0, 0, MOST_LOOSE if loose else MOST_UNSEEN
     for repair in _repairs(relation, claim, ground):
         if len(set(repair.relation.items)) == 1:
@@ -79,14 +79,25 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground, near: Neighbours 
             continue
         decided += seen is True
         link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
-        if link.outcome is Outcome.PROVED and not (t.ZERO in repair.relation.items and link.how == HOW["identity"]):  # 0 = 0
+        if link.outcome is Outcome.PROVED and not _says_nothing(repair, ground, looks):
             if told and repair.words.startswith(("the term", "factor")):
                 break  # nobody's slip is a constant
             found = Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
+            if looks and looks[0].is_identity(repair.relation, repair.ground or ground):
+                empty = empty or found
+                continue
             if all(_holds_beside(one, holds, relation, repair, claim, ground) for one, holds in near.items()):
                 return found
             first = first or found
-    return first or Diagnosis(told or loosely or _actual(relation, ground))
+    return first or empty or Diagnosis(told or loosely or _actual(relation, ground))
+
+
+def _says_nothing(repair: Repair, ground: Ground, looks: list[Sample]) -> bool:
+    """Is it 0 = 0?"""
+    items, own = repair.relation.items, repair.ground or ground
+    look = replace(looks[0], question=replace(looks[0].question, ground=own), known={}) if looks else None
+    hollow = (isinstance(item, t.Sym) or look is None or look.is_hollow(item) for item in items if item != t.ZERO)
+    return t.ZERO in items and "in place of" not in repair.words and all(hollow)
 
 
 def _holds_beside(one: t.Chain, holds: bool, relation: t.Chain, repair: Repair, claim: Claim, ground: Ground) -> bool:
@@ -186,11 +197,19 @@ def _products(path: Path, node: t.Node) -> Iterator[Change]:
 
 
 def _doubled(path: Path, node: t.Node) -> Iterator[Change]:
-    """A factor or a digit that is printed twice."""
+    """A number, a factor, a term or a digit that is too much."""
     if isinstance(node, t.Mul):
+        for k, one in enumerate(node.factors):
+            if number_of(one) is not None and t.names(node):
+                yield t.mul(*node.factors[:k], *node.factors[k + 1 :]), f"{to_text(one)} is too much"
         for k, (one, other) in enumerate(pairwise(node.factors)):
             if one == (other.base if isinstance(other, t.Pow) else other):
                 yield t.mul(*node.factors[:k], *node.factors[k + 1 :]), f"{to_text(one)} is printed twice"
+    terms = node.terms if isinstance(node, t.Add) else ()
+    for k, one in enumerate(terms):
+        if one in terms[:k]:
+            gone = k if k + 1 == len(terms) else terms.index(one)  # what is left stands together
+            yield t.add(*terms[:gone], *terms[gone + 1 :]), f"{to_text(one)} is printed twice"
     digits = str(node.value) if isinstance(node, t.Num) else ""
     for k, pair in enumerate(pairwise(digits)):
         if len({*pair}) == 1 and digits.isdigit():
@@ -246,7 +265,7 @@ def _exponents(path: Path, node: t.Node) -> Iterator[Change]:
 def _symbols(relation: t.Chain) -> Iterator[Repair]:
     """One symbol in place of another that the formula has, in one place or everywhere."""
     names = sorted({node.name for _, node in sites(relation) if isinstance(node, t.Sym)})
-    for path, node in sites(relation):
+    for path, node in alone_last(relation):
         if isinstance(node, t.Sym) and not is_in_exponent(path):
             for other in names:
                 if other != node.name:

@@ -45,25 +45,32 @@ def anywhere(change: Callable[[Path, t.Node], Iterator[Change]], ground: Ground 
     """The repairs that a change makes of each part of a relation in turn."""
 
     def repairs(relation: t.Chain) -> Iterator[Repair]:
-        for path, node in sites(relation):
+        for path, node in alone_last(relation):
             for new, words in change(path, node):
                 yield Repair(put(relation, path, new), words, ground)
 
     return repairs
 
 
-def known(claim: Claim, ground: Ground) -> tuple[Ground, dict[str, str]]:
-    """The ground with symbols of a claim that its formula does not use, and their phrases by name."""
-    bounds, phrases = dict(ground.bounds), dict[str, str]()
-    own = set(ground.world.symbols.values())
+def alone_last(relation: t.Chain) -> list[tuple[Path, t.Node]]:
+    """The parts of a relation; last a symbol that is all of a side, which is what the others are said of."""
+    return sorted(sites(relation), key=lambda item: len(item[0]) == 1 and isinstance(item[1], t.Sym))
 
-    def place(item: tuple[str, Meaning]) -> tuple[bool, bool]:
-        """Those of the formula first, then the author's."""
-        return ground.glossary.names.get(item[0]) not in ground.bounds, item[1].phrase in own
+
+def known(claim: Claim, ground: Ground, *, far: bool = False) -> tuple[Ground, dict[str, str]]:
+    """The ground with symbols of a claim that its formula does not use, and their phrases by name; or with the author's of which
+    it takes `far` longer to say what they come to."""
+    bounds, phrases = dict(ground.bounds), dict[str, str]()
+    own = ground.world.symbols
+
+    def place(item: tuple[str, Meaning]) -> tuple[bool, bool, int]:
+        """Those of the formula first, then the author's, then the short ones."""
+        latex, meaning = item
+        return ground.glossary.names.get(latex) not in ground.bounds, own.get(latex) == meaning.phrase, len(latex)
 
     for latex, meaning in sorted(claim.setting.symbols.items(), key=place):
-        key = ground.glossary.names.get(latex)
-        if key is None or _FAR.search(meaning.phrase) or len(phrases) >= MOST:
+        key, is_far = ground.glossary.names.get(latex), bool(_FAR.search(meaning.phrase))
+        if key is None or is_far != far or len(phrases) >= MOST or (far and own.get(latex) == meaning.phrase):
             continue
         with suppress(RbpsymError):
             found = ground.world.bound(meaning.phrase)
@@ -80,9 +87,13 @@ def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
     pairs = {(one, other) for factors in products for k, one in enumerate(factors) for other in factors[k + 1 :]}
     values = {name: own for name in {*t.names(relation), *phrases} if (own := _value_of(name, wide)) is not None}
     moving = {t.Sym(name) for name, own in values.items() if any(depends_on(own, other) for other in wide.motion.scope.rates)}
-    for change in (_degrees, numbers, _angles, partial(_others, phrases), partial(_lost, phrases, pairs, moving)):
+    lost = partial(_lost, phrases, pairs, moving)
+    for change in (_degrees, numbers, _angles, partial(_others, phrases), lost, partial(_lost_inside, phrases)):
         yield from anywhere(change, wide)(relation)
+    wider, others = known(claim, ground, far=True)
+    yield from anywhere(partial(_others, others), wider)(relation)
     yield from _missing(relation, wide, phrases)
+    yield from anywhere(partial(_lost, others, pairs, moving), wider)(relation)
 
 
 def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
@@ -94,7 +105,7 @@ def numbers(path: Path, node: t.Node) -> Iterator[Change]:
     """Another small number, wherever one stands; 0 where it is all of a side."""
     if not (isinstance(node, t.Num) and isinstance(node.value, int)):
         return
-    for other in range(0 if path and path[-1][0] == "items" else 1, LARGEST + 1):
+    for other in range({"items": 0, "factors": 2}.get(path[-1][0], 1) if path else 1, LARGEST + 1):
         if t.Num(other) != node:
             yield t.Num(other), f"{other} in place of {to_text(node)}"
 
@@ -111,9 +122,9 @@ def _angles(path: Path, node: t.Node) -> Iterator[Change]:
 
 def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iterator[Repair]:
     """The one term by which the sides differ."""
-    named = {phrase: name for name, phrase in phrases.items()}
+    named = {phrase: name for name, phrase in sorted(phrases.items(), key=lambda item: item[0] in t.names(relation))}
     question = EqualityQuestion(ground)
-    found: dict[t.Chain, tuple[int, t.Node]] = {}
+    found: dict[t.Chain, tuple[int, int, int, t.Node]] = {}
     sides = {_value_of(side, ground) for side in relation.items if isinstance(side, t.Sym)} - {None}
     alone = {name for name in {*t.names(relation), *phrases} if _value_of(name, ground) in sides}  # by whatever symbol
     values = {name: own for name in phrases if name not in t.names(relation) and (own := _value_of(name, ground))}
@@ -125,15 +136,16 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
             with suppress(RbpsymError, ZeroDivisionError):  # with a number beside it, it has no value
                 value = _that_is_missing(relation, path, node, question, depth)
             for term in () if value is None else (*_symbols_of(value, seen), renamed(_told(value, relation, ground), named)):
-                size = len([part for part in t.walk(term) if not isinstance(part, t.Neg)])
+                size = sum(1 + isinstance(part, t.Div) for part in t.walk(term) if not isinstance(part, t.Neg))
                 sums = sum(isinstance(part, t.Add) for part in t.walk(term))
                 known = t.names(term) - {"pi"} <= phrases.keys() and not alone & t.names(term)
                 known = known and _value_of(t.add(node, term), ground) != NOTHING  # α − α
                 inside = {name for part in t.walk(term) if isinstance(part, t.Fn) for name in t.names(part)}
                 known = known and not _bare(term) & inside
                 if known and size <= LONGEST and sums <= 1 and not isinstance(term, t.Add):
-                    found.setdefault(put(relation, path, _joined(node, term)), (size, term))
-    for repaired, (_, term) in sorted(found.items(), key=lambda item: item[1][0]):
+                    foreign = len(t.names(term) - t.names(relation))
+                    found.setdefault(put(relation, path, _joined(node, term)), (size, foreign, -len(path), term))
+    for repaired, (*_, term) in sorted(found.items(), key=lambda item: item[1][:3]):
         yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
 
 
@@ -187,7 +199,7 @@ def _summands(relation: t.Chain) -> list[tuple[Path, t.Node]]:
 def _is_summand(path: Path, node: t.Node, parents: Mapping[Path, t.Node]) -> bool:
     kind = path[-1][0]
     if kind == "factors":  # a parenthesis of which one term is left
-        return isinstance(node, (t.Sym, t.Fn, t.Num))
+        return isinstance(node, (t.Sym, t.Fn, t.Num, t.Neg, t.Add))
     return kind in ("items", "num", "den") or (kind == "arg" and isinstance(parents[path[:-1]], (t.Group, t.Sqrt)))
 
 
@@ -196,17 +208,19 @@ def _that_is_missing(relation: t.Chain, path: Path, node: t.Node, question: Equa
 
     Under a root it is found from what the root should be.
     """
-    above = dict(sites(relation)).get(path[:-1])
-    if isinstance(above, t.Sqrt):
-        more = _that_is_missing(relation, path[:-1], above, question, depth)
-        root, square = valued(above, question.ground), valued(node, question.ground)
-        if more is None or isinstance(root, Space) or isinstance(square, Space):
+    places = dict(sites(relation))
+    above = next((path[:k] for k in range(len(path) - 1, 0, -1) if isinstance(places[path[:k]], t.Sqrt)), None)
+    wanted: Scalar | Space = NOTHING
+    if above is not None:
+        more, root = _that_is_missing(relation, above, places[above], question, depth), valued(places[above], question.ground)
+        if more is None or isinstance(root, Space):
             return None
-        return without_even_roots((more + root) * (more + root) - square)
+        wanted = (more + root) * (more + root)
     gaps = []
     for number in range(3):
-        sides = put(relation, path, t.add(node, t.Num(number)) if number else node).items
-        left, right = (valued(side, question.ground) for side in sides)
+        whole = put(relation, path, t.add(node, t.Num(number)) if number else node)
+        items = (dict(sites(whole))[(*above, ("arg", None))],) if above else whole.items
+        left, right = [*(valued(item, question.ground) for item in items), wanted][:2]
         if isinstance(left, Space) or isinstance(right, Space):
             return None
         gaps.append(_seen(left - right, question, depth))
@@ -228,7 +242,8 @@ def renamed(node: t.Node, names: dict[str, str]) -> t.Node:
 
 def _others(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
     """A symbol that the formula does not hold in place of one that it does: a dot, an index, a length, a mass."""
-    for name in phrases if isinstance(node, t.Sym) else ():
+    base = node.name.partition("_")[0] if isinstance(node, t.Sym) else ""
+    for name in sorted(phrases, key=lambda name: name.partition("_")[0] != base) if base else ():  # first another index
         if t.Sym(name) != node:
             yield t.Sym(name), f"{to_text(t.Sym(name))} in place of {to_text(node)}"
 
@@ -238,14 +253,22 @@ def _lost(phrases: dict[str, str], pairs: Pairs, moving: set[t.Sym], path: Path,
     if not path or path[-1][0] not in ("terms", "items", "num", "den", "arg") or node == t.ZERO:
         return
     for symbol in map(t.Sym, phrases):
-        if isinstance(node, t.Div) and isinstance(node.num, t.Add):
-            yield t.Mul((node, symbol)), f"the factor {to_text(symbol)} is missing"
-        if not _holds_quotient(node):  # above the bar, and behind the sign
-            yield _among_factors(node, symbol, pairs, moving), f"the factor {to_text(symbol)} is missing"
+        for factor in (symbol, t.Pow(symbol, t.TWO)):
+            if isinstance(node, t.Div) and isinstance(node.num, t.Add):
+                yield t.Mul((node, factor)), f"the factor {to_text(factor)} is missing"
+            if not _holds_quotient(node):  # above the bar, and behind the sign
+                yield _among_factors(node, factor, pairs, moving), f"the factor {to_text(factor)} is missing"
         if symbol.name in t.names(node):
             factors = list(node.factors) if isinstance(node, t.Mul) else []
             rest = t.mul(*(part for part in factors if part is not factors[factors.index(symbol)])) if symbol in factors else None
             yield rest or t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
+
+
+def _lost_inside(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
+    """A term that is missing where it stands in no sum of sides: what is raised, or in a function, (R − a)² and cos(θ − β)."""
+    if path and path[-1][0] in ("base", "arg") and isinstance(node, (t.Sym, t.Add)):
+        for symbol in (t.Sym(name) for name in phrases if name not in t.names(node)):
+            yield from ((t.add(node, one), f"the term {to_text(one)} is missing") for one in (t.Neg(symbol), symbol))
 
 
 def _holds_quotient(node: t.Node) -> bool:
@@ -253,17 +276,17 @@ def _holds_quotient(node: t.Node) -> bool:
     return inner is not node or any(isinstance(part, t.Div) and t.names(part) for part in getattr(inner, "factors", (inner,)))
 
 
-def _among_factors(node: t.Node, symbol: t.Sym, pairs: Pairs, moving: set[t.Sym]) -> t.Node:
+def _among_factors(node: t.Node, factor: t.Node, pairs: Pairs, moving: set[t.Sym]) -> t.Node:
     """The product with one more factor: in the author's order, else in front of functions and sums, and a constant in front of
     what moves."""
-    factors = node.factors if isinstance(node, t.Mul) else (node,)
+    factors, symbol = node.factors if isinstance(node, t.Mul) else (node,), _base(factor)
     behind = [(symbol, _base(part)) in pairs for part in factors]
     before = [(_base(part), symbol) in pairs for part in factors]
-    ends = moving - {symbol} if symbol not in moving else set()
+    ends = moving if symbol not in moving else set()
     plain = [not t.names(part) or (isinstance(_base(part), t.Sym) and _base(part) not in ends) for part in factors]
     place = len(factors) - before[::-1].index(True) if any(before) else 0
     place = behind.index(True) if any(behind) else max(place, [*plain, False].index(False))
-    return t.mul(*factors[:place], symbol, *factors[place:])
+    return t.mul(*factors[:place], factor, *factors[place:])
 
 
 def _base(node: t.Node) -> t.Node:

@@ -8,14 +8,14 @@ from hashlib import blake2b
 from itertools import islice
 from typing import Any
 
-from rbpsym.claims.ground import EqualityQuestion
+from rbpsym.claims.ground import EqualityQuestion, Ground
 from rbpsym.claims.refute import carried_out
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, Space, root
 from rbpsym.field import value as exact_value
 from rbpsym.field.elliptic import FUNCTIONS as OF_SCALARS
-from rbpsym.frozen import Frozen, field
+from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.numbers import number
 from rbpsym.quantity.bound import Motion
 from rbpsym.quantity.path import sense
@@ -109,12 +109,33 @@ class Sample(Frozen):
         return number(done, self.numbers)
 
     def gap(self, relation: t.Chain) -> float | None:
-        """How far the sides are apart, relative to their size; None if that can't be said."""
+        """How far the sides are apart, relative to their size; infinitely, if one is a vector; None if that can't be said."""
         try:
             left, right = (value(node, self) for node in relation.items)
             return size_of(left - right) / max(size_of(left), size_of(right), SMALL)
-        except (ArithmeticError, ValueError, KeyError, TypeError, RbpsymError):
+        except TypeError:
+            return math.inf
+        except (ArithmeticError, ValueError, KeyError, RbpsymError):
             return None
+
+    def is_identity(self, relation: t.Chain, ground: Ground) -> bool:
+        """Does it hold of any numbers in place of its names, x = 4 x/4, but for those that are names of one quantity?"""
+        values = {name: ground.scope.scalars.get(name, name) for name in t.names(relation)}
+        known: dict[t.Node, Value] = {t.Sym(name): Numbers(5)[str(value)] for name, value in values.items()}
+        gap = replace(self, known=known).gap(relation)
+        return gap is not None and gap < TOLERANCE and bool(known)
+
+    def is_hollow(self, node: t.Node) -> bool:
+        """Is it zero because every term of it is, or a factor: in 0 · (a − b) nothing is said of a and b."""
+        parts = (node.arg,) if isinstance(node, (t.Neg, t.Group)) else node.terms if isinstance(node, t.Add) else ()
+        if parts:
+            return all(map(self.is_hollow, parts))
+        if isinstance(node, t.Mul):
+            return any(map(self.is_hollow, node.factors))
+        try:
+            return size_of(value(node, self)) < TOLERANCE
+        except (ArithmeticError, ValueError, KeyError, TypeError, RbpsymError):
+            return False
 
 
 def samples(question: EqualityQuestion, count: int = 2, relation: t.Chain | None = None) -> list[Sample]:

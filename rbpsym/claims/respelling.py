@@ -12,7 +12,7 @@ from rbpsym.errors import Incomplete, RbpsymError, UnknownName
 MOST_SPELLED, NEAR = 24, 3  # names that are tried; tokens around the place that are changed
 SPELLED = (r"\sin", r"\cos", r"\tan", r"\frac", r"\dot", r"\ddot", r"\sqrt", r"\left", r"\right", r"\pi", r"\partial")
 _MARKS = re.compile(r"(?:\s*[\^_]\s*(?:\{[^{}]*\}|\\?\w))*")  # what stands above and below a name
-_HEAD = re.compile(r"\\[A-Za-z]+\s*\{?")
+_HEAD = re.compile(r"\\[A-Za-z]+\s*(?:\^\s*(?:\w|\{[^{}]*\})\s*)?\{?")
 _TOKEN = re.compile(r"\\(?:[A-Za-z]+|\W)|\S")
 Change = tuple[str, str]  # the text of the formula, and what was changed in words
 
@@ -51,6 +51,7 @@ def _misspelt(latex: str, begin: int, end: int, names: Iterable[str]) -> Iterato
 def _lost(latex: str, begin: int, names: Iterable[str]) -> Iterator[Change]:
     """In a command, or behind what stands before, perhaps in the row above; of a name with a subscript, perhaps a part alone."""
     head = _HEAD.match(latex, begin)
+    begin -= latex[:begin].endswith("{}")  # an empty group is passed over
     begin = head.end() if head else len(re.sub(r"(?:\s|&|\\\\)+\Z", "", latex[:begin]))
     for name in [*sorted(names, key=len), *SPELLED][:MOST_SPELLED]:
         base, sign, label = name.partition("_")
@@ -75,6 +76,7 @@ def _mistyped(latex: str, place: int) -> Iterator[Change]:
             yield latex[:other] + latex[end:], f"{latex[other:end]} is printed twice"
         if latex[start:middle] == "^":
             yield f"{latex[:middle]}2{latex[middle:]}", "2 is missing"
+            yield latex[:start] + latex[end:], f"{latex[start:end]} is too much"
     for sign in "+-":
         yield f"{latex[:place]} {sign} {latex[place:]}", f"{sign} is missing"
     for start, middle, other, end in pairs:
