@@ -194,8 +194,10 @@ Ltac pos1 := first [assumption | known_sign | lra | solve [progress rewrite ?sin
   | apply sqrt_lt_R0 | apply exp_pos].
 Ltac least := first [exact (Rlt_le _ _ PI_RGT_0) | apply up1 | apply up2 | apply up3 | apply up4
   | apply pow2_ge_0 | apply sqrt_pos | apply Rplus_le_le_0_compat | apply Rmult_le_pos | apply Rdiv_le_0_compat; [| solve [repeat pos1]] | apply pow_le | lra | (apply Rlt_le; solve [repeat pos1])].
-Ltac signs := repeat match goal with Q : forall x : R, 0 < _ |- context [cos ?y] =>
-  let N := fresh in pose proof (Q y) as N; cbv beta in N; clear Q end; repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>
+Ltac signs := repeat match goal with
+  | Q : forall x : R, 0 < _ |- context [cos ?y] => let N := fresh in pose proof (Q y) as N; cbv beta in N; clear Q
+  | Q : forall x : R, 0 < _ |- context [sin ?y] => let N := fresh in pose proof (Q y) as N; cbv beta in N; clear Q
+  end; repeat match goal with Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- _ =>
   let N := fresh in pose proof (Q s H) as N; cbv beta in N; clear Q end.
 Ltac nng := first [solve [repeat least] | signs; solve [repeat first [lra | least]]].
 Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.

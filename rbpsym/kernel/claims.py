@@ -276,7 +276,19 @@ def _torque(force: Force, origin: Vector) -> t.Node:
     return t.Add((t.Mul((arms[0], fy)), t.Neg(t.Mul((arms[1], fx))), tree_of(force.couple)))
 
 
+def _by_rate(source: ClaimSource, step: Step, row: t.Chain) -> Iterator[Proposition]:
+    """What rolling or a string ties has its speed as its rate, and is 0 where what it is tied to says so."""
+    name, right = letter(row.items[0]), row.items[-1]
+    rates = [source.steps[id].rule in ("no_slip", "taut") for id in step.premises if id in source.steps]
+    if not any(rates) or name not in source.system.dependent:
+        yield from _by_first(source, step, row)
+        return
+    yield Proposition(row.items[0], t.Sym(f"{name}_dot"), "rate")
+    yield Proposition(row.items[0], started(right, source.moving), "start")
+
+
 DEFINED: Mapping[str, Callable[[ClaimSource, Step, t.Chain], Iterator[Proposition]]] = {
+    "tied": _by_rate, "motion_of_mode": lambda source, step, row: iter(()),
     "statement": _by_place, "potential": _by_place, "torque": _by_forces, "value_along": _by_place, "value_then": _by_place,
 }  # fmt: skip
 
@@ -341,18 +353,67 @@ def _resting(source: ClaimSource, step: Step) -> dict[str, t.Node]:
 def _mode(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """If what is linear has a solution of this kind in which a coordinate takes part, the polynomial vanishes."""
     rate, linear = step.slots["letter"], source.steps.get(f"linear.{step.id.partition('.')[2]}")
-    if linear is None or step.id.startswith(("decay", "damped")):
+    if linear is None:
         return claims
+    if step.id.startswith(("decay", "damped")):
+        return _dying(source, step, claims)
     square = t.Pow(rate, t.TWO)
     speed, gain = {"secular": (t.ZERO, t.Neg(rate)), "polynomial": (rate, square)}.get(step.rule, (t.ZERO, t.Neg(square)))
     source.own[step.id] = f"def.{rate.name}"
     sizes = {name: t.Sym(f"amplitude_{name}") for name in source.system.independent}
-    moved: dict[str, t.Node] = {name: t.Add((place, sizes[name])) for name, place in _resting(source, step).items()}
-    moved |= {f"{name}_dot": t.Mul((speed, size)) for name, size in sizes.items()}
-    moved |= {f"{name}_ddot": t.Mul((gain, size)) for name, size in sizes.items()}
-    solves = [Proposition(t.renamed(row.items[0], moved), t.renamed(row.items[-1], moved)) for row in t.chains(linear.statement)]
+    solves = _solves(source, step, sizes, *({n: t.Mul((times, size)) for n, size in sizes.items()} for times in (speed, gain)))
     taking = (Proposition(size, t.ZERO, "differ") for name, size in sizes.items() if f"{name}_ddot" in t.names(linear.statement))
     return [replace(claim, given=(*solves, part)) for claim in claims for part in taking]
+
+
+def _dying(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
+    """If what is linear has the solutions a e^{-γt} cos ϑt and a e^{-γt} sin ϑt (as they are at t = 0), γ and ϑ are these."""
+    name, *others = source.system.independent
+    if others:
+        raise RbpsymError("a motion of several coordinates that dies out has no words yet")
+    rest = step.id.partition(".")[2]
+    rate, swing = (source.steps[f"{kind}.{rest}"].slots["letter"] for kind in ("decay", "damped"))
+    size = t.Sym(f"amplitude_{name}")
+    source.own[step.id] = f"def.{swing.name}"
+    slower, turned = t.Neg(t.Mul((rate, size))), t.Mul((swing, size))
+    fast = t.Mul((t.Add((t.Pow(rate, t.TWO), t.Neg(t.Pow(swing, t.TWO)))), size))
+    cosine = _solves(source, step, {name: size}, {name: slower}, {name: fast})
+    sine = _solves(source, step, {name: t.ZERO}, {name: turned}, {name: t.Mul((t.TWO, rate, t.Neg(turned)))})
+    given = (*cosine, *sine, Proposition(turned, t.ZERO, "differ"))
+    return [replace(claim, given=given) for claim in claims]
+
+
+def _solves(source: ClaimSource, step: Step, *moved: Mapping[str, t.Node]) -> tuple[Proposition, ...]:
+    """That these deviations with these speeds and accelerations solve what is linear."""
+    sizes, speeds, gains = moved
+    image: dict[str, t.Node] = {name: t.Add((place, sizes[name])) for name, place in _resting(source, step).items()}
+    image |= {f"{name}_dot": speed for name, speed in speeds.items()} | {f"{name}_ddot": gain for name, gain in gains.items()}
+    rows = t.chains(source.steps[f"linear.{step.id.split('.')[1]}"].statement)
+    return tuple(Proposition(t.renamed(row.items[0], image), t.renamed(row.items[-1], image)) for row in rows)
+
+
+def _modes(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
+    """And the polynomial vanishes for each of the values."""
+    polynomial = source.steps[f"characteristic.{step.id.partition('.')[2]}"]
+    [(left, _, right)] = t.relations(polynomial.statement)
+    values = [{polynomial.slots["letter"].name: claim.right} for claim in claims]
+    return [*claims, *(Proposition(t.renamed(left, value), t.renamed(right, value)) for value in values)]
+
+
+def _shape(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
+    """And amplitudes in these ratios, with the frequency of the mode, solve what is linear."""
+    first, *others = (source.system.independent[k] for k in step.data["order"])
+    size = t.Sym(f"amplitude_{first}")
+    sizes: dict[str, t.Node] = {name: t.Mul((claim.right, size)) for name, claim in zip(others, claims, strict=False)}
+    sizes[first], gain = size, t.Neg(tree_of(step.data["square"]))
+    gains = {name: t.Mul((gain, each)) for name, each in sizes.items()}
+    return [*claims, *_solves(source, step, sizes, dict.fromkeys(sizes, t.ZERO), gains)]
+
+
+def _critical(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
+    """And with it the square of the damped frequency vanishes."""
+    [(_, _, square)] = t.relations(source.steps[f"damped.{step.id.partition('.')[2]}"].statement)
+    return [*claims, *(Proposition(t.renamed(square, {step.data["name"]: claim.right}), t.ZERO) for claim in claims)]
 
 
 def _there(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
@@ -372,7 +433,10 @@ def _asked(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[P
     force, shown = t.Sym(step.data["force"]), t.add(left, t.neg(right)) if op == ">=" else t.add(right, t.neg(left))
     if shown == force:
         return [Proposition(force, force)]
-    ratio = tree_of(short(without_roots_below(source.letters.along(symbol(force.name)) / source.letters.value(shown))))
+    said = (row.items[-1] for id in step.premises if id in source.steps for row in t.chains(source.steps[id].statement)
+            if row.items[0] == force)  # fmt: skip
+    whole = next(map(source.letters.value, said), None) or source.letters.along(symbol(force.name))
+    ratio = tree_of(short(without_roots_below(whole / source.letters.value(shown))))
     return [Proposition(force, t.Mul((ratio, shown))), Proposition(ratio, t.ZERO, "more")]
 
 
@@ -393,4 +457,5 @@ MORE: Mapping[str, Callable[[ClaimSource, Step, list[Proposition]], list[Proposi
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
     "linearization": _tangent, "linear_system": _tangent, "secular": _mode, "polynomial": _mode, "motion_of_mode": _mode,
     "vanishing": _vanishes, "value_there": _there, "asked": _asked, "value_then": _then, "value_told": _told,
+    "normal_modes": _modes, "mode_shape": _shape, "critical": _critical,
 }  # fmt: skip

@@ -19,8 +19,8 @@ from rbpsym.kernel.claims import TIME, ClaimSource
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.integrals import by_course, by_rates, courses, integrated
 from rbpsym.kernel.positive import PositiveSum
-from rbpsym.kernel.radicals import rootless
-from rbpsym.kernel.ranges import above, note_gaps, note_number, note_signs, signed, within
+from rbpsym.kernel.radicals import more, rootless
+from rbpsym.kernel.ranges import note_gaps, note_number, note_signs, signed, within
 from rbpsym.typeset.machine import to_machine
 
 SIGNS = ("sign", "gap", "positive")
@@ -275,7 +275,7 @@ class Search:
             found = self.shown(self.rate_of(like) - self.value(claim.right), known)
             return self.proof(found, like=(self.tree(like), by))
         if claim.kind in ("more", "least"):
-            found, parts = above(self, goal, known, strict=claim.kind == "more")
+            found, parts = more(self, goal, known, strict=claim.kind == "more")
             return self.proof(found, parts=parts)
         ways = (*(combining.WHERE_GIVEN if claim.given else (by_rates, by_course)), *combining.ALWAYS)
         reasons = []

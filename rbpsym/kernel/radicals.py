@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
 from math import isqrt
 from typing import TYPE_CHECKING
 
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
+from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, substitute, symbol
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples
 from rbpsym.kernel.claim import Proposition
 from rbpsym.kernel.ranges import above, signed
@@ -58,13 +60,38 @@ def _once(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Kno
     return value, taken
 
 
+def more(
+    search: Search, goal: Scalar, known: Sequence[KnownEquation], *, strict: bool = True
+) -> tuple[Multiples, tuple[t.Node, ...]]:
+    """Why left - right is positive, as `above`; a difference a - √b by (a² - b)/(a + √b)."""
+    try:
+        return above(search, goal, known, strict=strict)
+    except Undecided:
+        rest, by = search.follow(goal, known)
+        if (found := _by_other(search, rest)) is None:
+            raise
+        whole, other, taken = found
+        roots = tuple((search.tree(factor / other), item) for factor, item in taken)
+        return replace(by, known=(*by.known, *roots)), (search.tree(whole / other), t.ZERO)
+
+
+def _by_other(search: Search, value: Scalar) -> tuple[Scalar, Scalar, list[tuple[Scalar, KnownEquation]]] | None:
+    """The product of a value and of the same with the other root, and that, both positive; and the squares of roots in it."""
+    for name in sorted(names_in(value) & search.roots.keys()):
+        other = substitute(value, {name: -symbol(name)})
+        whole, taken = rootless(search, value * other)
+        if search.is_positive(whole) and search.is_positive(other):
+            return whole, other, taken
+    return None
+
+
 def _squared(search: Search, name: str, node: t.Sqrt, arg: Scalar) -> KnownEquation:
     """The square of a root is what stands below it, which is positive."""
     claim = Proposition(t.Pow(node, t.TWO), node.arg)
     if name not in search.notes:
         by, parts = Multiples(), tuple[t.Node, ...]()
         with suppress(Undecided):
-            by, parts = above(search, arg, ())
+            by, parts = more(search, arg, ())
         search.notes[name] = Have(name, "root", claim, node.arg, by, parts=parts)
     return KnownEquation(name, claim)
 
@@ -79,7 +106,7 @@ def _is_certain(search: Search, name: str) -> bool:
     arg = search.roots[name]
     is_known = all(_is_certain(search, inner) for inner in sorted(names_in(arg) & search.roots.keys()))
     found = signed(search, Scalar(arg.num) * Scalar(arg.den)) if is_known else None
-    if found is None or found.sign < 0:
+    if not is_known or (found.sign < 0 if found else _by_other(search, arg) is None):
         return False
     search.positive |= symbol(name).atoms()
     return True
