@@ -427,6 +427,12 @@ def _vanishes(source: ClaimSource, step: Step, claims: list[Proposition]) -> lis
     return [Proposition(t.Sym(step.data["force"]), t.ZERO, given=tuple(claims))]
 
 
+def _stays(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
+    """As long as the force that is lost first is not negative."""
+    until = (Proposition(t.Sym(step.data["until"]), t.ZERO, "least"),) if step.data["until"] else ()
+    return [replace(claim, given=until) for claim in claims]
+
+
 def _asked(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """The force is a positive multiple of what is said not to be negative."""
     [(left, op, right)] = t.relations(step.statement)
@@ -457,5 +463,5 @@ MORE: Mapping[str, Callable[[ClaimSource, Step, list[Proposition]], list[Proposi
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
     "linearization": _tangent, "linear_system": _tangent, "secular": _mode, "polynomial": _mode, "motion_of_mode": _mode,
     "vanishing": _vanishes, "value_there": _there, "asked": _asked, "value_then": _then, "value_told": _told,
-    "normal_modes": _modes, "mode_shape": _shape, "critical": _critical,
+    "normal_modes": _modes, "mode_shape": _shape, "critical": _critical, "stays": _stays,
 }  # fmt: skip

@@ -19,7 +19,7 @@ from rbpsym.kernel.claim import Proposition, tree_of
 from rbpsym.kernel.integrals import by_rates
 from rbpsym.kernel.positive import PositiveSum, is_wave, positive_sum
 from rbpsym.kernel.radicals import rootless
-from rbpsym.kernel.ranges import shown, signed
+from rbpsym.kernel.ranges import sense_of, shown, signed
 from rbpsym.mechanics.elimination import solve_linear
 
 if TYPE_CHECKING:
@@ -189,13 +189,12 @@ def surely(search: Search, value: Scalar, known: Sequence[KnownEquation]) -> tup
     if (found := signed(search, rest)) is not None:
         return rest, found, by
     for whole in (search.value(item.left) for item in search.met_by if item.kind == "more" and item.right == t.ZERO):
-        rest, by = search.follow(whole, known)
-        ratio = search.ratio(value, rest)  # a multiple of what is more than 0 where the claim has to hold
-        told = None if ratio is None or by.circles else signed(search, ratio)
-        if ratio is not None and told is not None:
-            sign = told.sign
-            parts = tuple((search.tree(ratio * -1 * search.value(factor)), item) for factor, item in by.known)
-            return ratio * whole, PositiveSum(sign, ratio * whole * sign, (), ()), Multiples(parts)
+        rest, _ = search.follow(whole, known)
+        ratio = search.ratio(wound(value), wound(rest))  # a multiple of what is more than 0 where the claim has to hold
+        if ratio is not None and (sense := sense_of(search, ratio)):
+            left, by = search.follow(value - ratio * whole, known)
+            if not left:
+                return ratio * whole, PositiveSum(sense, ratio * whole * sense, (), ()), by
     return None
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
-from math import isqrt
+from math import isqrt, prod
 from typing import TYPE_CHECKING
 
 from rbpsym.errors import Undecided
@@ -118,6 +118,14 @@ def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> It
                 yield found
 
 
+def sense_of(search: Search, value: Scalar) -> int:
+    """The sign of a value by those of its factors; 0 if it is not known."""
+    common, inner = parted(value)
+    number, parts = factors(inner.num)
+    senses = [(found.sign if (found := signed(search, Scalar(part))) else 0) ** exponent for part, exponent in parts]
+    return prod(senses, start=1 if number > 0 else -1) if search.is_positive(common / Scalar(inner.den)) else 0
+
+
 def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: PositiveSum, by: Multiples, kind: str = "differ") -> Have:
     """± the formula, or what it is known to be, is positive and not negative parts, by sin² + cos² = 1."""
     node, value = of
@@ -191,4 +199,13 @@ def above(
                 root = Scalar(generator(index)) + b / (a * 2)
                 _, multiples = search.follow(goal - a * root * root - left, known)
                 return multiples, (search.tree(left), t.mul(search.tree(a), t.Pow(search.tree(root), t.TWO)))
+    for item in (item for item in search.met_by if item.kind == "least" and item.right == t.ZERO):
+        bound, _ = search.follow(search.value(item.left), known)
+        for index in sorted(bound.num.atoms()):
+            top = max(bound.num.by_power(index))
+            more = Scalar(rest.num.by_power(index).get(top, Poly({})), rest.den) / Scalar(bound.num.by_power(index)[top], bound.den)
+            left = wound(rest - more * bound)
+            if top > 0 and search.is_positive(more) and search.is_positive(left):
+                _, multiples = search.follow(goal - more * search.value(item.left) - left, known)
+                return multiples, (search.tree(left), t.mul(search.tree(more), item.left))
     raise Undecided("nothing shows that it is positive: " + brief(search.tree(rest)))

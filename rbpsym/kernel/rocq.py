@@ -288,7 +288,7 @@ class Writer(Frozen):
         """± the formula is a positive one and one that is not negative."""
         above, others = map(self.terms.term, have.parts)
         way = "above _ _" if have.how != "nonzero" else "beyond _" if have.of == have.claim.left else "below _"
-        return f"apply ({way} {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
+        return f"apply ({way} {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | first [pos | over0] | nng]"
 
     def _divisor(self, have: Have, finish: str) -> str:
         """A multiple of it does not vanish."""
