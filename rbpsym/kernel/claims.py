@@ -321,7 +321,7 @@ def _open_rest(source: ClaimSource, step: Step, claims: list[Proposition]) -> li
 
 def _equilibrium(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """The equation of rest holds at the place."""
-    place = {name: tree_of(value) for name, value in step.data["at"].items()}
+    place = {letter(row.items[0]): row.items[-1] for row in t.chains(step.statement)}
     rest = (id for id, other in source.steps.items() if other.rule == "rest" and id in source.said)
     found = (claim for id in rest for claim in source.said[id].assertions)
     return [Proposition(t.renamed(c.left, place), t.renamed(c.right, place)) for c in found]
