@@ -72,7 +72,7 @@ class ClaimSource:
         own = [row for row in t.chains(step.statement) if self._introduces(step, row)]
         self._introduced |= {part for part in t.walk(step.statement) if isinstance(part, t.Sym | t.Vec)}
         try:
-            definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
+            definitions = [claim for row in own for claim in DEFINED.get(step.rule, _first_or_place(row))(self, step, row)]
         except RbpsymError as error:
             self.unsaid[step.id] = str(error)
             return SaidByStep()
@@ -276,6 +276,11 @@ def _torque(force: Force, origin: Vector) -> t.Node:
     return t.Add((t.Mul((arms[0], fy)), t.Neg(t.Mul((arms[1], fx))), tree_of(force.couple)))
 
 
+def _first_or_place(row: t.Chain) -> Callable[[ClaimSource, Step, t.Chain], Iterator[Proposition]]:
+    """What is said of a letter once only is no definition of it: else nothing would be asserted."""
+    return _by_place if len(row.items) == 2 and not isinstance(row.items[1], SILENT) else _by_first
+
+
 def _by_rate(source: ClaimSource, step: Step, row: t.Chain) -> Iterator[Proposition]:
     """What rolling or a string ties has its speed as its rate, and is 0 where what it is tied to says so."""
     name, right = letter(row.items[0]), row.items[-1]
@@ -401,13 +406,13 @@ def _modes(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[P
 
 
 def _shape(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
-    """And amplitudes in these ratios, with the frequency of the mode, solve what is linear."""
+    """Amplitudes in these ratios, with the frequency of the mode, solve what is linear."""
     first, *others = (source.system.independent[k] for k in step.data["order"])
     size = t.Sym(f"amplitude_{first}")
     sizes: dict[str, t.Node] = {name: t.Mul((claim.right, size)) for name, claim in zip(others, claims, strict=False)}
     sizes[first], gain = size, t.Neg(tree_of(step.data["square"]))
     gains = {name: t.Mul((gain, each)) for name, each in sizes.items()}
-    return [*claims, *_solves(source, step, sizes, dict.fromkeys(sizes, t.ZERO), gains)]
+    return [*claims[len(others) :], *_solves(source, step, sizes, dict.fromkeys(sizes, t.ZERO), gains)]
 
 
 def _critical(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:

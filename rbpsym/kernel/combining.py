@@ -93,16 +93,18 @@ def by_letters(poly: Poly, letters: Collection[int]) -> dict[Monomial, Poly]:
 
 
 def product_of(search: Search, rest: Scalar, by: Scalar, order: Callable[[int], int] | None) -> Scalar | None:
-    """Of which multiple of an equation the rest is; by an order of letters, of which multiple the one product of letters is
-    that stands in the equation."""
+    """Of which multiple of an equation the rest is; by an order of letters, of which multiple the products of letters are
+    that stand in the equation."""
     if order is None:
         return search.ratio(rest, by) or search.ratio(wound(rest, "cos"), wound(by, "cos"))
     letters = {index for value in (rest, by) for index in value.num.atoms() if order(index)}
     own, there = by_letters(by.num, letters), by_letters(rest.num, letters)
     products = [key for key in own if key]
-    if len(products) != 1 or products[0] not in there:
+    if not products or not there.keys() >= {*products}:
         return None
-    return search.ratio(Scalar(there[products[0]], rest.den), Scalar(own[products[0]], by.den))
+    first, *others = ((Scalar(there[key], rest.den), Scalar(own[key], by.den)) for key in products)
+    factor = search.ratio(*first)
+    return None if factor is None or any(left - factor * right for left, right in others) else factor
 
 
 def stays(search: Search, value: Scalar) -> bool:

@@ -96,12 +96,13 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True, strict: bool =
     """The value as a sum of one sign: by gaps, by what sines and cosines are at most, and if it is `ranged` by what ranges
     keep positive. Not `strict`: it may vanish."""
     known = frozenset(search.positive | search.certain) if ranged else search.always
-    below = Poly({tuple(sorted((i, -e) for i, e in value.num.content()[1] if i in search.positive)): 1})
+    common = search.positive if strict else search.positive | search.least
+    below = Poly({tuple(sorted((i, -e) for i, e in value.num.content()[1] if i in common)): 1})
     poly = value.num * below
     if (key := (poly, known, strict)) not in search.sums:
         search.sums[key] = next(_sums(search, poly, known, strict), None)
     num, den = search.sums[key], Scalar(value.den) * Scalar(below)
-    if num is None or not search.is_positive(den):
+    if num is None or not search.is_positive(Scalar(value.den)):
         return None
     squares = tuple((factor / den, root) for factor, root in num.squares)
     return PositiveSum(num.sign, num.above / den, squares, tuple((factor / den, wave, turn) for factor, wave, turn in num.waves))
@@ -151,7 +152,7 @@ def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: PositiveS
 def _above(search: Search, value: Scalar) -> t.Node:
     """A positive value; by its positive factors if it is no sum of positive terms."""
     common, inner = parted(value)
-    if all(coefficient > 0 for coefficient in value.num.terms.values()) or inner.den.constant_value() != 1:
+    if search.is_positive(value) or inner.den.constant_value() != 1:
         return search.tree(value)
     number, parts = factors(inner.num)
     shown: list[t.Node] = [search.tree(common * abs(Fraction(number)))]
@@ -199,13 +200,15 @@ def above(
                 root = Scalar(generator(index)) + b / (a * 2)
                 _, multiples = search.follow(goal - a * root * root - left, known)
                 return multiples, (search.tree(left), t.mul(search.tree(a), t.Pow(search.tree(root), t.TWO)))
-    for item in (item for item in search.met_by if item.kind == "least" and item.right == t.ZERO):
-        bound, _ = search.follow(search.value(item.left), known)
+    bounds = [item.left for item in search.met_by if item.kind == "least" and item.right == t.ZERO]
+    bounds += [item.claim.left for item in known if isinstance(item.claim.left, t.Pow) and item.claim.left.exponent == t.TWO]
+    for node in bounds:
+        bound, _ = search.follow(search.value(node), known)
         for index in sorted(bound.num.atoms()):
             top = max(bound.num.by_power(index))
             more = Scalar(rest.num.by_power(index).get(top, Poly({})), rest.den) / Scalar(bound.num.by_power(index)[top], bound.den)
             left = wound(rest - more * bound)
-            if top > 0 and search.is_positive(more) and search.is_positive(left):
-                _, multiples = search.follow(goal - more * search.value(item.left) - left, known)
-                return multiples, (search.tree(left), t.mul(search.tree(more), item.left))
+            if top > 0 and sense_of(search, more) > 0 and sense_of(search, left) > 0:
+                _, multiples = search.follow(goal - more * search.value(node) - left, known)
+                return multiples, (search.tree(left), t.mul(search.tree(more), node))
     raise Undecided("nothing shows that it is positive: " + brief(search.tree(rest)))

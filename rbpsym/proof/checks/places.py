@@ -46,6 +46,8 @@ def stays(context: Context, step: Step) -> Verdict:
     [(left, op, _)] = t.relations(step.statement)
     value = context.along(context.value(left))
     bounds = [context.along(symbol(until))] if until else list(context.study.squares.values())
+    for name in () if until else context.study.squares.keys() & {id.removeprefix("square.") for id in context.steps}:
+        context.use(f"square.{name}")
     if any(is_kept(value, bound, context.assumptions, op) for bound in bounds):
         return proved("it is more than a multiple of what is not negative")
     begins = sign(context.start(value), context.assumptions).kind == "positive"
