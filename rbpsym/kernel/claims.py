@@ -155,9 +155,11 @@ class ClaimSource:
         return of
 
     def conditions(self, step: Step) -> tuple[Proposition, ...]:
-        """The obligations of a step that nothing discharges: its claims hold where these do."""
+        """The obligations of a step that no declaration discharges (a step that is told may): its claims hold where these do."""
+        told = [self.said[duty.why] for duty in step.certificate.verdict.obligations if duty.why in self.said]
         open_ones = [duty.relation for duty in step.certificate.verdict.open_obligations]
-        return tuple(claim for node in open_ones for row in t.chains(node) for claim in self.row(row))
+        asked = (claim for node in open_ones for row in t.chains(node) for claim in self.row(row))
+        return (*asked, *(replace(claim, given=()) for one in told for claim in one.assertions))
 
     def forces(self, step: Step) -> list[Force]:
         """The forces of a step, in the letters of those that it introduces or takes from its premises."""

@@ -210,5 +210,5 @@ def above(
             left = wound(rest - more * bound)
             if top > 0 and sense_of(search, more) > 0 and sense_of(search, left) > 0:
                 _, multiples = search.follow(goal - more * search.value(node) - left, known)
-                return multiples, (search.tree(left), t.mul(search.tree(more), node))
+                return multiples, (_above(search, left), t.mul(_above(search, more), node))
     raise Undecided("nothing shows that it is positive: " + brief(search.tree(rest)))
