@@ -230,7 +230,8 @@ class Search:
         divided = [t.Div(t.ONE, found.factor)] if found.factor is not None else []
         written = [*sides(claim), *formulas(found), *divided]
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
-        below = sorted((*combining.nonzero(self, written, known), *within(self, written)), key=lambda have: bool(have.claim.given))
+        below = [*combining.nonzero(self, written, known), *within(self, written)]
+        below.sort(key=lambda have: bool(have.claim.given))  # what holds where a force presses may rest on the others
         shown = [node for have in (*below, *found.steps) for node in have.parts]
         parts = {part for node in (*written, *shown) for part in t.walk(node)}
         signs = sorted((h for h in found.steps if h.how in SIGNS and h.claim.left in parts), key=lambda h: h.how == "positive")

@@ -205,8 +205,9 @@ def above(
     for node in bounds:
         bound, _ = search.follow(search.value(node), known)
         for index in sorted(bound.num.atoms()):
-            top = max(bound.num.by_power(index))
-            more = Scalar(rest.num.by_power(index).get(top, Poly({})), rest.den) / Scalar(bound.num.by_power(index)[top], bound.den)
+            parts, own = bound.num.by_power(index), rest.num.by_power(index)
+            top = max(parts)
+            more = Scalar(own.get(top, Poly({})), rest.den) / Scalar(parts[top], bound.den)
             left = wound(rest - more * bound)
             if top > 0 and sense_of(search, more) > 0 and sense_of(search, left) > 0:
                 _, multiples = search.follow(goal - more * search.value(node) - left, known)

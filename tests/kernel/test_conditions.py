@@ -28,7 +28,15 @@ pytestmark = pytest.mark.heavy
         ("cart-pulled-over-pulley", ("work.S.cart",)),  # a root that does not vanish stands below in an integrand
         ("rod-falling-on-rough-floor", ("holds.N",)),  # a square is at least 0
         ("two-drums-on-a-ribbon", ("alone.upper", "alone.lower")),  # what a work is is a fact, of both
-        pytest.param("rod-on-two-strings", ("energy",), marks=pytest.mark.thorough),  # factors with sines of sums
+        pytest.param("rod-on-two-strings", ("energy", "asks.T"), marks=pytest.mark.thorough),  # factors with sines of sums
+        pytest.param("rod-on-two-strings", ("modes.1", "shape.1.2"), marks=pytest.mark.thorough),  # a - √b is positive
+        ("ladder-with-person", ("holds.N_f",)),  # as long as another force presses
+        ("cylinder-in-cylinder", ("holds.N", "friction.N")),  # as no square of a speed is negative; and with what that says
+        ("ring-with-point-mass", ("friction.N",)),  # what stands below is a force by factors of known sign
+        ("scotch-yoke", ("square.theta",)),  # a sign for all values of what is integrated over
+        ("two-gears", ("energy",)),  # a sum of two products is replaced
+        ("rod-with-damper", ("decay.1", "damped.1", "critical.1")),  # where what dies out as the cosine and the sine solves
+        ("disk-on-viscous-bearing", ("dissipation.D",)),  # a square times what is not negative
     ],
 )
 def test_coqc_accepts_it(name: str, ids: tuple[str, ...]) -> None:
