@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.chapters import contact, course, forces, inertia, instant, kinematics, moments, momentum, oscillations
+from rbpsym.chapters import contact, course, forces, given_motion, inertia, instant, kinematics, moments, momentum, oscillations
 from rbpsym.chapters.methods import work_energy
 from rbpsym.chapters.methods.registry import METHODS
 from rbpsym.errors import LimitError, NotApplicable
@@ -24,6 +24,7 @@ MOST_PRODUCTS = 250_000  # of a method, beside the proofs of its steps
 MOST_IN_ALL = 4_000_000  # of all chapters and proofs of a phase, some fifteen seconds: twice the longest of the library
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
 THERE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, forces.write, instant.write)
+GIVEN: tuple[Callable[[Draft], None], ...] = (kinematics.write, given_motion.write)
 AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, work_energy.write_done, oscillations.write, course.write)
 
 
@@ -74,7 +75,7 @@ def _chapters(draft: Draft) -> dict[str, Mapping[str, Scalar] | None]:
         _written(draft, moments.write)
         return {}
     if draft.study.problem.unstated:
-        _written(draft, kinematics.write)
+        all(_written(draft, write) for write in GIVEN)
         return {}
     if draft.study.at_start:
         all(_written(draft, write) for write in THERE)

@@ -11,7 +11,7 @@ from rbpsym.decide.domain import divisors
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.expr.tree import Node, relations
-from rbpsym.field import NOTHING, Scalar, depends_on, has_roots, short, substitute, symbol
+from rbpsym.field import NOTHING, Scalar, depends_on, has_roots, names_in, short, substitute, symbol, tidy
 from rbpsym.field.sympy_bridge import plain_names
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
@@ -27,6 +27,7 @@ from rbpsym.mechanics.rest import AtRest, Rest
 from rbpsym.mechanics.sides import grips, lasting
 from rbpsym.mechanics.solutions import InTime, courses, given
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import BodyState
 from rbpsym.present.forms import present
 from rbpsym.present.style import PLAIN
 from rbpsym.proof.step import Derivation
@@ -78,13 +79,14 @@ def _questions(study: Study) -> Iterator[dict[str, Any]]:
 
 
 RESULTS = ("motion", "reactions")  # chapters whose steps tell what stands in the answer; other roads to it ask for more
+GIVEN = ("kinematics",)  # the same of a motion that is given
 
 
 def _owed(told: list[str], derivation: Derivation) -> list[str]:
     """What the steps of the results ask for beside what is `told`: divisors that have cancelled in the values."""
-    found: list[str] = []
+    found, is_given = list[str](), bool(derivation.study.problem.unstated)
     for step in derivation.steps:
-        if step.rule == "first_integral" or (step.chapter in RESULTS and not step.id.startswith("motion.from_")):
+        if step.rule == "first_integral" or (step.chapter in (*RESULTS, *GIVEN[:is_given]) and not step.id.startswith("motion.from_")):
             for duty in step.certificate.verdict.open_obligations:
                 left, op, _ = next(relations(duty.relation))
                 value = derivation.letters.value(left)
@@ -94,8 +96,9 @@ def _owed(told: list[str], derivation: Derivation) -> list[str]:
 
 
 def text(value: Scalar | None, study: Study | None = None) -> Any:
-    """The infix text of a value; None for None."""
-    return None if value is None else to_machine(shown(value, study))
+    """The infix text of a value; None for None, and for what hangs on masses that are not stated."""
+    hidden = study.problem.unstated if study else ()
+    return None if value is None or not names_in(value).isdisjoint(hidden) else to_machine(shown(value, study))
 
 
 def shown(value: Scalar, study: Study | None = None) -> Node:
@@ -124,7 +127,7 @@ def results(study: Study) -> dict[str, Any]:
         "dependent_coordinates": _table(system.dependent, study),
         "reactions": _table(study.solved.reactions, study),
         "kinetic_energy": _kinetic(study),
-        "potential_energy": text(study.potential, study),
+        "potential_energy": None if study.problem.unstated else text(study.potential, study),
         "first_integral": text(study.first_integral, study),
         "speed_squared": _table(study.squares, study) or None,
         "reactions_along_motion": _table(study.reactions_along_motion, study) if study.squares else None,
@@ -143,7 +146,17 @@ def results(study: Study) -> dict[str, Any]:
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "solutions": _solutions(study),
         "phases": _phases(study),
+        **({"kinematics": {name: _moves(state, study) for name, state in system.bodies.items()}} if study.problem.unstated else {}),
     }
+
+
+def _moves(state: BodyState, study: Study) -> dict[str, Any]:
+    """How a body moves: velocity and acceleration of its centre as [x, y], how it turns, and about which point just then."""
+    pole = state.center + state.velocity.turned() * (1 / state.omega) if state.omega else None
+    vectors = {"velocity": state.velocity, "acceleration": state.acceleration, "instantaneous_centre": pole}
+    turns = {"angular_velocity": state.omega, "angular_acceleration": state.alpha}
+    told = {name: None if at is None else [text(tidy(at.x), study), text(tidy(at.y), study)] for name, at in vectors.items()}
+    return {**told, **(_table(turns, study) or {})}
 
 
 def _start(study: Study) -> dict[str, Any] | None:

@@ -10,6 +10,7 @@ from rbpsym.ask.along import converse
 from rbpsym.ask.answer import answer, found_of
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.certified import LETTER
+from rbpsym.ask.even import taken_for_kept
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.found import Answer, Found
 from rbpsym.ask.meeting import met
@@ -150,8 +151,8 @@ def _stated(asked: Asked, plain: str, letter: str) -> Answer:
         raise
     missed = [name for name in problem.unstated if any(depends_on(value, name) for value in found.values)]
     if missed:
-        raise StatementError(f"“{plain}” hangs on masses, which are not stated ({', '.join(missed)})", instead=ADD_MASSES)
-    return found
+        raise StatementError(f"“{plain}” hangs on masses, which are not stated", instead=ADD_MASSES)
+    return taken_for_kept(found, lambda other: _whole(Asked(other), plain, letter)) if found.study.problem.kept else found
 
 
 ADD_MASSES = 'give each body its mass = "M".'

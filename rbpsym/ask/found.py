@@ -55,7 +55,8 @@ class Answer(Frozen):
     Of a parameter: the `symbol` that was asked for, its `relation` to the values, `each` with conditions of its own; a
     sentence, yes or no (`holds_so`), the `equation` that it solves where that has no closed solution; `at`: where an
     extremum lies; what is `given` for letters of the question itself; the `conclusion`, and the `grounds` on which rules
-    have checked it; `derivations`: the steps with their letters, phase by phase, for the prover that is asked of them."""
+    have checked it; the speeds that it takes to be `kept`, since no acceleration is stated; `derivations`: the steps with their
+    letters, phase by phase, for the prover that is asked of them."""
 
     question: Question
     study: Study
@@ -76,6 +77,7 @@ class Answer(Frozen):
     conclusion: Step | None = None
     grounds: tuple[Step, ...] = ()
     derivations: tuple[Derivation, ...] = field(default=(), compare=False, repr=False)
+    kept: tuple[t.Node, ...] = ()
 
     @property
     def value(self) -> Scalar:

@@ -49,12 +49,14 @@ def record(found: Answer, given: GivenNumbers | None = None) -> dict[str, Any]:
 
 
 def valid_for(found: Answer) -> str:
-    """For what an answer holds that rests on a relation that only holds nearly, as the motion is not linear; else nothing."""
+    """For what an answer holds that rests on a relation that only holds nearly, as the motion is not linear, or on speeds that
+    are taken to be kept; else nothing."""
     ops = {op for step in found.steps for _, op, _ in t.relations(step.statement)}
     rates = found.study.system.scope.rates if "~" in ops else {}
     pulls = (found.study.dynamics.accelerations or {}).values() if rates else ()
     is_linear = not any(depends_on(derivative(pull, name), other) for pull in pulls for name in rates for other in rates)
-    return "" if is_linear else "small oscillations"
+    speeds = f"kept speeds: {', '.join(map(to_machine, found.kept))}" if found.kept else ""
+    return speeds if is_linear else "small oscillations"
 
 
 YES_OR_NO = re.compile(r"(yes|no) where this is met(, else (?:yes|no))?")

@@ -33,6 +33,7 @@ def write(draft: Draft) -> None:
     _define_tied(draft)
     ties = (*draft.study.ties, *draft.study.system.speed_ties) if draft.study.at_start else ()
     kept = {condition.constraint for condition in ties}  # their rates are told of the start alone
+    _led(draft)
     for element in draft.study.problem.constraints:
         _geometric(draft, element)
         _kept_angle(draft, element)
@@ -63,6 +64,20 @@ def _nothing(draft: Draft, element: Element, given: places.FreeGeometry) -> None
 # --- places
 
 
+def _led(draft: Draft) -> None:
+    """Coordinates of which an acceleration is given, or no acceleration and a speed."""
+    kept = [c.name for c in draft.study.problem.kept]
+    for name, place in draft.study.problem.led.items():
+        told = "kept" if name in kept else "given"
+        rate = t.Sym(f"{name}_dot" if name in kept else f"{name}_ddot")
+        draft.add(f"condition.{name}", "constraint", t.equation(t.Sym(name), place), f"kinematics.led.{told}", rate=rate)
+
+
+def _force(draft: Draft, letter: t.Node) -> dict[str, t.Node]:
+    """The slot of the force; none where masses are not stated."""
+    return {} if draft.study.problem.unstated else {"force": letter}
+
+
 def _geometric(draft: Draft, element: Element) -> None:
     rows = [*places.meeting_rows(draft, element), *places.line_rows(draft, element), *places.distance_rows(draft, element)]
     rows += _driven_rows(draft, element)
@@ -78,7 +93,7 @@ def _geometric(draft: Draft, element: Element) -> None:
         f"kinematics.condition.{_kind(element)}",
         level=STANDARD if ties else FULL,
         variant="tie" if ties else "identity",
-        force=t.Vec(element.name),
+        **_force(draft, t.Vec(element.name)),
         points=_labels(element),
         count=len(_labels(element)),
         obligations=as_taken(draft, element),
@@ -107,7 +122,7 @@ def _kept_angle(draft: Draft, element: Element) -> None:
         t.equation(shown.arg if isinstance(shown, t.Neg) else shown, t.ZERO),
         "kinematics.condition.kept_angle",
         level=STANDARD,
-        force=t.Vec(element.name),
+        **_force(draft, t.Vec(element.name)),
         body=BodyRef(element["point"].body),
     )
 
@@ -285,7 +300,7 @@ def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given
         f"kinematics.condition.{'link' if element.values.get('rigid') else 'string'}_speed",
         level=FULL if trivial else STANDARD,
         variant="identity" if trivial else "round" if len(run) > 2 else "straight",
-        force=t.Sym(name),
+        **_force(draft, t.Sym(name)),
         ends=[(BodyRef(turn.body) if turn.body else turn.center.label) for turn in (run[0], run[-1])],
         obligations=as_taken(draft, element),
         data={"tension": name},

@@ -74,6 +74,7 @@ def _turning(draft: Draft, name: str, state: BodyState) -> None:
         _turning_phrase(draft, state),
         data={"pairs": [(angle, state.omega)]},
         body=BodyRef(name),
+        is_result=bool(draft.study.problem.unstated),
         omega=omega,
         coordinates=[t.Sym(n) for n in draft.study.system.independent if depends_on(state.omega, f"{n}_dot")],
     )
@@ -110,8 +111,9 @@ def _velocity(draft: Draft, name: str, state: BodyState) -> None:
         premises=[f"position.{name}"],
         data={"pairs": pairs},
         body=BodyRef(name),
+        is_result=bool(draft.study.problem.unstated),
     )
-    if draft.study.at_start:
+    if draft.study.at_start or draft.study.problem.unstated:
         return  # no kinetic energy follows
     square = tidy(state.velocity.dot(state.velocity))
     draft.add(

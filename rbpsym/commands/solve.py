@@ -90,6 +90,7 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
         (f"unknown forces{there}", answer["reactions"]),
         ("unknown forces along the motion", answer["reactions_along_motion"]),
         ("energy", energies),
+        *_moves(answer.get("kinematics", {})),
     ):
         yield from table(title, values, drawn)
     yield from _begins(answer, drawn)
@@ -101,6 +102,19 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
         yield from _phase(phase, drawn)
     yield ""
     yield verdict_line(answer["verdicts"])
+
+
+MOVES = {"velocity": "velocities", "acceleration": "accelerations of the centres", "angular_velocity": "angular velocities",
+         "angular_acceleration": "angular accelerations", "instantaneous_centre": "instantaneous centres"}  # fmt: skip
+LETTERS = dict(zip(MOVES, ("V", "A", "omega", "alpha", "C"), strict=True))
+
+
+def _moves(answer: Mapping[str, Any]) -> Iterator[tuple[str, dict[str, str | None]]]:
+    """How the bodies move where nothing is asked of forces, a vector as its components."""
+    for key, title in MOVES.items():
+        parts = {name: told[key] for name, told in answer.items() if told[key] is not None}
+        vectors = {name: zip("xy", told, strict=True) if isinstance(told, list) else [("", told)] for name, told in parts.items()}
+        yield title, {f"{LETTERS[key]}__{name}{axis and f'_{axis}'}": v for name, both in vectors.items() for axis, v in both}
 
 
 def _asked(questions: list[Mapping[str, Any]], drawn: InLetters) -> Iterator[str]:
@@ -199,7 +213,7 @@ def _equilibria(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
             for mode in (item["stable"] is not False and item["damping"]) or ()
         )
         yield f"  {_places(item['at'], drawn)}{_valid(item, drawn)}: {_stability(item, drawn)}{told}"
-    if not answer["at_start"]:
+    if not answer["at_start"] and not drawn.problem.unstated:
         yield from _not_all("equilibria", answer["equilibria_complete"])
 
 

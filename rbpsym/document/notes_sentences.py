@@ -25,9 +25,14 @@ def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
     """The sentence of one constraint, interaction or impulse."""
     key = f"statement.{element.kind}{ALL[element.kind].told(element, pose.study.problem)}"
     slots = in_words(element, pose, said) | {"force": t.Vec(element.name), "letter": t.Sym(element.name)}
+    if pose.study.problem.unstated:
+        slots = {name: value for name, value in slots.items() if name not in FORCES}
     key = key if said.has(key) else "statement.other"
     told: Inlines = capital(said.say(key, ground=Said(pose.study), kind=element.kind.replace("-", " "), **slots))
     return told
+
+
+FORCES = ("force", "letter", "letters", "friction", "couple")  # slots for what no one asks for where masses are not stated
 
 
 def in_words(element: Element, pose: DrawnPose, said: Words) -> Slots:

@@ -134,12 +134,14 @@ def _described(body: Body, said: Words) -> Inlines:
 def _shape(body: Body, said: Words) -> Inlines:
     if body.mass is None or not said.has(f"shape.{body.shape.kind}"):
         return said.say("shape.varying")
+    known = said.problem is None or t.names(body.mass).isdisjoint(said.problem.unstated)
+    weight: dict[str, Any] = {"mass": body.mass} if known else {}
     parts = [_part(part, said) for part in body.shape.parts if not part.removed]
     holes = [_part(part, said) for part in body.shape.parts if part.removed]
     if parts and all(said.has(f"part.{part.shape.kind}") for part in body.shape.parts):
-        return said.say("shape.cut" if holes else "shape.made", mass=body.mass, parts=parts, holes=holes)
-    sizes: dict[str, Any] = dict(body.shape.sizes)
-    return said.say(f"shape.{body.shape.kind}", mass=body.mass, **sizes)
+        return said.say("shape.cut" if holes else "shape.made", parts=parts, holes=holes, **weight)
+    kind, sizes = body.shape.kind, {key: size for key, size in body.shape.sizes.items() if known or key != "moment"}
+    return said.say(f"part.{kind}" if not known and said.has(f"part.{kind}") else f"shape.{kind}", **weight, **sizes)
 
 
 def _part(part: PlacedShape, said: Words) -> Inlines:
@@ -179,13 +181,19 @@ def _start(problem: Problem, said: Words, ground: Said) -> Iterator[Inlines]:
     """Where it starts, and how fast."""
     begun = [c for c in problem.coordinates if c.start is not None]
     places = [t.equation(t.Sym(c.name), c.start) for c in begun if c.start is not None]
-    tied = ground.study.system.dependent if ground.study else {}  # their speeds are told where they are stated (and agree)
-    speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed or t.ZERO) for c in begun if c.name not in tied or c.speed not in REST]
+    free = ground.study.system.independent if ground.study else ()  # others' speeds are told where they are stated (and agree)
+    speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed or t.ZERO) for c in begun if c.name in free or c.speed not in REST]
     is_moving = any(c.speed not in REST for c in begun)
     beside = said.say("statement.with", speed=speeds) if speeds else ()
     if places:
         key = "statement.moving" if is_moving else "statement.rest"
         yield said.say(key, ground=ground, place=places, speed=speeds, beside=beside)
+    kept = [t.equation(t.Sym(f"{c.name}_dot"), c.speed or t.ZERO) for c in problem.kept]
+    given = [t.equation(t.Sym(f"{c.name}_ddot"), c.acceleration) for c in problem.coordinates if c.acceleration is not None]
+    if problem.unstated and given:
+        yield said.say("statement.led", rates=given)
+    if kept:
+        yield said.say("statement.kept", rates=kept, coordinates=[t.Sym(c.name) for c in problem.kept])
 
 
 def _phases(pose: DrawnPose, said: Words) -> Iterator[Inlines]:

@@ -171,9 +171,17 @@ def phrase(key: str, language: str = "en", **slots: object) -> d.Inlines:
     return phrase_of("notes", key, language, slots)
 
 
+OPTIONAL = re.compile(r"\[([^][]*)\]")  # a part in square brackets is said where all its places are filled
+
+
+def places(text: str) -> set[str]:
+    """The names of the places in a template."""
+    return {name for _, name, _, _ in Formatter().parse(text) if name}
+
+
 def phrase_of(part: str, key: str, language: str, slots: Mapping[str, object]) -> d.Inlines:
     """The same of the phrases in one part of a language (those of documents stand in “notes”)."""
-    text = template(key, language, slots, part)
+    text = OPTIONAL.sub(lambda told: told[1] if places(told[1]) <= slots.keys() else "", template(key, language, slots, part))
     return contracted(merged(filled(text, key, language, slots)), language)
 
 

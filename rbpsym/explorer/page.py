@@ -83,6 +83,7 @@ def model(problem: Problem, language: str) -> Model:
     phases = tuple(_phase(problem, parts, k, names, notation) for k in range(len(parts)))
     data = {
         "name": problem.name,
+        "weighs": not problem.unstated,
         "title": said.title(problem.title) or problem.name,
         "numbers": [_number(slider, notation, said) for slider in numbers],
         "coordinates": {c.name: _coordinate(c, notation, said) for c in problem.coordinates},
@@ -98,7 +99,7 @@ def model(problem: Problem, language: str) -> Model:
         ],
     }
     ends = (parts[0], *parts[1:][-1:])
-    free = tuple(filter(None, (loose(part.study, names, _ground(parts)) for part in ends)))
+    free = () if problem.unstated else tuple(filter(None, (loose(part.study, names, _ground(parts)) for part in ends)))
     alt = plain("explorer.picture", language, parts=list(map(said.body, problem.body_names)))
     return Model(data, phases, alt, unknown is not None, free if len(free) == len(ends) else ())
 

@@ -96,8 +96,8 @@ def _program(study: Study, names: tuple[str, ...], *, moving: bool = True, solve
     inputs |= {name: f"x[{k}]" for k, name in enumerate(state)}
     if not solved:
         return _eliminating(study, Program(inputs, system.defined))
-    none = dict.fromkeys(system.unknowns if study.problem.unstated else (), NOTHING)
-    program = Program(inputs, {**system.defined, **none, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})})
+    weights = dict.fromkeys(study.problem.unstated, NOTHING)  # of which nothing is shown
+    program = Program(inputs, {**system.defined, **weights, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})})
     if dynamics.accelerations is None:
         program.solve_for(system.accelerations, dynamics.mass_matrix, dynamics.forcing)
     return program
@@ -181,7 +181,7 @@ def seen(
         "coordinates": {name: put(symbol(name)) for name in shown},
         "speeds": {name: put(system.scope.rates.get(name, symbol(f"{name}_dot"))) for name in shown},
         "accelerations": {name: put(symbol(f"{name}_ddot")) for name in shown if program.knows(f"{name}_ddot")},
-        "unknowns": {name: put(symbol(name)) for name in system.unknowns if not study.problem.unstated},
+        "unknowns": {name: put(symbol(name)) for name in system.unknowns},
         "couples": [name for name in system.unknowns if any(depends_on(f.couple, name) for f in system.forces)],
         "forces": [_force(force, put) for force in system.forces],
         "potential": _potential(study, put),

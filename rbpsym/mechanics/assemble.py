@@ -259,7 +259,9 @@ CLEAR, LOOKS = 1e-12, 8
 
 
 def with_forces(system: System, where: Callable[[PointRef], Vector]) -> System:
-    """The system with all forces that its elements exert."""
+    """The system with all forces that its elements exert; with none where masses are not stated, on which they hang."""
+    if system.problem.unstated:
+        return system
     setting = setting_of(system, where)
     placed = {name: state.pose for name, state in system.bodies.items()}
     geometry = Geometry(where, placed, start_numbers(system.problem), system.bodies, unsaid(system.problem))

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from types import MappingProxyType
 
 from rbpsym.decide.rooted import neat
-from rbpsym.errors import LimitError, StatementError
-from rbpsym.expr.tree import ZERO, Fn, names, walk
+from rbpsym.errors import LimitError
 from rbpsym.field import Scalar, apart, at_most, kept, substitute
 from rbpsym.frozen import replace
 from rbpsym.mechanics.assemble import assemble
@@ -19,8 +17,7 @@ from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.study import MOST_PRODUCTS, Study
 from rbpsym.mechanics.system import ConstraintCondition, System, by_letters
 from rbpsym.mechanics.unsolvable import too_long
-from rbpsym.statement.completing import drive
-from rbpsym.statement.letters import letters_of
+from rbpsym.statement.completing import course, has_plain_speed
 from rbpsym.statement.model import Problem
 
 ONLY_THERE = "formulas for every position would be long: accelerations and unknown forces are told at the start alone"
@@ -37,16 +34,10 @@ def study_of(problem: Problem) -> Study:
 
 
 def _evenly(problem: Problem) -> Problem:
-    """Where masses are not stated, what begins with a plain speed keeps it: none that hangs on where the motion begins."""
-    bodies = {body.name: body for body in problem.bodies}
-    places = {name for c in problem.coordinates if c.start is not None for name in names(c.start)}
+    """Where masses are not stated, and something is free, what begins with a plain speed is taken to keep it."""
     for c in problem.coordinates if problem.unstated else ():
-        speed = ZERO if c.start is None or c.speed is None or c.acceleration is not None else c.speed
-        is_plain = not places & {*names(speed)} and not any(isinstance(part, Fn) for part in walk(speed))
-        if is_plain and speed != ZERO and assemble(problem).independent:
-            with suppress(StatementError):
-                led = drive(c, ZERO, bodies, problem.coordinates, letters_of(problem).free(f"D_{c.name}"))
-                problem = replace(problem, constraints=(led, *problem.constraints))
+        if has_plain_speed(c, problem) and assemble(problem).independent:
+            problem = replace(problem, led={**problem.led, c.name: course(c)})
     return problem
 
 

@@ -83,9 +83,11 @@ def full_rates(names: Sequence[str]) -> dict[str, Scalar]:
 
 
 def all_conditions(problem: Problem, geometry: Geometry) -> tuple[ConstraintCondition, ...]:
-    """Every scalar condition of every constraint on the position, as `value = 0`, in the poses as given."""
+    """Every scalar condition on the position, as `value = 0`, in the poses as given: where coordinates are led, then those of
+    every constraint."""
     given = declared(problem.parameters).assumptions
-    found = (c for element in problem.constraints for c in _of(element, problem, geometry))
+    led = (ConstraintCondition(name, symbol(name) - scalar(place), "led") for name, place in problem.led.items())
+    found = (*led, *(c for element in problem.constraints for c in _of(element, problem, geometry)))
     # √((a² + h²)/a²), of an angle atan(h/a), is √(a² + h²)/a by the declared signs
     return tuple(replace(c, value=neat(c.value, given)) if has_roots(c.value) else c for c in found)
 

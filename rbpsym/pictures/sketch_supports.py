@@ -7,12 +7,13 @@ from collections.abc import Iterator, Mapping
 
 from rbpsym.errors import NoNumber
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar
+from rbpsym.field import NOTHING, Scalar
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.strings import segments
+from rbpsym.mechanics.system import rotated
 from rbpsym.pictures.figures import sketch as sk
 from rbpsym.pictures.figures.scene import Point
 from rbpsym.pictures.figures.sketch import SketchArrow
@@ -307,8 +308,9 @@ def _sized(node: t.Node, name: str) -> t.Node:
 
 def _driven(pose: DrawnPose) -> Iterator[SketchArrow]:
     for element in drawn_as(pose.study.problem, "driven"):
-        push = pose.study.system.named(element.name)[0].vector.derivative(element.name)
-        way = _unit(*(_value(pose, part, {}) for part in (push.x, push.y)))
+        turn = pose.study.system.bodies[element["of"]].pose.angle if element["of"] else NOTHING
+        along = rotated(*map(scalar, element["along"]), turn)
+        way = _unit(*pose.point(along))
         if way:
             yield SketchArrow("driven", pose.ref(element["point"]), way, element["distance"])
     for element in drawn_as(pose.study.problem, "spin"):

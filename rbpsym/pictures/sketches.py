@@ -61,7 +61,7 @@ def _bodies(pose: DrawnPose) -> Iterator[SketchBody]:
             pose.point(state.pose.origin),
             pose.value(state.pose.angle),
             pose.point(state.center),
-            body.mass if isinstance(body.mass, t.Sym) else None,
+            body.mass if isinstance(body.mass, t.Sym) and body.mass.name not in pose.study.problem.unstated else None,
             () if kind == "disk" else tuple(_parts(pose, body.shape)),
             tuple(pose.node(rim) for rim in pose.rims.get(body.name, ())),
         )

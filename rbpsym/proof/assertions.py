@@ -30,7 +30,7 @@ RESTING = """
 oscillations.stable oscillations.asymptotic oscillations.unstable oscillations.unclear oscillations.undecided
 """
 SETTLED = "stable asymptotic frequency frequency_undamped"
-MANY = ("position", "velocity", "speed", "turning", "dependent", "tied_speed")
+MANY = ("position", "velocity", "speed", "turning", "dependent", "tied_speed", "acceleration", "spin_up", "centre")
 
 STEPS: Mapping[str, Entry] = {
     **dict.fromkeys(CHAPTERS.split(), (g.is_proved, "")),  # what says no more than its formula

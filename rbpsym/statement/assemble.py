@@ -10,7 +10,7 @@ from rbpsym.errors import StatementError
 from rbpsym.quantities import Quantity
 from rbpsym.statement.bodies import read_bodies
 from rbpsym.statement.checks import check_names_differ, check_problem, check_unknowns
-from rbpsym.statement.completing import drives, with_masses, words_of
+from rbpsym.statement.completing import courses, drives, with_masses, words_of
 from rbpsym.statement.elements import Surroundings
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
@@ -66,15 +66,16 @@ def assemble(table: SourceTable, name: str) -> Problem:
     interactions, constraints = read_both(table, replace(around, scope=beginning))
     problem = Problem(
         name=table.string("name") or name,
-        parameters=parameters,
+        parameters=tuple(q for q in parameters if q.name not in unstated),
         coordinates=coordinates,
         bodies=tuple(bodies.values()),
         interactions=interactions,
-        constraints=(*(led := drives(coordinates, bodies, words_of(table))), *constraints),
+        constraints=(*(led := () if unstated else drives(coordinates, bodies, words_of(table))), *constraints),
         points=scope.points,
         origins=_origins(table, around),
         implicit=tuple(reader.implicit),
         unstated=unstated,
+        led=courses(coordinates) if unstated else {},
         **_about(table, name),
     )
     check_problem(problem, table)

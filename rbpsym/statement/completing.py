@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Set
+from itertools import permutations
 from typing import Any
 
 from rbpsym.errors import StatementError
-from rbpsym.expr.tree import ONE, ZERO, Div, Node, Num, Pow, Sym, add, mul, names, renamed
+from rbpsym.expr.tree import ONE, ZERO, Div, Fn, Node, Num, Pow, Sym, add, mul, names, renamed, walk
 from rbpsym.frozen import replace
-from rbpsym.statement.model import Body, Coordinate, Element, Pair, PointRef
+from rbpsym.statement.model import Body, Coordinate, Element, Pair, PointRef, Problem
 from rbpsym.statement.scope import CLOCK
 from rbpsym.statement.source import SourceTable
 
@@ -60,23 +61,40 @@ def _weighed(name: str, body: Any, letters: dict[str, str], taken: Set[str]) -> 
     return own
 
 
+def has_plain_speed(coordinate: Coordinate, problem: Problem) -> bool:
+    """Whether it begins with a speed that may be kept: one that hangs on no place where the motion begins."""
+    speed, places = coordinate.speed, {name for c in problem.coordinates if c.start is not None for name in names(c.start)}
+    if speed in (None, ZERO) or coordinate.start is None or coordinate.acceleration is not None:
+        return False
+    return not places & {*names(speed)} and not any(isinstance(part, Fn) for part in walk(speed))
+
+
+def course(coordinate: Coordinate) -> Node:
+    """Where it is at each time, with the acceleration that is given (none: with its speed)."""
+    gain = mul(coordinate.acceleration or ZERO, Div(Pow(T, Num(2)), Num(2)))
+    parts = (coordinate.start, mul(coordinate.speed or ZERO, T), gain)
+    return add(*(part for part in parts if part is not None and part != ZERO))
+
+
+def courses(coordinates: Iterable[Coordinate]) -> dict[str, Node]:
+    """Where the coordinates are of which an acceleration is given."""
+    return {c.name: course(c) for c in coordinates if c.acceleration is not None}
+
+
 def drives(coordinates: Iterable[Coordinate], bodies: Mapping[str, Body], taken: Set[str]) -> tuple[Element, ...]:
     """What leads the coordinates of which an acceleration is given; `taken` are words that its unknown may not be."""
     known = tuple(coordinates)
-    led = ((c, c.acceleration, _unused(f"D_{c.name}", taken)) for c in known if c.acceleration is not None)
-    return tuple(drive(c, gain, bodies, known, letter) for c, gain, letter in led)
+    led = [c for c in known if c.acceleration is not None]
+    return tuple(_drive(c, bodies, {c.name for c in known}, _unused(f"D_{c.name}", taken)) for c in led)
 
 
-def drive(coordinate: Coordinate, gain: Node, bodies: Mapping[str, Body], known: Iterable[Coordinate], letter: str) -> Element:
-    """A given angle of a body, or a given place of one of its points, in space or along another body, that follows the
+def _drive(coordinate: Coordinate, bodies: Mapping[str, Body], moving: Set[str], letter: str) -> Element:
+    """A given angle of a body, or a given place of one of its points, in space or against another body, that follows the
     coordinate alone. Raises StatementError where there is none."""
-    name, moving = coordinate.name, {c.name for c in known}
-    parts = (coordinate.start, mul(coordinate.speed or ZERO, T), mul(gain, Div(Pow(T, Num(2)), Num(2))))
-    then = {name: add(*(part for part in parts if part is not None and part != ZERO))}
-    place = coordinate.place
-    for body in bodies.values():
-        if body.angle is not None and {*names(body.angle)} & moving == {name}:
-            values = {"body": body.name, "angle": renamed(body.angle, then), "of": None}
+    name, then, place = coordinate.name, {coordinate.name: course(coordinate)}, coordinate.place
+    for turned, against, angle in _angles(bodies):
+        if {*names(angle)} & moving == {name}:
+            values = {"body": turned, "angle": renamed(angle, then), "of": against}
             return Element(letter, "prescribed-angle", values, place)
     for point, other, pair in _places(bodies):
         for along, axis in zip(((ONE, ZERO), (ZERO, ONE)), pair, strict=True):
@@ -88,6 +106,17 @@ def drive(coordinate: Coordinate, gain: Node, bodies: Mapping[str, Body], known:
         instead='say what leads it under [constraints]: type = "prescribed" or "prescribed-angle".',
         place=place,
     )
+
+
+def _angles(bodies: Mapping[str, Body]) -> Iterator[tuple[str, str | None, Node]]:
+    """By how much each body is turned: in space, then against each other one."""
+    from rbpsym.field.evaluate import scalar
+    from rbpsym.present.forms import present
+
+    turned = [(body.name, body.angle) for body in bodies.values() if body.angle is not None]
+    yield from ((name, None, angle) for name, angle in turned)
+    pairs = permutations(turned, 2)
+    yield from ((name, other, present(scalar(angle) - scalar(base))) for (other, base), (name, angle) in pairs)
 
 
 def _places(bodies: Mapping[str, Body]) -> Iterator[tuple[PointRef, str | None, Pair]]:

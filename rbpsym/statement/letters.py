@@ -63,7 +63,7 @@ def letters_of(problem: Problem) -> Letters:
     found = [q.name for q in problem.parameters] + [f"{c}{rate}" for c in coordinates for rate in ("", "_dot", "_ddot")]
     forces: set[str] = set()
     for each in (problem, *(phase.problem for phase in problem.phases)):
-        found += [name for element in each.constraints for name in unknowns_of(element)]
+        found += [name for element in each.constraints for name in unknowns_of(element) if not problem.unstated]
         forces |= {element.name for element in each.elements}
     notation = notation_for((*found, *forces), problem.notation)
     things = forces | {*problem.body_names, *problem.points}

@@ -231,8 +231,8 @@ class Problem(Shown):
     wanted. `meanings` and `names` hold translations, by language and name; `example` values with units,
     by parameter; `claims` what a source says, as data; `questions` what is asked, with its words by
     language. `implicit` names the constants that no
-    one declared: a coordinate starts at them, `unstated` the masses that no one stated. `text` is the
-    source that it was read from, if it was.
+    one declared: a coordinate starts at them, `unstated` the masses that no one stated, `led` where coordinates
+    are at each time that then are given, or taken to be `kept`. `text` is the source that it was read from, if it was.
     """
 
     name: str
@@ -255,6 +255,7 @@ class Problem(Shown):
     topic: str = ""
     implicit: tuple[str, ...] = ()
     unstated: tuple[str, ...] = ()
+    led: Mapping[str, Node] = field(default_factory=dict)
     phases: tuple[Phase, ...] = ()
     file: str = field(default="", compare=False)
     text: str = field(default="", compare=False, repr=False)
@@ -263,6 +264,11 @@ class Problem(Shown):
     def elements(self) -> tuple[Element, ...]:
         """What acts on the bodies, then what holds them."""
         return (*self.interactions, *self.constraints)
+
+    @property
+    def kept(self) -> list[Coordinate]:
+        """The coordinates of which no acceleration is stated, and the speed is taken to be kept."""
+        return [c for c in self.coordinates if c.name in self.led and c.acceleration is None]
 
     @property
     def is_at_rest(self) -> bool:

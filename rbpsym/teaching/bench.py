@@ -218,8 +218,9 @@ def asked_unit(target: Target) -> str:
     name = target.unit_name if not target.reading else target.reading.unit_name
     if not name and dimension == NUMBER and target.kind == "loss":
         name = "angle"
-    if target.kind in ("acceleration", "speed", "start") and not (dimension.length or dimension.mass) and dimension != TIME:
-        return "rad/s^2" if target.kind == "acceleration" else "rad/s"
+    is_motion = target.kind in ("acceleration", "speed", "start", "given")
+    if is_motion and not (dimension.length or dimension.mass) and dimension != TIME:
+        return "rad/s^2" if dimension == TIME**-2 else "rad/s"
     return unit_of(dimension, name)
 
 

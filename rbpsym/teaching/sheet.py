@@ -267,8 +267,10 @@ def bare_sheet(problem: Problem) -> Sheet:
 
 def lesson(bench: ProblemBench) -> tuple[Row, ...]:
     """The rows of the lesson: before the explanation what begins later phases, and each question that the problem itself asks."""
-    asked = [id for id, target in bench.targets.items() if target.kind == "question"]
+    asked = [id for id, target in bench.targets.items() if target.kind in ("question", "given")]
     own: list[Row] = [(QUESTIONS[place % 2], (id,), 2) for place, id in enumerate(asked)]
+    if bench.study.problem.unstated:
+        return tuple(own)
     struck = is_struck(bench.study)
     rows = [row for row in map(_before_blow, LESSON) if row] if struck else LESSON
     later = [(kinds, tuple(f"{PHASE}{b.phase}.{a}" for a in about), level) for b in bench.later for kinds, about, level in LATER]

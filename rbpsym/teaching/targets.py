@@ -18,7 +18,7 @@ from rbpsym.chapters.methods.net_work import HALVES
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, short, symbol
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.roots import has_squared_roots, without_even_roots
 from rbpsym.frozen import Frozen, field, replace
@@ -362,6 +362,29 @@ def _own_name(study: Study, text: str) -> str:
     return next((name for name in names if named == (symbol(name),)), next(given, ""))
 
 
+# what is asked of each body of a motion that is given: its letter, and of what
+GIVEN: Mapping[str, tuple[str, str, str, str]] = {
+    "turning": ("omega", "angular velocity", "{}", "angular speed"),
+    "spin_up": ("alpha", "angular acceleration", "{}", "angular acceleration"),
+    "speed": ("v", "speed", "{}.cm", "speed"),
+    "acceleration": ("a", "magnitude of acceleration", "{}.cm", "acceleration"),
+}
+
+
+def _given(derivation: Derivation) -> Iterator[Target]:
+    """How each body moves at the start, where masses are not stated."""
+    study = derivation.study
+    for body in study.system.bodies if study.problem.unstated else ():
+        for variant, (letter, what, of, dimension) in GIVEN.items():
+            find = partial(_answer, text=f"{what} of {of.format(body)} at the start")
+            name = study.letters.free(f"{letter}_{body}")
+            slots = {"variant": variant, "body": BodyRef(body)}
+            target = Target(f"given.{variant}.{body}", t.Sym(name), find, DIMENSIONS[dimension], slots=slots)
+            value = target.value(study)
+            if value is not None and all(value not in (symbol(name), -symbol(name)) for name in names_in(value)):  # else stated
+                yield target
+
+
 # steps by which a later phase begins: how what they tell is asked for
 STARTS: Mapping[str, str] = {"after.speeds": "speed", "state.speed": "speed", "moment": "time", "energy.lost": "blow",
                              "energy.taken": "friction"}  # fmt: skip
@@ -386,6 +409,7 @@ def _starts(derivation: Derivation) -> Iterator[Target]:
 
 KINDS: Mapping[str, Callable[[Derivation], Iterator[Target]]] = {
     "start": _starts,
+    "given": _given,
     "moment": _moments,
     "momentum": _momenta,
     "acceleration": _accelerations,

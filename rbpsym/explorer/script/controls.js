@@ -15,7 +15,7 @@ function begin() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   for (const [name, one] of NUMBERS) state.numbers[name] = wanted.has(name) ? Number(wanted.get(name)) : one.value;
   byId("speed").replaceChildren(...SPEEDS.map((value) => element("option", { value }, told("times", { value: shown(value) }))));
-  const kinds = SETS.filter((kind) => MODELS.some((model) => kind !== "reactions" || Object.keys(model.data.unknowns).length));
+  const kinds = SETS.filter((kind) => MODELS.some((model) => kind === "portrait" || (model.data.weighs && (kind !== "reactions" || Object.keys(model.data.unknowns).length))));
   byId("curves-kind").replaceChildren(...kinds.map((kind) => element("option", { value: kind }, WORDS[kind])));
   layerBoxes();
   releaseBoxes();

@@ -63,7 +63,8 @@ function tableOf(caption, heads, rows) {
 class Readings {
   constructor(holder, motion, place) {
     Object.assign(this, { motion, place, updates: [] });
-    holder.replaceChildren(this.works(), this.energies(), this.momenta(), this.forces(), this.impulses(), this.position());
+    const weighed = motion.data.weighs ? [this.works(), this.energies(), this.momenta()] : [];
+    holder.replaceChildren(...weighed, this.forces(), this.impulses(), this.position());
     this.scales = this.measured();
   }
 

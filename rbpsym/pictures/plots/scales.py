@@ -33,7 +33,7 @@ class Scale(Frozen):
 class Scales(Frozen):
     """Numbers for all names of a problem, and the unit of each dimension.
 
-    `powers` are the parameters whose products make the units; none where the units are those of SI.
+    `base` are the parameters whose products make the units; none where the units are those of SI.
     """
 
     numbers: Mapping[str, float]
@@ -50,11 +50,15 @@ class Scales(Frozen):
         return Scale(size, product(exponents))
 
     def exponents(self, dimension: Dimension) -> dict[str, Fraction]:
-        """The powers of the three parameters whose product has a dimension."""
-        mass, length, clock = self.base
-        share = Fraction(dimension.time) / Fraction(clock.dimension.time)
-        rest = dimension / clock.dimension**share
-        found = {mass.name: Fraction(rest.mass), clock.name: share, length.name: Fraction(rest.length)}
+        """The powers of the parameters whose product has a dimension."""
+        *mass, first, second = self.base
+        one, other, size = first.dimension, second.dimension, _spread(first, second)
+        shares = {
+            first.name: Fraction(dimension.length * other.time - dimension.time * other.length) / size,
+            second.name: Fraction(dimension.time * one.length - dimension.length * one.time) / size,
+        }
+        rest = dimension / one ** shares[first.name] / other ** shares[second.name]
+        found = {**{each.name: Fraction(rest.mass) for each in mass}, second.name: shares[second.name], **shares}
         return {name: power for name, power in found.items() if power}
 
 
@@ -67,18 +71,25 @@ def scales(study: Study) -> Scales:
     numbers = sample(problem, problem.example) if is_given else begun_numbers(study)
     if any(floating(demand.value, numbers) < 0 for demand in begins(study)):
         raise NotApplicable("with these numbers the motion does not begin as it is stated")
-    return Scales(numbers) if is_given else Scales(numbers, base(declared))
+    return Scales(numbers) if is_given else Scales(numbers, base(declared, weighs=not problem.unstated))
 
 
-def base(parameters: list[Quantity]) -> tuple[Quantity, ...]:
-    """A mass, a length and what sets the pace. Raises NotApplicable if one is missing."""
-    wanted = ((MASS,), (LENGTH,), CLOCKS)
+def base(parameters: list[Quantity], *, weighs: bool = True) -> tuple[Quantity, ...]:
+    """A mass if something `weighs`, a length and what sets the pace, or two things that set it, such as a speed and an
+    acceleration. Raises NotApplicable if one is missing."""
     positive = [q for q in parameters if q.sign == "positive"]
-    found = [next((q for kind in kinds for q in positive if q.dimension == kind), None) for kinds in wanted]
-    made = tuple(q for q in found if q is not None)
-    if len(made) < len(wanted):
+    ranked = [q for kind in (LENGTH, *CLOCKS) for q in positive if q.dimension == kind]
+    mass = [q for q in positive if q.dimension == MASS][:weighs]
+    second = next((q for q in ranked if _spread(ranked[0], q)), None)
+    if len(mass) < weighs or second is None:
         raise NotApplicable("no mass, length and pace from which units could be made")
-    return made
+    return (*mass, ranked[0], second)
+
+
+def _spread(first: Quantity, second: Quantity) -> Fraction:
+    """Not zero where lengths and times can be made of the two."""
+    one, other = first.dimension, second.dimension
+    return Fraction(one.length * other.time - one.time * other.length)
 
 
 def product(exponents: Mapping[str, Fraction]) -> t.Node:

@@ -11,6 +11,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, ORIGIN, UNITY, Scalar, Vector, short, symbol, tidy, time_derivative
 from rbpsym.field.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
+from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.system import BodyState, ConstraintCondition, System, at_point, by_letters, in_state
@@ -37,7 +38,7 @@ def conditions_kept(context: Context, step: Step) -> Verdict:
     closed = [c for c in system.implicit if c not in open_]
     rates += [ConstraintCondition(c.constraint, time_derivative(c.value, system.scope)) for c in closed]
     _use_conditions(context, step)
-    values = [c.value for c in (*all_conditions(system.problem, geometry), *rates)]
+    values = [substitute(c.value, system.dependent) for c in (*all_conditions(system.problem, geometry), *rates)]
     light = (s for s in system.bodies.values() if not (s.mass or s.moment or any(f.unknowns for f in system.on(s.name))))
     values += [force for state in light for force in _push_on(system, state)]
     return weakest([same(context, value, NOTHING) for value in values])
@@ -93,7 +94,8 @@ def _velocity(system: System, body: str | None, place: Vector) -> Vector:
 def tension_without_power(context: Context, step: Step) -> Verdict:
     """The pulls of the tension, taken together, do no work at any moment (`data`: "tension")."""
     system, name = context.study.system, step.data["tension"]
-    pulls = [force for force in system.forces if name in force.unknowns]
+    strings, geometry = system.problem.of_kind("string", "link"), geometry_of(system)
+    pulls = [force for e in strings for force in JOINTS[e.kind].forces(e, geometry) if name in force.unknowns]
     return same(context, power(system, pulls), NOTHING)
 
 
