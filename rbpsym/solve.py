@@ -11,7 +11,7 @@ from rbpsym.decide.domain import divisors
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.expr.tree import Node, relations
-from rbpsym.field import NOTHING, Scalar, depends_on, has_roots, names_in, short, substitute, symbol, tidy
+from rbpsym.field import NOTHING, ORIGIN, Scalar, depends_on, has_roots, names_in, short, substitute, symbol, tidy
 from rbpsym.field.sympy_bridge import plain_names
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
@@ -79,14 +79,14 @@ def _questions(study: Study) -> Iterator[dict[str, Any]]:
 
 
 RESULTS = ("motion", "reactions")  # chapters whose steps tell what stands in the answer; other roads to it ask for more
-GIVEN = ("kinematics",)  # the same of a motion that is given
 
 
 def _owed(told: list[str], derivation: Derivation) -> list[str]:
     """What the steps of the results ask for beside what is `told`: divisors that have cancelled in the values."""
-    found, is_given = list[str](), bool(derivation.study.problem.unstated)
+    found = list[str]()
+    chapters = (*RESULTS, "kinematics") if derivation.study.problem.unstated else RESULTS
     for step in derivation.steps:
-        if step.rule == "first_integral" or (step.chapter in (*RESULTS, *GIVEN[:is_given]) and not step.id.startswith("motion.from_")):
+        if step.rule == "first_integral" or (step.chapter in chapters and not step.id.startswith("motion.from_")):
             for duty in step.certificate.verdict.open_obligations:
                 left, op, _ = next(relations(duty.relation))
                 value = derivation.letters.value(left)
@@ -146,17 +146,15 @@ def results(study: Study) -> dict[str, Any]:
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "solutions": _solutions(study),
         "phases": _phases(study),
-        **({"kinematics": {name: _moves(state, study) for name, state in system.bodies.items()}} if study.problem.unstated else {}),
+        **({"kinematics": {n: _moves(state, study) for n, state in system.bodies.items()}} if study.problem.unstated else {}),
     }
 
 
 def _moves(state: BodyState, study: Study) -> dict[str, Any]:
     """How a body moves: velocity and acceleration of its centre as [x, y], how it turns, and about which point just then."""
-    pole = state.center + state.velocity.turned() * (1 / state.omega) if state.omega else None
-    vectors = {"velocity": state.velocity, "acceleration": state.acceleration, "instantaneous_centre": pole}
-    turns = {"angular_velocity": state.omega, "angular_acceleration": state.alpha}
-    told = {name: None if at is None else [text(tidy(at.x), study), text(tidy(at.y), study)] for name, at in vectors.items()}
-    return {**told, **(_table(turns, study) or {})}
+    vectors = {"velocity": state.velocity, "acceleration": state.acceleration, "instantaneous_centre": state.pole}
+    turns = {"angular_velocity": text(state.omega, study), "angular_acceleration": text(state.alpha, study)}
+    return {name: None if at is None else _row((tidy(at.x), tidy(at.y)), study) for name, at in vectors.items()} | turns
 
 
 def _start(study: Study) -> dict[str, Any] | None:
@@ -222,16 +220,11 @@ def _kinetic(study: Study) -> dict[str, Any] | None:
 
 
 def _momenta(study: Study) -> dict[str, Any]:
-    return {
-        name: {
-            body: {
-                "orbital": text(energy.orbital_momentum(state, origin), study),
-                "spin": text(energy.spin_momentum(state), study),
-            }
-            for body, state in study.system.bodies.items()
-        }
-        for name, origin in study.origins.items()
-    }
+    def parts(state: BodyState, origin: Any) -> dict[str, Any]:
+        return {"orbital": text(energy.orbital_momentum(state, origin), study), "spin": text(energy.spin_momentum(state), study)}
+
+    bodies = study.system.bodies.items()
+    return {label: {name: parts(state, place) for name, state in bodies} for label, place in study.origins.items()}
 
 
 def _forces(study: Study) -> dict[str, dict[str, Any]]:
@@ -240,9 +233,10 @@ def _forces(study: Study) -> dict[str, dict[str, Any]]:
     for name, body in dict.fromkeys((force.name, force.on) for force in study.system.forces):
         state = study.system.bodies[body]
         forces = [f for f in study.system.on(body) if f.name == name]
+        push = sum((f.vector for f in forces), ORIGIN)
         values = {
-            "x": sum((f.vector.x for f in forces), NOTHING),
-            "y": sum((f.vector.y for f in forces), NOTHING),
+            "x": push.x,
+            "y": push.y,
             "couple": sum((f.couple for f in forces), NOTHING),
             "torque_about_center": sum((torque_about_center(f, state) for f in forces), NOTHING),
         }
@@ -306,10 +300,7 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
         ],
         "characteristic_polynomial": {"zeros": item.linear.zeros, "factors": [_row(p, study) for p in factors]},
         "eigenvalues": None if None in roots else [text(v, study) for found in roots for v in found or ()],
-        "routh_hurwitz": [
-            {"value": text(value, study), "positive": POSITIVE.get(sign(value, study.assumptions).kind)}
-            for value in needed
-        ],
+        "routh_hurwitz": [{"value": text(v, study), "positive": POSITIVE.get(sign(v, study.assumptions).kind)} for v in needed],
     }
 
 
@@ -347,12 +338,8 @@ def _balance(study: Study) -> dict[str, Any] | None:
     item = study.open_balance
     if item is None:
         return None
-    return {
-        "coordinate": item.name,
-        "vanishes": text(item.force, study),
-        "stable": item.stable,
-        "frequency_squared": text(_there(item), study),
-    }
+    square = text(_there(item), study)
+    return {"coordinate": item.name, "vanishes": text(item.force, study), "stable": item.stable, "frequency_squared": square}
 
 
 def _there(item: AtRest) -> Scalar | None:
@@ -362,8 +349,7 @@ def _there(item: AtRest) -> Scalar | None:
 
 
 def _condition(loss: Loss, study: Study) -> dict[str, Any]:
-    at = _table(loss.at, study) or None
-    valid = _demands(loss.valid, study)
+    at, valid = _table(loss.at, study) or None, _demands(loss.valid, study)
     return {"force": loss.force, "vanishes": text(loss.factor, study), "at": at, "valid_where": valid}
 
 

@@ -8,6 +8,7 @@ only shown in full detail. Kleppner & Kolenkow 7.6; Meriam & Kraige, Dynamics, 5
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from rbpsym.chapters import places
 from rbpsym.decide.signs import sign
@@ -73,7 +74,7 @@ def _led(draft: Draft) -> None:
         draft.add(f"condition.{name}", "constraint", t.equation(t.Sym(name), place), f"kinematics.led.{told}", rate=rate)
 
 
-def _force(draft: Draft, letter: t.Node) -> dict[str, t.Node]:
+def _force(draft: Draft, letter: t.Node) -> dict[str, Any]:
     """The slot of the force; none where masses are not stated."""
     return {} if draft.study.problem.unstated else {"force": letter}
 

@@ -42,11 +42,10 @@ def _spin_up(draft: Draft, name: str, state: BodyState) -> None:
 
 def _centre(draft: Draft, name: str, state: BodyState) -> None:
     """The point of the plane of a body that has no velocity, where that moves: of a body on a pivot it is the pivot."""
-    if not state.omega:
+    if state.pole is None:
         return
-    place = state.center + state.velocity.turned() * (1 / state.omega)
-    vector, shown = draft.define_vector(draft.of_body("C", name), place), draft.show_vector(place)
-    if not _rests(draft, place) and length(shown) <= LONGEST:
+    vector, shown = draft.define_vector(draft.of_body("C", name), state.pole), draft.show_vector(state.pole)
+    if not _rests(draft, state.pole) and length(shown) <= LONGEST:
         draft.add(f"centre.{name}", "identity", t.equation(vector, shown), "kinematics.centre",
                   premises=[f"position.{name}", f"velocity.{name}", f"turning.{name}"], body=BodyRef(name),
                   is_result=True)  # fmt: skip

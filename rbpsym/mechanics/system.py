@@ -42,6 +42,11 @@ class BodyState(Frozen):
         """Moment of inertia about the centre of mass."""
         return self.inertia.moment
 
+    @property
+    def pole(self) -> Vector | None:
+        """The instantaneous centre, the point of its plane that has no velocity; None where it does not turn."""
+        return self.center + self.velocity.turned() * (1 / self.omega) if self.omega else None
+
 
 class Force(Frozen):
     """A force, a couple, or both, on one body.

@@ -309,8 +309,8 @@ def _sized(node: t.Node, name: str) -> t.Node:
 def _driven(pose: DrawnPose) -> Iterator[SketchArrow]:
     for element in drawn_as(pose.study.problem, "driven"):
         turn = pose.study.system.bodies[element["of"]].pose.angle if element["of"] else NOTHING
-        along = rotated(*map(scalar, element["along"]), turn)
-        way = _unit(*pose.point(along))
+        x, y = map(scalar, element["along"])
+        way = _unit(*pose.point(rotated(x, y, turn)))
         if way:
             yield SketchArrow("driven", pose.ref(element["point"]), way, element["distance"])
     for element in drawn_as(pose.study.problem, "spin"):

@@ -80,10 +80,10 @@ def distance(world: ProblemWorld, first: str, second: str) -> Bound:
 
 def instantaneous_centre(world: ProblemWorld, name: str) -> Bound:
     """The point of the plane of a body that is at rest: R + ω × V/ω², from O."""
-    state = world.body(name)
-    if not state.omega:
+    pole = world.body(name).pole
+    if pole is None:
         raise StatementError(f"“{name}” does not turn, so that it has no instantaneous centre")
-    return plane(state.center + state.velocity.turned() * (1 / state.omega))
+    return plane(pole)
 
 
 _P = r"([\w.-]+(?:\([^()]*\))?)"

@@ -26,7 +26,7 @@ from rbpsym.teaching.model import AskedQuantity, Item, Measure
 from rbpsym.teaching.ranges import NumberRange, default_ranges, measure_text, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
 from rbpsym.teaching.spoilers import Content, claims, given, wanted
-from rbpsym.teaching.targets import Target
+from rbpsym.teaching.target import Target
 
 ASKED_DIGITS = 3
 PHASE = "phase"  # phase2.acceleration.x is a quantity of the second one

@@ -32,7 +32,7 @@ from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.misconceptions.told import is_true
 from rbpsym.teaching.model import Measure, Slip
 from rbpsym.teaching.retold import Retelling, first_wrong
-from rbpsym.teaching.targets import Target
+from rbpsym.teaching.target import Target
 
 MOST = 8  # wrong values that are kept for one quantity
 MOST_IDEAS = 2  # that are named for one wrong value

@@ -28,7 +28,8 @@ from rbpsym.teaching.misconceptions.model import with_inertia
 from rbpsym.teaching.model import FollowOn, Item, Measure
 from rbpsym.teaching.ranges import measured
 from rbpsym.teaching.situations import names_in
-from rbpsym.teaching.targets import REFUSALS, Target, axes
+from rbpsym.teaching.target import REFUSALS, Target
+from rbpsym.teaching.targets import axes
 from rbpsym.teaching.wording import spoken
 
 MOST_RELATIONS = 2

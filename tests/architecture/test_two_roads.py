@@ -15,6 +15,7 @@ SHARED = {  # what a checker takes from the mechanics beside these, with the rea
     ("rbpsym.proof.mass", "rbpsym.field.integration"): "proposes antiderivatives, which are differentiated",
     ("rbpsym.proof.entailment", "rbpsym.mechanics.numbers"): "floating-point values, by which a pivot is passed over",
     ("rbpsym.proof.checks.constraints", "rbpsym.mechanics.conditions"): "what a constraint asks is the statement",
+    ("rbpsym.proof.checks.constraints", "rbpsym.mechanics.constraints"): "how a string pulls is the statement",
     ("rbpsym.proof.checks.constraints", "rbpsym.mechanics.contacts"): "where bodies touch; their speeds are its own",
     ("rbpsym.proof.checks.constraints", "rbpsym.mechanics.friction"): "the poses as places of points",
     ("rbpsym.proof.checks.courses", "rbpsym.mechanics.contacts"): "where bodies touch is the statement",

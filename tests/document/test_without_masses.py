@@ -1,4 +1,4 @@
-"""Where masses are not stated, a letter that the statement does not have is printed nowhere, and what is shown is how things move."""
+"""Where masses are not stated, no letter is printed that the statement does not have; what is shown is how things move."""
 
 import json
 import re

@@ -22,7 +22,7 @@ from rbpsym.teaching.distractors import Wrong, shown
 from rbpsym.teaching.misconceptions.inertia import ROUND
 from rbpsym.teaching.model import ComparisonKey, Criterion, Item, Option
 from rbpsym.teaching.situations import Scenery
-from rbpsym.teaching.targets import Target
+from rbpsym.teaching.target import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
 

@@ -21,7 +21,7 @@ from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, claims, meaning, printed
 from rbpsym.teaching.spoilers import wanted as wanted_values
-from rbpsym.teaching.targets import Target
+from rbpsym.teaching.target import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
 

@@ -18,7 +18,7 @@ from rbpsym.teaching.ranges import measured
 from rbpsym.teaching.situations import Scenery, names_in
 from rbpsym.teaching.solving import follow_ons, hint, measure_of, number_formula, number_names, where_text, worked
 from rbpsym.teaching.spoilers import Content, printed
-from rbpsym.teaching.targets import Target
+from rbpsym.teaching.target import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
 

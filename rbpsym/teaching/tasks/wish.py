@@ -18,7 +18,7 @@ from rbpsym.statement.source import did_you_mean
 from rbpsym.teaching import model as m
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench
 from rbpsym.teaching.situations import Scenery
-from rbpsym.teaching.targets import REFUSALS, Target
+from rbpsym.teaching.target import REFUSALS, Target
 
 
 class Wish(Frozen):
