@@ -29,6 +29,10 @@ class Proposition(Frozen):
     place: t.Node = t.ZERO
 
 
+TIME = "t"
+AHEAD = Proposition(t.Sym(TIME), t.ZERO, "more")
+
+
 class SaidByStep(Frozen):
     """What a step or a fact says: the definitions of the letters that it introduces, and what it asserts."""
 

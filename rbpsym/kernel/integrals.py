@@ -12,8 +12,7 @@ from rbpsym.field import NOTHING, Scalar, derivative, names_in, reduce_roots, su
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.integration import antiderivative
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples
-from rbpsym.kernel.claim import Proposition, brief, tree_of
-from rbpsym.kernel.claims import TIME
+from rbpsym.kernel.claim import TIME, Proposition, brief, tree_of
 
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search

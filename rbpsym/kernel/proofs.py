@@ -14,8 +14,8 @@ from rbpsym.field.division import divide
 from rbpsym.field.evaluate import scalar
 from rbpsym.kernel import combining
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, circles, formulas, parted, reduced, vanishes
-from rbpsym.kernel.claim import Proposition, brief, is_along_time, letter, sides, tree_of
-from rbpsym.kernel.claims import TIME, ClaimSource
+from rbpsym.kernel.claim import TIME, Proposition, brief, is_along_time, letter, sides, tree_of
+from rbpsym.kernel.claims import ClaimSource
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.integrals import by_course, by_rates, courses, integrated
 from rbpsym.kernel.positive import PositiveSum

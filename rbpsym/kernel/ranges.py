@@ -205,9 +205,9 @@ def above(
     for node in bounds:
         bound, _ = search.follow(search.value(node), known)
         for index in sorted(bound.num.atoms()):
-            parts, own = bound.num.by_power(index), rest.num.by_power(index)
-            top = max(parts)
-            more = Scalar(own.get(top, Poly({})), rest.den) / Scalar(parts[top], bound.den)
+            heads, own = bound.num.by_power(index), rest.num.by_power(index)
+            top = max(heads)
+            more = Scalar(own.get(top, Poly({})), rest.den) / Scalar(heads[top], bound.den)
             left = wound(rest - more * bound)
             if top > 0 and sense_of(search, more) > 0 and sense_of(search, left) > 0:
                 _, multiples = search.follow(goal - more * search.value(node) - left, known)

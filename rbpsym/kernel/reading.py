@@ -11,8 +11,8 @@ from typing import Any
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, Walker, field, replace
-from rbpsym.kernel.claim import Proposition
-from rbpsym.kernel.claims import TIME, ClaimSource
+from rbpsym.kernel.claim import TIME, Proposition
+from rbpsym.kernel.claims import ClaimSource
 from rbpsym.kernel.components import START
 from rbpsym.kernel.rocq import identifier
 

@@ -10,8 +10,8 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.kernel.certificates import Have, KnownEquation, Lemma, Multiples, Proof
-from rbpsym.kernel.claim import FUNCTIONS, Proposition, is_along_time, tree_of
-from rbpsym.kernel.claims import TIME, ClaimSource
+from rbpsym.kernel.claim import FUNCTIONS, TIME, Proposition, is_along_time, tree_of
+from rbpsym.kernel.claims import ClaimSource
 from rbpsym.kernel.components import START
 
 RESERVED = frozenset((

@@ -9,7 +9,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field import names_in
 from rbpsym.frozen import Frozen, replace
-from rbpsym.kernel.claims import TIME
+from rbpsym.kernel.claim import TIME
 from rbpsym.kernel.components import START, Components
 from rbpsym.kernel.reading import Meant, Read, read
 from rbpsym.kernel.rocq import LONGEST, REFUSED, Terms, identifier

@@ -17,8 +17,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field.scalar import symbol
 from rbpsym.kernel.certificates import Lemma, formulas, reduced
 from rbpsym.kernel.certify import Written, declared, results, text, written
-from rbpsym.kernel.claim import Proposition
-from rbpsym.kernel.claims import AHEAD
+from rbpsym.kernel.claim import AHEAD, Proposition
 from rbpsym.kernel.coqc import AXIOMS, Report, compiled, has_coqc, together, with_prelude
 from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.rocq import REFUSED, identifier

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.kernel.certify import Written, written
-from rbpsym.kernel.claims import AHEAD
+from rbpsym.kernel.claim import AHEAD
 from rbpsym.kernel.coqc import compiled
 from tests.kernel.test_certify import needs_coqc
 from tests.library.derived import unsimulated
