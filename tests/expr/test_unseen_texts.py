@@ -55,6 +55,11 @@ def read(latex):
         (r"a = 0 \,, \quad \text{con } i = 1, 2, 3 \,.", "a = 0"),
         (r"a = 0, \qquad i,j\in\{1,2,3\}.", "a = 0"),
         (r"\Delta = a", "Δ = a"),
+        (r"a = (2\pi)^3 2\omega + t_3 2c + \ell{+}1", "a = (2π)³ · 2ω + t₃ · 2c + ℓ + 1"),
+        (r"a = b \qquad (b')", "a = b"),
+        (r"a = b\;(\text{F61})", "a = b"),
+        (r"a = b ~~~\text{vector form: } c = d", "a = b\nc = d"),
+        (r"-a = b_j \quad j = x,y,z", "−a = bⱼ"),
     ],
 )
 def test_is_read_as_it_is_meant(latex, told):

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from rbpsym.expr.latex.tokens import CONDITION, PUNCTUATION, Token
 
-_NUMBER = re.compile(r"\d{1,2}(?:[.-]\d{1,3}){0,2}[a-z]?'?|\*{1,3}")
+_NUMBER = re.compile(r"\d{1,2}(?:[.-]\d{1,3}){0,2}[a-z]?'?|\*{1,3}|[a-zA-Z]'{0,2}|[A-Z]\.\d{1,2}")
 _WIDE = re.compile(r"\\q?quad|\\hspace|\\hfil")
 _ARROWS = frozenset((r"\to", r"\leftarrow", r"\uparrow", r"\downarrow"))  # (→): which way, said beside a number
 Span = tuple[int, int]
@@ -21,7 +21,8 @@ def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tupl
     for begin, end in reversed(_pairs(tokens)):
         inner = tokens[begin + 1 : end]
         before, behind = _gap_before(tokens, begin), _gap_behind(tokens, end + 1)
-        if len(inner) == 1 and inner[0].text in _ARROWS and _ends(tokens, end + 1):
+        said = len(inner) == 1 and (inner[0].text in _ARROWS or (inner[0].kind == "text" and before < begin))
+        if said and _ends(tokens, end + 1) and not _begins(tokens, before):
             found[before : end + 1] = [replace(inner[0], kind="row", text=""), replace(inner[0], kind="text")]
         elif _NUMBER.fullmatch("".join(token.text for token in inner)):
             if before < begin and _wide(tokens[before:begin]) and _ends(tokens, end + 1):
@@ -60,6 +61,9 @@ def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Tok
     for place, token in enumerate(tokens):
         if token.text != ":":
             found.append(token)
+            begins = _begins(tokens, place) or tokens[place - 1].kind == "gap"
+            if token.kind == "text" and token.text.endswith(":") and begins:  # vector form: a = b
+                found.append(replace(token, kind="row", text=""))
             continue
         row = next((k for k in range(len(found), 0, -1) if found[k - 1].kind in ("row", "begin")), 0)
         about = [one for one in found[row:] if one.kind != "gap" and one.text != "&"]

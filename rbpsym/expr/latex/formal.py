@@ -30,7 +30,7 @@ _GRADIENT = "a gradient can't be computed", "Write its components."
 _OPERATOR = "this operator can't be computed", "Write what it comes to."
 _ROWS = "the environment of a matrix can't be read", "Write the equation of each row."
 _EVALUATED = "what holds where this is taken?", r"Write \left. ... \right|_{x = 0}."
-_STATES = (r"\ket", r"\bra", r"\braket", r"\ketbra", r"\expval", r"\mel", r"\dyad")
+_STATES = (r"\ket", r"\bra", r"\braket", r"\ketbra", r"\expval", r"\ev", r"\mel", r"\dyad")
 _BARS = ("|", r"\lvert", r"\rvert")
 _DOTTED = (r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb")
 _MEASURED = (r"\SI", r"\qty", r"\si", r"\unit", r"\SIrange", r"\qtyrange")

@@ -231,6 +231,9 @@ def refuse_number(reader: LatexReader) -> None:
     """Raise ReadError for 2 3."""
     before, place = reader.tokens[reader.position - 1], reader.position
     behind = before.text in ("}", END_COLUMN) and reader.ahead(-2).text != "^"
+    scripted = before.kind == "digit" and reader.ahead(-2).text in ("^", "_") and before.end < reader.token.start  # k^3 2ω
+    while scripted and reader.token.kind == "digit":
+        reader.take()
     while before.kind in ("letter", "text") and reader.token.kind == "digit":
         reader.take()
     behind, reader.position = behind or (reader.position > place and begins_factor(reader)), place  # B2\pi f
@@ -256,7 +259,8 @@ def factor(reader: LatexReader) -> t.Node:
         exponent, named = _exponent(reader), isinstance(base, (t.Sym, t.Vec))
         base = COMMANDS["applied"](reader, base, first, raised=True) if named and not is_open else base  # r²(z)
         is_value = isinstance(base, t.Formal) and base.kind == "value"  # b(t - u)² may be the square of the brackets alone
-        index = is_open and (is_value or (named and bool(t.names(exponent) - {"pi"})))
+        is_sign = named or (isinstance(base, t.Formal) and base.kind in ("∂", "∇"))
+        index = is_open and (is_value or (is_sign and bool(t.names(exponent) - {"pi"})))
         power = t.Formal("raised", (base, exponent)) if index else reader.power(base, exponent, start)
         base = COMMANDS["called"](reader, reader.spanned(power, start)) if named else power
     while reader.sees_sign("_", "'", "!", r"\prime"):

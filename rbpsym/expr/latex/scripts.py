@@ -10,7 +10,7 @@ from rbpsym.expr.latex.tokens import FUNCTION_WORDS
 from rbpsym.expr.symbol_table import Drawn, LatexReader
 
 DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
-_ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "mathbb", "mathfrak")
+_ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "mathbb", "mathfrak", "slashed")
 ACCENTS = {rf"\{kind}": kind for kind in _ACCENTED}
 VECTORS = frozenset({r"\vec", r"\boldsymbol"})
 SCRIPTS = frozenset({r"\mathcal", r"\mathpzc"})
@@ -21,6 +21,7 @@ _MARKED = frozenset("+-*=()/<>|;:.^[]")  # what a label may hold beside letters 
 _NAMED = frozenset(rf"\{word}" for word in (
     "pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top", "ne",
     "in", "dots", "sim", "Vert", "leftarrow", "le", "ge", "complement", "cup", "cap", "lvert", "rvert",
+    "square", "Box", "ldots", "cdots", "cdot", "uparrow", "downarrow",
 ))  # fmt: skip
 
 

@@ -43,7 +43,7 @@ _APART = r"(?:(?<=[,;:(~])|(?<=[,;:(~] )|(?<=quad)|(?<=quad ))"  # in a = 2 b, i
 _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
     rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:\s*[-+]\s*\w)?|\d+))?"
     rf"|{_INDEX}(?:\s*,\s*{_INDEX})*\s*\\in\s*(?:\\left)?\s*\\\{{[\d\s,]*(?:{_DOTS})?[\w\s,]*(?:\\right)?\s*\\\}}"
-    r"|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))(?:\s*,\s*(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu)))*\s*=\s*\d+(?:\s*,\s*\d+)+"
+    r"|[ijk]\s*=\s*x\s*,\s*y(?:\s*,\s*z)?|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))(?:\s*,\s*(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu)))*\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
 _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each value of an index
     r"(?<=[\s,~(:;])"
@@ -111,7 +111,7 @@ _ALIASES = {
     r"\lt": "<", r"\gt": ">", "±": r"\pm", "∓": r"\mp", r"\varpropto": r"\propto",
     r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
     r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
-    r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
+    r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|", r"\backslash": r"\setminus",
     r"\leadsto": r"\to", r"\rightsquigarrow": r"\to", r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'", "?": r"\?",
 }  # fmt: skip
 JOINING = frozenset({
@@ -212,8 +212,10 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
     dropped, argued = set[int](), _argued(tokens)
     for k, token in enumerate(tokens):
         texts = [found.text for found in tokens[k : k + 5]]
-        if token.text == r"\boldsymbol" and texts[1:4] in _BOLD_SIGNS:
+        if token.text == r"\boldsymbol" and texts[1:4] in _BRACED_SIGNS:
             dropped |= {k, k + 1, k + 3}
+        if texts[:3] in _BRACED_SIGNS and k and tokens[k - 1].text not in ("^", "_"):
+            dropped |= {k, k + 2}
         if token.text == r"\indices" and texts[1:2] == ["{"]:
             dropped |= {k, k + 1, closed(tokens, k + 1)}
         free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
@@ -244,7 +246,7 @@ def _given(tokens: list[Token]) -> list[Token]:
     return [replace(token, text=GIVEN) if k in alone else token for k, token in enumerate(tokens)]
 
 
-_BOLD_SIGNS = [["{", sign, "}"] for sign in (r"\cdot", r"\times", "+", "-", "=")]
+_BRACED_SIGNS = [["{", sign, "}"] for sign in (r"\cdot", r"\times", "+", "-", "=")]
 
 
 def _argued(tokens: list[Token]) -> set[int]:
