@@ -213,6 +213,11 @@ def test_marks_before_and_behind_a_name_are_no_powers(latex, told):
     (r"mgh(1 - x) = nAve + Re_\tau", "value(run(m, g, h), 1 − x) = run(n, A, v, e) + Re_τ"),
     (r"p = const + \pi(x) + ABC", "p = const + value(π, x) + run(A, B, C)"),
     (r"\hat n \cdot \vec F = m \cdot \vec a", "dotted(n̂, F⃗) = dotted(m, a⃗)"),
+    (r"q \cdot c = F \times d + 2 \cdot 3a", "dotted(q, c) = crossed(F, d) + 2 · 3a"),
+    (r"g^{22} = O(n) + O(x^2)", "raised(g, 22) = value(O, n) + order(x²)"),
+    (r"r!(n - r)! = \overline{u'w'}", "factorial(r) factorial(n − r) = accented(bar, u′w′)"),
+    (r"M = \begin{pmatrix} 1\\ & 1\end{pmatrix}", "M = matrix(row(1), row(, 1))"),
+    (r"\partial_X^\mu = a", "raised(∂(X), μ) = a"),
     (r"\frac{\partial}{\partial x^2} f = \frac{\partial f}{\partial x^2}",
      "differential(f, differential(raised(x, 2))) = differential(f)/differential(raised(x, 2))"),
 ])  # fmt: skip

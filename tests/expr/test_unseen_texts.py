@@ -26,7 +26,7 @@ def read(latex):
         (r"\frac12 r + a& {}+b \\ & = c", "½r + a + b = c"),
         (r"\frac{\rm{d}v}{\rm{dt}} = 0", "dv/dt = 0"),
         (r"\frac{\partial{}}{\partial{x}}Q = 0", "∂Q/∂x = 0"),
-        (r"R - q \cdot c + D = 0 \\ -R + E - q \cdot c = 0", "R − qc + D = 0\n−R + E − qc = 0"),
+        (r"R - q c + D = 0 \\ -R + E - q c = 0", "R − qc + D = 0\n−R + E − qc = 0"),
         (r"I' = x_k{}^2", "I′ = xₖ²"),
         (r"x|_{t=0} = a|_{t=0} + c|_{t=0}", "x|_(t = 0) = a|_(t = 0) + c|_(t = 0)"),
         (r"W = 5 E_{\mathrm{dr}} + 5\,\mathrm{dm}", "W = 5E_dr + 5dm"),

@@ -50,7 +50,7 @@ class _Any(dict[Drawn, tuple[str, ...]]):
         return default if unit or drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) else (name_of(drawn),)
 
 
-ANY = SymbolTable(_Any(), varies=lambda name: True, directed=lambda name: "_hat" in name, open=True)
+ANY = SymbolTable(_Any(), varies=lambda name: True, open=True)
 
 
 class Fit(Frozen):

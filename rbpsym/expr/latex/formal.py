@@ -307,6 +307,7 @@ def _column(reader: LatexReader) -> t.Node:
         apart = reader.pass_sign(",", ".", ";")
         if reader.sees_sign("&", NEXT):
             rows += [[]] if reader.take().text == NEXT else []
+            rows[-1] += [t.Word("")] * bool(rows[-1] and reader.sees_sign(END_COLUMN))
         elif not (apart or reader.token.kind == "row" or reader.sees_sign(END_COLUMN)):
             raise reader.error(*_ROWS, opening)
     reader.integrals, reader.bars = waiting

@@ -81,19 +81,22 @@ COMMANDS["relation"] = relation
 @begins("name")
 def _name(reader: LatexReader) -> t.Node:
     """A name; O(θ²) are terms left out."""
-    if reader.token.text in ("o", "O") and reader.ahead().text == "(" and Drawn(reader.token.text) not in reader.table.names:
+    left_out = reader.token.text in ("o", "O") and reader.ahead().text == "(" and reader.ahead(-1).text in ("+", "-", r"\pm")
+    if left_out and Drawn(reader.token.text) not in reader.table.names:
         start = reader.take().start
         return reader.spanned(t.Formal("order", (COMMANDS["("](reader),)), start)
     return read_name(reader)
 
 
 _NAMED = (t.Sym, t.Vec, t.Deriv)
+_VALUES = ("binomial", "factorial", "measured", "state", "mean", "…")  # no functions
 
 
 def called(reader: LatexReader, node: t.Node) -> t.Node:
     """In a text of which nothing is known: with what stands in brackets behind it, of which it may be a function."""
     parts = (node.num, node.den) if isinstance(node, t.Div) else (node,)
     may = reader.table.open and all(isinstance(one, (*_NAMED, t.Pow, t.Formal)) for one in parts)
+    may = may and not any(isinstance(one, t.Formal) and one.kind in _VALUES for one in parts)
     while may and reader.sees_sign("(", "["):
         if reader.sees_sign("[") and reader.ahead(len(_inside(reader))).text == "_":
             break

@@ -115,9 +115,10 @@ def _joined(reader: LatexReader, left: t.Node, right: t.Node, sign: Token) -> t.
         return (t.Dot if sign.text == r"\cdot" else t.Cross)(left, right)
     directed = [is_vector(side) or any(map(reader.table.directed, t.names(side))) for side in (left, right)]
     half = is_vector(left) != is_vector(right) and bool(t.names(left) and t.names(right))
-    if sign.text == r"\times" and (half or all(directed)):
+    unknown = reader.table.open and bool(t.names(left) and t.names(right))
+    if sign.text == r"\times" and (half or unknown or all(directed)):
         return t.Formal("crossed", (left, right))
-    if reader.table.open and sign.text == r"\cdot" and (half or any(directed)):
+    if sign.text == r"\cdot" and unknown:
         return t.Formal("dotted", (left, right))
     factors = [part for side in (left, right) for part in (side.factors if isinstance(side, t.Mul) else (side,))]
     return t.Mul(tuple(factors))
@@ -260,7 +261,8 @@ def factor(reader: LatexReader) -> t.Node:
         base = COMMANDS["applied"](reader, base, first, raised=True) if named and not is_open else base  # r²(z)
         is_value = isinstance(base, t.Formal) and base.kind == "value"  # b(t - u)² may be the square of the brackets alone
         is_sign = named or (isinstance(base, t.Formal) and base.kind in ("∂", "∇"))
-        index = is_open and (is_value or (is_sign and bool(t.names(exponent) - {"pi"})))
+        several = isinstance(exponent, t.Num) and isinstance(exponent.value, int) and exponent.value > 9  # g^{12}
+        index = is_open and (is_value or (is_sign and (several or bool(t.names(exponent) - {"pi"}))))
         power = t.Formal("raised", (base, exponent)) if index else reader.power(base, exponent, start)
         base = COMMANDS["called"](reader, reader.spanned(power, start)) if named else power
     while reader.sees_sign("_", "'", "!", r"\prime"):

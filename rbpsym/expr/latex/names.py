@@ -194,7 +194,8 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
         raise reader.error(f"“{token.text}” stands before something that is no letter", "", token, Incomplete)
     with reader.deeper():
         drawn, vector = _scripted(reader) if inside else _accented(reader)
-    while inside and (token.text in VECTORS or token.text == r"\bar") and reader.token.kind == "letter":
+    joins = inside and (token.text in VECTORS or token.text == r"\bar")
+    while joins and reader.token.kind == "letter" and f"{drawn.base}{reader.token.text}".isupper():
         more, _ = _scripted(reader)  # the vector from A to B
         drawn = replace(drawn, base=drawn.base + drawn.label + more.base, label=more.label)
     if inside:

@@ -205,6 +205,8 @@ class _Layout:
 
     def _cell(self, k: int, token: Token) -> Token | None:
         """A & that aligns rows, or that parts two relations of a row; any other is left to be refused."""
+        if self.open and self.open[-1] == COLUMN:
+            return token
         if self._at_edge(k, -1) or self._at_edge(k, 1):
             return None
         before, behind = self._near(k, -1), self._near(k, 1)
