@@ -18,7 +18,7 @@ from rbpsym.elements.events import EVENTS
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, there
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.tree import ZERO, Node
-from rbpsym.field import NOTHING, is_zero, names_in
+from rbpsym.field import NOTHING, depends_on, is_zero, names_in
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover
@@ -175,9 +175,11 @@ def _of_contact(event: str) -> Callable[[Asked, When, int | None], Moment]:
 
 
 def _meant(asked: Asked, when: When) -> str:
-    """The contact that is named, or the only one that static friction with a limit holds (“it”)."""
-    held = [element.name for element in asked.problem.constraints if element.values.get("limit") is not None]
-    return when.words[0] if when.words else held[0] if len(held) == 1 else "it"
+    """The contact that is named, or the only one that static friction with a limit holds, or which slips (“it”, “the ball”)."""
+    key = "coefficient" if when.kind == "grips" else "limit"
+    held = [element.name for element in asked.problem.constraints if element.values.get(key) is not None]
+    said = when.words[0] if when.words else "it"
+    return held[0] if len(held) == 1 and said not in asked.held else said
 
 
 def _begun_before(asked: Asked, when: When, place: int | None) -> Moment:
@@ -193,6 +195,11 @@ def _subject(asked: Asked, name: str, what: str) -> str:
 
 def _coordinate(asked: Asked, name: str) -> str:
     known = [c.name for c in asked.problem.coordinates]
+    system = asked.study(asked.lasting).system
+    if name not in known and (body := system.bodies.get(name)) is not None:  # the one coordinate that moves it
+        rates = (body.velocity.x, body.velocity.y, body.omega)
+        name, *more = [n for n in system.independent if any(depends_on(rate, f"{n}_dot") for rate in rates)] or [name]
+        name = name if not more else body.name
     if name not in known:
         raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, known, "coordinates"))
     return name

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 
 from rbpsym.ask.asked import Asked
-from rbpsym.errors import StatementError
+from rbpsym.decide.dimensions import dimension_of
+from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import derivative, is_zero
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import stops
 from rbpsym.present.forms import present
+from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.paths import tensions
 from rbpsym.typeset.machine import to_machine
@@ -23,6 +28,10 @@ WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|
 
 VANISHES = r"(\b(?:where|when|until|once) (?:the )?(?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)(?=$|,? with )"
 AT_PLACE = r" as (?:a )?functions? of (?:the )?(\w+),? (?:with|where|at) \1 ?= ?"  # a function, and where: its value there
+OF_GRAMMAR = ("system", "rest", "start", "equilibrium", "time", "turning")
+TURNED = r"^(?:the )?angle (?:through|by) which (?:the )?(\w+) (?:turns|rotates|has turned|has rotated)\b"
+STOPS = re.compile(r"\b((?:it|(?:the )?\w+) (?:stops|comes to rest)) (?:after|in|within) (.+?)(?=$|,? with )")
+TURNS = re.compile(r"(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?")
 BACK = re.compile(
     r"\b(until|when|where|once) (?:the )?\w+ (?:comes back|returns|is back)"
     r"(?: to (?:where it started|(?:the|its) (?:start|starting (?:point|place))))?(?=$|,? with )"
@@ -35,6 +44,24 @@ def _begun(asked: Asked) -> str:
     if (name := mover(study)) is None or (begun := study.system.scope.start.get(name)) is None:
         raise StatementError("what comes back is not known", instead="say which place: “time until x = 0”.")
     return f"{name} = {to_machine(present(begun))}"
+
+
+def _stopped(asked: Asked, said: re.Match[str]) -> str:
+    """“number of turns until it stops = 20” for “it stops after 20 turns”; of a length a way, of a time the time."""
+    if turns := TURNS.fullmatch(said[2]):
+        return f"number of turns until {said[1]} = {turns[1]}"
+    name, found = mover(asked.study(asked.lasting)), NUMBER
+    with suppress(RbpsymError):
+        found = dimension_of(read_infix(said[2], [*asked.problem.dimensions]), asked.problem.dimensions)
+    counted = {TIME: "time", LENGTH: f"displacement of {name}"}.get(found)
+    return f"{counted} until {said[1]} = {said[2]}" if counted else said[0]
+
+
+def _turned(asked: Asked, name: str) -> str:
+    """The displacement of the coordinate that is the angle of a body, or of that coordinate."""
+    body = asked.first.system.bodies.get(name)
+    own = [n for n in asked.first.system.coordinates if body and is_zero(derivative(body.pose.angle, n) ** 2 - 1)]
+    return f"displacement of {own[0] if len(own) == 1 else name}"
 
 
 def _in_strings(asked: Asked, text: str) -> str:
@@ -53,12 +80,16 @@ def plain_words(asked: Asked, text: str) -> str:
     """The words of a question as all else reads them: values of parameters (“with F = 0”) at the end, “in phase rolling” for
     “in rolling”, “impulse of J” for what is called J in a blow, “with F = 0” for “where F = 0”."""
     plain = " ".join(text.split()).rstrip(" ?.")
+    bodies = "|".join(re.escape(body.name) for body in asked.problem.bodies if body.name not in OF_GRAMMAR)
+    plain = re.sub(rf"\bthe (?=(?:{bodies or '(?!)'})(?![\w-]))", "", plain)
     blows = "|".join(re.escape(element.name) for phase in asked.problem.phases for element in phase.impulses)
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
     named = "|".join(re.escape(name) for name in asked.names if name not in ("rest", "equilibrium"))
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
     for pattern, written in ((VANISHES, r"\1 = 0"), (AT_PLACE, r" where \1 = ")):
         plain = re.sub(pattern, written, plain)
+    plain = re.sub(TURNED, lambda said: _turned(asked, said[1]), plain)
+    plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))
     plain = re.sub(rf"(?<=\w),? with (?=(?:{moved}) ?= ?)", " where ", plain)
     plain = BACK.sub(lambda said: f"{said[1]} {_begun(asked)}", plain)

@@ -61,7 +61,8 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
     ("rests", rf"{_AT} {_N} (?:comes to rest|stops)", "theta where theta comes to rest"),
     ("rests", r"at (?:the |its )?turning point", "F_y at the turning point"),
     ("rests", rf"at (?:the |its )?turning point of {_N}", "F_y at the turning point of theta"),
-    ("grips", rf"{_AT} {_N} stops slipping", "velocity of ball.cm when N stops slipping"),
+    ("grips", rf"{_AT} (?:it|{_N}) (?:stops slipping|rolls(?: without slipping)?|begins to roll)",
+     "velocity of ball.cm when N stops slipping"),
     ("slips", rf"{_AT} (?:it|{_N}) (?:slips|begins to slip)", "theta when N slips"),
     ("rest", r"(?:at|in) (?:the )?(?:stable )?(?:rest|equilibrium)", "F_y in equilibrium"),
     ("unstable", r"(?:at|in) the unstable equilibrium", "F_y in the unstable equilibrium"),
@@ -73,6 +74,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 # what is only another way to write something
 OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"^(?:the )?(?:kinetic )?energy lost (?:in|during|by|at) (?:the )?(?:blow|collision|impact|bounce)$", "energy lost"),
+    (r"^(?:the )?(?:heat (?:produced|generated)|(?:mechanical )?energy dissipated|loss of (?:kinetic )?energy)\b", "energy lost"),
     (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),
     (r"\b(functions? of) (?:the )?time\b", r"\1 t"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),

@@ -210,14 +210,18 @@ def _undone(factor: Scalar, index: int, name: str, given: Assumptions) -> list[P
     parts = {k: Scalar(part) for k, part in factor.num.by_power(index).items()}
     if set(parts) - {0, 1} or any(depends_on(part, name) for part in parts.values()):
         other = over_growth(factor, name)  # of two exponentials one is left
-        grown = [i for i in (other or factor).num.atoms() if atoms.atom(i).kind == "exp" and atom_depends(i, name)]
-        return _all_places(other, name, given) if other is not None and len(grown) == 1 else None
+        return None if other is None or (_grown(factor, name), _grown(other, name)) != (2, 1) else _all_places(other, name, given)
     kind, low, high = UNDONE[atoms.atom(index).kind]
     angle = short(-parts.get(0, NOTHING) / parts[1])
     found = _all_places(atoms.atom(index).arg - function(kind, angle), name, given)
     asked: tuple[Demand, ...] = () if low is None else (Demand(angle - low, ">=" if high else ">"),)
     asked += () if high is None else (Demand(high - angle, ">="),)
     return None if found is None else [(place, (*asked, *more)) for place, more in found]
+
+
+def _grown(factor: Scalar, name: str) -> int:
+    """How many exponentials of the name are in it."""
+    return sum(atoms.atom(i).kind == "exp" and atom_depends(i, name) for i in factor.num.atoms())
 
 
 def _by_power(factor: Scalar, name: str) -> list[Scalar]:

@@ -12,8 +12,8 @@ from dataclasses import replace
 from rbpsym.decide.signs import sign
 from rbpsym.elements.events import EVENTS
 from rbpsym.elements.kinds import KindParts
-from rbpsym.errors import NotApplicable, StatementError, there
-from rbpsym.field import Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
+from rbpsym.errors import NotApplicable, StatementError, Undecided, there
+from rbpsym.field import Scalar, depends_on, is_zero, names_in, short, substitute, symbol, time_derivative
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import strings
@@ -121,9 +121,17 @@ def after(study: Study, phase: Phase, start: ArrivalState, time: Scalar, asked: 
             raise no_closed_form(f"the motion of “{name}” as a function of the time")
         speed = start.speeds[name]
         image |= {name: start.places[name] + speed * time + substitute(way, to), f"{name}_dot": speed + substitute(gone, to)}
-    pairs = {name: [put(value, image) for value in of_coordinate(study, name)] for name in start.places}
+    pairs = {name: _there(study, name, image) for name in start.places}
     places = {name: short(without_even_roots(place)) for name, (place, _) in pairs.items()}
     return ArrivalState(time, places, {name: short(without_even_roots(speed)) for name, (_, speed) in pairs.items()}, valid)
+
+
+def _there(study: Study, name: str, image: dict[str, Scalar]) -> tuple[Scalar, ...]:
+    """A place and speed; left as they are where they are sines of an angle that is no polynomial."""
+    try:
+        return tuple(put(value, image) for value in of_coordinate(study, name))
+    except Undecided:
+        return symbol(name), symbol(f"{name}_dot")
 
 
 def time_until(study: Study, phase: Phase, way: Scalar, speed: Scalar, gain: Scalar) -> tuple[Scalar, list[Demand]]:
