@@ -25,6 +25,7 @@ from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import inward
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.energy import rotational_energy, translational_energy
 from rbpsym.mechanics.led import put
 from rbpsym.mechanics.solutions import SMALL
 from rbpsym.mechanics.study import Study
@@ -103,11 +104,22 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> Works:
     for name, power in world.motion.ledger.items():
         if any(depends_on(value, name) for value in values):
             ways = (find(power, world.motion) for find in (work_done, work_by_energy, gathered))
-            done = next((one for one in ways if one is not None), None)
+            done = next((one for one in ways if one is not None), None) or _of_body(world, power)
             if done is None:
                 raise NoClosedForm("no closed form was found for a work in this", instead="ask for its power, or with numbers.")
             found[name] = (power, done)
     return found
+
+
+def _of_body(world: ProblemWorld, power: Scalar) -> Scalar | None:
+    """∫ power dt as what it gives to the kinetic energy of a body, and to what acts beside it; None where it is none of this."""
+    for state in world.bodies("system"):
+        energy = translational_energy(state) + rotational_energy(state)
+        rest = short(world.motion.moved(power - time_derivative(energy, world.motion.scope)))
+        beside = NOTHING if is_zero(rest) else work_done(rest, world.motion)
+        if energy and beside is not None:
+            return energy - substitute(energy, world.motion.scope.start) + beside
+    return None
 
 
 def _then(asked: Asked, question: Question, when: When) -> Found:
@@ -139,6 +151,8 @@ def _work(asked: Asked, question: Question, when: When) -> Found:
         first, before = begun.then.place, [] if begun.then.how == "start" else [begun]
     if first > found.then.place:
         raise StatementError(BACKWARDS, instead="ask the other way round.")
+    if question.quantity.startswith("number"):
+        first = max(first, min(asked.lasting, found.then.place))  # what ends at once turns nothing
     between = asked.names[first : found.then.place]
     if between and question.quantity.startswith("number"):
         raise StatementError("turns are counted in one phase", instead="name it: “… in phase PHASE”.")

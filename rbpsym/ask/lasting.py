@@ -24,6 +24,7 @@ from rbpsym.mechanics.led import sense_to
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
+from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.study import Study
@@ -317,7 +318,9 @@ def _on_way(
             yield from found
     for demand in (*held(study), *_pushing(study, places)):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
-        if len(names) > 1 or any(name not in study.squares and _driven(study, name, places) is None for name in names):
+        if (low := _by_speed(study, demand)) is not None:
+            found = low
+        elif len(names) > 1 or any(name not in study.squares and _driven(study, name, places) is None for name in names):
             if time is None and places is not None:
                 raise Undecided("their forces are not known on the way")
             found = _least_until(study, demand, time, courses or {})
@@ -326,6 +329,28 @@ def _on_way(
         what = "a contact is lost, or friction reaches its limit, before: the motion that is stated ends there"
         possible(found, study.assumptions, StatementError(what))
         yield from found
+
+
+def _by_speed(study: Study, demand: Demand) -> list[Demand] | None:
+    """What is asked for a function of the one speed not to become negative, where the acceleration is one too: between the first
+    speed and that at which it vanishes. None for another value; raises Undecided."""
+    from rbpsym.ask.wanted import Wanted
+    from rbpsym.ask.yesno import least_values
+
+    [name, *more], given = study.system.independent or ("",), study.assumptions
+    speed, gain = f"{name}_dot", (study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING)
+    moving, begun = {*study.system.coordinates, *study.system.speeds, "t"}, study.system.scope.start.get(speed, NOTHING)
+    if more or not gain or names_in(gain) & moving != {speed} or names_in(demand.value) & moving != {speed}:
+        return None
+    way = sign(substitute(gain, {speed: begun}), given).sense
+    ends = [place for place in zeros(gain, speed, given) if sign((place - begun) * way, given).kind == "positive"]
+    if not way or len(ends) > 1:
+        return None
+    try:
+        within = given.with_range(speed, *(begun, *(ends or [None]))[::way])
+        return [*least_values(Wanted((demand.value,), within, speed))]
+    except RbpsymError as error:
+        raise Undecided(error.what) from None
 
 
 def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime]) -> list[Demand]:
