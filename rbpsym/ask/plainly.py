@@ -28,6 +28,9 @@ WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|
 
 VANISHES = r"(\b(?:where|when|until|once) (?:the )?(?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)(?=$|,? with )"
 AT_PLACE = r" as (?:a )?functions? of (?:the )?(\w+),? (?:with|where|at) \1 ?= ?"  # a function, and where: its value there
+HEIGHT = re.compile(r" (?:at|in) (?:the|its) (lowest|highest) (?:point|place)(?: of (?:the|its) (?:path|swing))?(?=$|,? with )")
+STAYS = r"\bfor which (?:it|\w+) (?:(?:stays|remains) at rest|is (?:in equilibrium|balanced))(?=$|,? with )"
+BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
 OF_GRAMMAR = ("system", "rest", "start", "equilibrium", "time", "turning")
 TURNED = r"^(?:the )?angle (?:through|by) which (?:the )?(\w+) (?:turns|rotates|has turned|has rotated)\b"
 STOPS = re.compile(r"\b((?:it|(?:the )?\w+) (?:stops|comes to rest)) (?:after|in|within) (.+?)(?=$|,? with )")
@@ -84,10 +87,15 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = re.sub(rf"\bthe (?=(?:{bodies or '(?!)'})(?![\w-]))", "", plain)
     blows = "|".join(re.escape(element.name) for phase in asked.problem.phases for element in phase.impulses)
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
-    named = "|".join(re.escape(name) for name in asked.names if name not in ("rest", "equilibrium"))
+    said = [name for k, name in enumerate(asked.names) if name not in ("rest", "equilibrium", *(() if k else BLOWS))]
+    named = "|".join(map(re.escape, said))
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
     for pattern, written in ((VANISHES, r"\1 = 0"), (AT_PLACE, r" where \1 = ")):
         plain = re.sub(pattern, written, plain)
+    system = asked.study(asked.lasting).system
+    if len(free := system.independent) == 1 and not system.scope.start.get(f"{free[0]}_dot"):
+        plain = re.sub(STAYS, f"for which acceleration of {free[0]} at the start vanishes", plain)
+    plain = HEIGHT.sub(lambda said: f" where height of system.cm is {'smallest' if said[1] == 'lowest' else 'largest'}", plain)
     plain = re.sub(TURNED, lambda said: _turned(asked, said[1]), plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))

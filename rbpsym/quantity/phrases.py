@@ -265,6 +265,16 @@ def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
     return _magnitude(world, f"force {name} on {found[0].on}") if found[0].vector else number(found[0].couple)
 
 
+def _on_body(world: ProblemWorld, noun: str, name: str) -> Bound:
+    """The one force of that role on a body: an unknown one as it is stated, else the magnitude."""
+    force, *more = dict.fromkeys(force.name for force in world.forces(noun, name))
+    if more:
+        known = " or ".join(f"“force {one} on {name}”" for one in (force, *more))
+        raise StatementError(f"which {noun} is meant?", instead=f"write {known}.")
+    is_unknown = force in world.study.system.unknowns
+    return world.expression(force) if is_unknown else _magnitude(world, f"force {force} on {name}")
+
+
 def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
     mass = sum((state.mass for state in world.bodies(name)), NOTHING)
     square, signs = short(_moment(world, name, about).number / mass), world.study.assumptions
@@ -348,6 +358,7 @@ PHRASES: tuple[Phrase, ...] = (
      "velocity of the centre of mass"),
     (rf"speed of ((?:the )?cent(?:re|er) of mass(?: of {_B})?)", lambda world, of, *_: _magnitude(world, f"velocity of {of}"),
      "speed of the centre of mass"),
+    (r"(tension|normal force|friction|friction force|drag|spring force|weight) (?:on|of) ([\w-]+)", _on_body, ""),
     (r"(?:(tension|normal force|friction force|friction|reaction|weight|couple|force|thrust) )?(\w+)", _size, "tension FORCE"),
     (rf"radius of gyration of {_B}{_ABOUT}", _gyration, "radius of gyration of BODY about O"),
     (rf"power of {_F}{_ON}?{_HALF}", _power, "power of FORCE on BODY"),

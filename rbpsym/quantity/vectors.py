@@ -169,7 +169,7 @@ def alone(world: ProblemWorld, noun: str) -> Bound:
     if noun in world.names:
         return world.expression(noun)
     found = list(NOUNS[noun](world))
-    if len(found) == 1:
+    if found and (len(found) == 1 or len({world.motion.moved(world.bound(phrase).number) for phrase in found}) == 1):
         return world.bound(found[0])
     if not found:
         raise StatementError(f"the problem has no {noun}", instead="name a quantity of the problem.")

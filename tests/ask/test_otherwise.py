@@ -29,6 +29,8 @@ ASKED = (
     ("rod-pendulum", "is the angular momentum of rod about O conserved", False),
     ("ball-slipping-to-rolling", "ratio of energy lost until rolling to kinetic energy at the start", "2/7"),
     ("ball-slipping-to-rolling", "is angular momentum of ball about O conserved", True),
+    ("ball-slipping-to-rolling", "time until it rolls", "2*v_0/(7*mu*g)"),
+    ("ball-slipping-to-rolling", "heat produced until rolling", "M*v_0**2/7"),
     ("spring-coupled-pendulums", "highest frequency of theta_1 / lowest frequency of theta_1", None),
     ("bead-on-rotating-rod", "time until r = 2*r_0", "ln(2 + sqrt(3))/Omega"),
     ("bead-on-rotating-rod", "time until r = ell", "ln((ell + sqrt(ell**2 - r_0**2))/r_0)/Omega"),

@@ -12,6 +12,7 @@ from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as fo
 
 SLIDES, LEFT = "(sin(beta) + mu*cos(beta))", "sqrt(k*d**2/m - 2*g*d*(sin(beta) + mu*cos(beta)))"
 GAIN = "(g*(m_2 - m_1*sin(beta) - mu*m_1*cos(beta))/(m_1 + m_2 + M/2))"
+SPUN, HELD = "(m*v*r)", "M*w**2/3 + m*r**2"
 ANSWERS = (
     ("block-shot-up-slope", "largest speed of s until free", f"sqrt(k/m)*(d - m*g*{SLIDES}/k)"),  # not when it is free
     ("block-shot-up-slope", "largest speed of s", f"sqrt(k/m)*(d - m*g*{SLIDES}/k)"),
@@ -33,6 +34,20 @@ ANSWERS = (
     ("block-pulley-load", "work of friction until s = h", "-mu*m_1*g*h*cos(beta)"),
     ("block-pulley-load", "work of the weight on load until s = h", "m_2*g*h"),
     ("block-pulley-load", "moment of inertia of pulley about its centre", "M*R**2/2"),
+    ("block-pulley-load", "normal force on block", "m_1*g*cos(beta)"),
+    ("block-pulley-load", "tension on load", f"m_2*(g - {GAIN})"),
+    ("block-pulley-load", "weight of the block", "m_1*g"),
+    ("bullet-into-door", "phi where phi comes to rest", f"{SPUN}**2/({HELD})/(2*M_f)"),  # though its sine has no plain form
+    ("bullet-into-door", "angle through which the door turns until it comes to rest", f"{SPUN}**2/({HELD})/(2*M_f)"),
+    ("bullet-into-door", "number of turns of door until the door stops", f"{SPUN}**2/({HELD})/(4*pi*M_f)"),
+    ("bullet-into-door", "time until the door stops", f"{SPUN}/M_f"),
+    ("hoist-on-drum", "terminal speed of y", "P/(m*g)"),
+    ("hoist-on-drum", "time until speed of y = P/(2*m*g)",
+     "(m + I_d/R**2)*(v_0/(m*g) - P/(2*(m*g)**2) - P/(m*g)**2*ln(P/(2*(P - m*g*v_0))))"),
+    ("brake-block", "P for which it stops after 20 turns", "I_w*omega_0**2*a/(80*pi*mu*b*R)"),
+    ("brake-block", "omega_0 for which the wheel stops in 20 turns", "sqrt(80*pi*mu*P*b*R/(I_w*a))"),
+    ("block-in-free-bowl", "work of N on large until theta = pi/2", "m**2*g*R/(m + M)"),
+    ("rod-with-weight", "F_y at the lowest point", "(M + m)*g + (M + 2*m)**2*3*g/(2*(M + 3*m))"),
 )  # fmt: skip
 
 
