@@ -330,6 +330,9 @@ def _valid(
     if moment is not None and moment.state.time is not None and (moment.watched or (moment.courses and moment.how == "time")):
         at, given = {"t": moment.state.time}, found.study.assumptions
         asked = [Demand(neat(substitute(one.value, at), given), one.op) for one in asked]
+    timed = [one.moment.state.time for one in found.since if one.moment and one.moment.courses]
+    if len(timed) == 1 and timed[0] is not None:  # what a solution asks up to the end of the phase before
+        asked = [Demand(neat(substitute(one.value, {"t": timed[0]}), found.study.assumptions), one.op) for one in asked]
     stated = (*(moment.state.valid if moment else ()), *lasts)
     wanted = (*stated, *asked)
     never = next((one for one in wanted if settle([one], found.study.assumptions) is None), None)

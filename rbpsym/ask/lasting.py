@@ -233,7 +233,7 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
     """What the same ask of the parameters at a moment and on the whole way to it, and what of that is not decided. Raises
     StatementError where they surely do not last so far."""
     if moment.is_small and (item := swinging(study)) is not None:  # close to it they are what they are there
-        still, kept = item.at | dict.fromkeys(study.system.speeds, NOTHING), held(study)
+        still, kept = {**item.at, **dict.fromkeys(study.system.speeds, NOTHING)}, held(study)
         found = tuple(Demand(neat(substitute(one.value, still), study.assumptions), one.op) for one in kept)
         if all(one.value for one in found):
             return found, ()
@@ -347,7 +347,8 @@ def _by_speed(study: Study, demand: Demand) -> list[Demand] | None:
     if not way or len(ends) > 1:
         return None
     try:
-        within = given.with_range(speed, *(begun, *(ends or [None]))[::way])
+        end = ends[0] if ends else None
+        within = given.with_range(speed, *((begun, end) if way > 0 else (end, begun)))
         return [*least_values(Wanted((demand.value,), within, speed))]
     except RbpsymError as error:
         raise Undecided(error.what) from None

@@ -29,6 +29,10 @@ WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|
 VANISHES = r"(\b(?:where|when|until|once) (?:the )?(?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)(?=$|,? with )"
 AT_PLACE = r" as (?:a )?functions? of (?:the )?(\w+),? (?:with|where|at) \1 ?= ?"  # a function, and where: its value there
 HEIGHT = re.compile(r" (?:at|in) (?:the|its) (lowest|highest) (?:point|place)(?: of (?:the|its) (?:path|swing))?(?=$|,? with )")
+DISTANCE = (  # up to the first rest, to which it goes one way
+    r"^(?:the )?(?:(?:stopping|braking|sliding) distance|distance (?:travelled|covered|moved)(?: by \w+)?)"
+    r"(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with )"
+)
 STAYS = r"\bfor which (?:it|\w+) (?:(?:stays|remains) at rest|is (?:in equilibrium|balanced))(?=$|,? with )"
 BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
 OF_GRAMMAR = ("system", "rest", "start", "equilibrium", "time", "turning")
@@ -87,12 +91,13 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = re.sub(rf"\bthe (?=(?:{bodies or '(?!)'})(?![\w-]))", "", plain)
     blows = "|".join(re.escape(element.name) for phase in asked.problem.phases for element in phase.impulses)
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
-    said = [name for k, name in enumerate(asked.names) if name not in ("rest", "equilibrium", *(() if k else BLOWS))]
-    named = "|".join(map(re.escape, said))
+    phases = [name for k, name in enumerate(asked.names) if name not in ("rest", "equilibrium", *(() if k else BLOWS))]
+    named = "|".join(map(re.escape, phases))
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
     for pattern, written in ((VANISHES, r"\1 = 0"), (AT_PLACE, r" where \1 = ")):
         plain = re.sub(pattern, written, plain)
-    system = asked.study(asked.lasting).system
+    way, system = mover(asked.study(asked.lasting)), asked.study(asked.lasting).system
+    plain = re.sub(DISTANCE, lambda said: f"displacement of {way} until {said[1] or 'it stops'}", plain)
     if len(free := system.independent) == 1 and not system.scope.start.get(f"{free[0]}_dot"):
         plain = re.sub(STAYS, f"for which acceleration of {free[0]} at the start vanishes", plain)
     plain = HEIGHT.sub(lambda said: f" where height of system.cm is {'smallest' if said[1] == 'lowest' else 'largest'}", plain)

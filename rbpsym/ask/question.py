@@ -73,6 +73,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 
 # what is only another way to write something
 OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
+    (r"^((?:the )?.*energy lost) (in (?:the )?phase [\w-]+) ((?:until|up to) .+)", r"\1 \3 \2"),
     (r"^(?:the )?(?:kinetic )?energy lost (?:in|during|by|at) (?:the )?(?:blow|collision|impact|bounce)$", "energy lost"),
     (r"^(?:the )?(?:heat (?:produced|generated)|(?:mechanical )?energy dissipated|loss of (?:kinetic )?energy)\b", "energy lost"),
     (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),

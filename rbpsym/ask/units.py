@@ -12,7 +12,7 @@ from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.expr.infix import read_infix
 from rbpsym.frozen import replace
-from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity
+from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension, Quantity
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.units import UnitOf, read_unit
 
@@ -31,7 +31,7 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
     added: list[Quantity] = []
 
     def put(said: re.Match[str]) -> str:
-        unit = _unit(said["unit"], known.get(said["of"] or ""), known)
+        unit = _unit(said["unit"], known.get(said["of"] or "") or _of_noun(said.string[: said.start("is")]), known)
         if unit is None or unit.of_mechanics is None:
             return said[0]
         lead = f"{said['of']} {said['is']}" if said["of"] else said["is"]
@@ -48,6 +48,19 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
         return asked, text if plain == whole else plain, given
     problem = asked.problem
     return Asked(replace(problem, parameters=(*problem.parameters, *added), example={**problem.example, **given})), plain, given
+
+
+def _of_noun(text: str) -> Dimension | None:
+    """The dimension of what is named last in a text."""
+    found = [word for word in re.findall(r"[a-z]+", text) if word in NOUNS]
+    is_angular = bool(found) and re.search(rf"angular {found[-1]}\b", text) is not None
+    return None if not found or is_angular else NOUNS[found[-1]]
+
+
+SPEED, FORCE = LENGTH / TIME, MASS * LENGTH / TIME**2
+NOUNS = dict.fromkeys(("speed", "velocity"), SPEED) | {"acceleration": SPEED / TIME, "time": TIME, "power": FORCE * SPEED}
+NOUNS |= dict.fromkeys(("height", "distance", "displacement", "elongation", "compression", "amplitude"), LENGTH)
+NOUNS |= dict.fromkeys(("tension", "force", "friction"), FORCE) | dict.fromkeys(("energy", "work"), FORCE * LENGTH)
 
 
 def _unit(text: str, of: Dimension | None, known: Mapping[str, Dimension]) -> UnitOf | None:

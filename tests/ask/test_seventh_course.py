@@ -8,6 +8,9 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.ask.asking import answered
+from rbpsym.expr.tree import names
+from tests.ask.test_unseen import asked
 from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
 
 SLIDES, LEFT = "(sin(beta) + mu*cos(beta))", "sqrt(k*d**2/m - 2*g*d*(sin(beta) + mu*cos(beta)))"
@@ -22,6 +25,8 @@ ANSWERS = (
     ("block-shot-up-slope", "speed of s where acceleration of s vanishes", f"sqrt(k/m)*(d - m*g*{SLIDES}/k)"),
     ("block-shot-up-slope", "work of the spring until free", "k*d**2/2"),
     ("block-shot-up-slope", "work of friction until free", "-mu*m*g*d*cos(beta)"),
+    ("block-shot-up-slope", "distance travelled until it comes to rest", f"k*d**2/(2*m*g*{SLIDES})"),
+    ("block-shot-up-slope", "energy lost in phase free until s comes to rest", f"mu*m*g*cos(beta)*(k*d**2/(2*m*g*{SLIDES}) - d)"),
     ("coin-on-turntable", "t where magnitude of f = mu*m*g", "sqrt(sqrt(mu**2*g**2 - r**2*alpha**2)/(r*alpha**2))"),
     ("coin-on-turntable", "time until magnitude of f = mu*m*g", "sqrt(sqrt(mu**2*g**2 - r**2*alpha**2)/(r*alpha**2))"),
     ("coin-on-turntable", "speed of phi where magnitude of f = mu*m*g", "sqrt(sqrt(mu**2*g**2 - r**2*alpha**2)/r)"),
@@ -54,3 +59,18 @@ ANSWERS = (
 @pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: str(value)[:60])
 def test_it_finds_what_is_worked_out_by_hand(name: str, question: str, worked_out: str) -> None:
     found(name, question, worked_out)
+
+
+def test_what_a_solution_asks_is_told_of_its_moment() -> None:
+    """With no letter t in a condition of an answer that is one number."""
+    found = answered(asked("block-shot-up-slope"), "time until it comes to rest")
+    assert found.verdict.is_proved
+    assert found.valid
+    assert not any("t" in names(node) for node in found.valid)
+
+
+def test_a_unit_is_read_where_the_names_of_the_problem_do_not_fit() -> None:
+    """m and s are a mass and a way there."""
+    found = answered(asked("block-shot-up-slope"), "d for which speed of s when free begins = 2 m/s")
+    assert found.verdict.is_proved
+    assert dict(found.given) == {"q_1": "2 m/s"}
