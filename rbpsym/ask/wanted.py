@@ -54,10 +54,15 @@ def arrives(condition: Wanted, place: Scalar | None, at: Mapping[str, Scalar] = 
     return not is_zero(rooted(slope, condition.given))
 
 
+def lasting_premises(world: AskedPhase) -> list[Demand]:
+    """The same, be it said by the condition or not: what does not move of it."""
+    return [demand for demand in dict.fromkeys(world.standing) if not moving(world, (demand.value,))]
+
+
 def premises(world: AskedPhase, condition: Wanted) -> list[Demand]:
     """What contacts, friction and the start ask of the parameters for the motion to be the one that is stated, beside what
     the condition itself says."""
-    standing = [demand for demand in dict.fromkeys(world.standing) if not moving(world, (demand.value,))]
+    standing = lasting_premises(world)
     standing = [_without_divisor(demand, standing, condition.given) for demand in standing]
     return unsaid(dict.fromkeys(standing), condition)
 

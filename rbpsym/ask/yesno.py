@@ -10,7 +10,7 @@ from rbpsym.ask.conditions import of_chapter, rest_at, wanted
 from rbpsym.ask.extremes import Extreme, least
 from rbpsym.ask.finding import Finding, checked, kept_said
 from rbpsym.ask.seen import AskedPhase, moving, never_told, way_to
-from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises
+from rbpsym.ask.wanted import Wanted, arrives, free_place, lasting_premises, on_way, premises
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.chapters import contact, oscillations
 from rbpsym.decide.bounds import of_symbol
@@ -48,7 +48,8 @@ def does(world: AskedPhase, text: str, *, opposite: bool = False, condition: Wan
         said = _said(parts, condition, holds=left is not None, opposite=opposite)
         return Finding(**said, says="yes" if holds else "no", holds=holds, valid=surely)
     says = "no where this is met, else yes" if opposite else "yes where this is met, else no"
-    says = says.partition(",")[0] if surely else says  # what is asked of the motion does not tell what is else
+    if surely or settle(lasting_premises(world), world.motion.assumptions):  # beyond them is no motion of which something is else
+        says = says.partition(",")[0]
     both = settle((*surely, *left), world.motion.assumptions)
     if both is None:
         return Finding(undecided("the conditions exclude each other, as it seems"))
@@ -79,7 +80,8 @@ def vanishes(world: AskedPhase, force: str, until: str | None, text: str | None)
     if side is not None and side.state == "kept" and not side.until:
         return Finding(says="no", holds=False, steps=of_chapter(world, contact.write, f"holds.{force}"))
     rest = f" until {until} = {text}" if until else ""
-    return does(world, f"{force} stays positive{rest}", opposite=True)
+    kept = f"{force} stays positive{rest}"
+    return does(world, kept, opposite=True, condition=replace(wanted(world, kept), closed=False))
 
 
 def _by_loss(world: AskedPhase, losses: Sequence[Loss], until: str | None, text: str | None) -> Finding | None:

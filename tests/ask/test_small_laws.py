@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.ask.asking import answered
+from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.integrated import _lasting
 from rbpsym.ask.lasting import held
 from rbpsym.ask.limits import leading
@@ -23,9 +23,40 @@ from rbpsym.field.normal import is_zero
 from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
+from rbpsym.statement.loader import load_text
 from tests.ask.test_answers import asked
 
 NEAR = 1e-6
+HUMP = """
+[parameters]
+m = "mass"
+p = "length"
+g = "acceleration"
+v = "speed"
+[coordinates.x]
+dimension = "length"
+start = "0"
+speed = "v"
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["x", "-x**2/(2*p)"]
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "contact"
+point = "bead.center"
+curve = "y = -x**2/(2*p)"
+"""
+
+
+def test_of_what_does_not_begin_as_it_is_stated_nothing_else_is_said():
+    """N has the sign of g p - v² all along: with a greater v the bead flies off at once, with v² = g p N is zero from the start."""
+    [found] = ask(load_text(HUMP), "does N vanish")
+    assert found.verdict.is_proved and found.says == "no where this is met"
+    [condition] = found.valid
+    assert condition.ops == (">",)
+    assert is_zero(scalar(condition.items[0]) - scalar(condition.items[-1]) - scalar(read_infix("g*p - v**2", {"g", "p", "v"})))
 
 
 LIMITS = {
