@@ -16,7 +16,7 @@ from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided,
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, value_in
 from rbpsym.mechanics.coupled import courses_of
-from rbpsym.mechanics.demands import Demand, possible
+from rbpsym.mechanics.demands import Demand, assuming, possible
 from rbpsym.mechanics.endings import LAWS, uniform_motion
 from rbpsym.mechanics.events import Way, ways_of
 from rbpsym.mechanics.friction import slips, stops
@@ -167,20 +167,26 @@ def _in_phase(found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
         lasts, doubts = lasts_to(study, found.moment)
         return (*(_sides(study) if found.moment.how == "rest" else begins(study)), *lasts), doubts
     lost = contacts_last(study, {n: symbol(n) for n in study.system.coordinates}) if found.of == "position" else ()
-    along = [one for one in (*held(study), *running(study)) if not _kept(study, one)] if found.of == "position" else regime(study)
+    on_the_way = (*held(study), *running(study)) if found.of == "position" else ()
+    along = [one for one in on_the_way if not kept_from_start(study, one)] if found.of == "position" else regime(study)
     return (*begins(study), *(demand for _, demand in lost), *along), ()
 
 
-def _kept(study: Study, demand: Demand) -> bool:
-    """Whether it is positive ahead of the start, where the motion never comes to lie behind that: it starts from rest, friction
-    stops it, or it does not turn round."""
-    given = study.assumptions
-    for way in ways_of(study.system, study.dynamics, demand.value, study.squares, given):
+def kept_from_start(study: Study, demand: Demand) -> bool:
+    """Whether it is positive ahead of the start of a motion that begins as it is stated, where this never comes to lie behind
+    that: it starts from rest, friction stops it, or it does not turn round; or it is the speed with which it goes on."""
+    given = assuming(study.assumptions, begins(study))
+    speeds = {symbol(f"{name}_dot") * way: (name, way) for name in study.squares for way in (1, -1)}
+    name, forwards = speeds.get(demand.value, ("", 0))
+    value = symbol(name) if name else demand.value
+    for way in ways_of(study.system, study.dynamics, value, study.squares, given):
         ends = given.range_of(way.name)
         ahead = given.with_range(way.name, *((way.start, ends[1]) if way.sense > 0 else (ends[0], way.start)))
         is_pushed = not is_zero(study.system.scope.start.get(f"{way.name}_dot", NOTHING))
         turns = is_pushed and not stops(study.system) and sign(way.square, ahead).kind != "positive"
-        return not turns and sign(demand.value, ahead).kind == "positive"
+        if name:
+            return forwards == way.sense and sign(way.square, ahead).kind == "positive"
+        return not turns and sign(value, ahead).kind == "positive"
     return False
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.integrated import _lasting
-from rbpsym.ask.lasting import held
+from rbpsym.ask.lasting import held, kept_from_start
 from rbpsym.ask.limits import leading
 from rbpsym.ask.seen import scene, way_to
 from rbpsym.ask.special import _term
@@ -16,13 +16,17 @@ from rbpsym.ask.yesno import _always
 from rbpsym.ask.zeros import _by_phase
 from rbpsym.decide.assumptions import NONE, Assumptions
 from rbpsym.errors import StatementError
+from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.calculus import depends_on
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import is_zero
 from rbpsym.field.scalar import symbol
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.pushing import ways_kept
 from rbpsym.mechanics.study import Study
+from rbpsym.solve import results
 from rbpsym.statement.loader import load_text
 from tests.ask.test_answers import asked
 
@@ -48,15 +52,63 @@ type = "contact"
 point = "bead.center"
 curve = "y = -x**2/(2*p)"
 """
+DRUM = """
+[parameters]
+m = "mass: of the load"
+I = "moment of inertia: of the wheel"
+r = "length: radius"
+h = "length"
+M_f = "torque: of the bearing"
+g = "acceleration"
+[coordinates.y]
+dimension = "length"
+start = "-h"
+[coordinates.phi]
+start = "0"
+[bodies.wheel]
+shape = "given"
+mass = "m"
+moment = "I"
+center = "O"
+angle = "phi"
+[bodies.load]
+shape = "particle"
+mass = "m"
+center = ["-r", "y"]
+[interactions.W]
+type = "gravity"
+[interactions.B]
+type = "resisting-couple"
+size = "M_f"
+between = ["ground", "wheel"]
+sense = "ccw"
+[constraints.F]
+type = "pivot"
+point = "wheel.center"
+[constraints.T]
+type = "string"
+path = [{ around = "wheel", radius = "r", sense = "ccw" }, "load.center"]
+"""
 
 
 def test_of_what_does_not_begin_as_it_is_stated_nothing_else_is_said():
-    """N has the sign of g p - v² all along: with a greater v the bead flies off at once, with v² = g p N is zero from the start."""
+    """N has the sign of g p - v² all along: with a greater v the bead flies off at once; with v² = g p, N is zero at once."""
     [found] = ask(load_text(HUMP), "does N vanish")
     assert found.verdict.is_proved and found.says == "no where this is met"
     [condition] = found.valid
     assert condition.ops == (">",)
-    assert is_zero(scalar(condition.items[0]) - scalar(condition.items[-1]) - scalar(read_infix("g*p - v**2", {"g", "p", "v"})))
+    gap = scalar(t.add(condition.items[0], t.neg(condition.items[-1])))
+    assert is_zero(gap - scalar(read_infix("g*p - v**2", {*"gpv"})))
+
+
+def test_no_condition_is_told_that_the_motion_keeps_from_its_start():
+    """A load that only goes down stays below its drum, whose bearing's friction it overcomes: it goes on in its sense."""
+    study = Study(load_text(DRUM))
+    assert [kept_from_start(study, Demand(value)) for _, value in ways_kept(study)] == [True]
+    speed = symbol("phi_dot")
+    assert kept_from_start(study, Demand(speed, ">=")) and not kept_from_start(study, Demand(-speed, ">="))
+    assert not kept_from_start(study, Demand(-symbol("y") - symbol("h") * 2))  # not at the start
+    assert results(study)["valid_where"] == [] and results(study)["start_valid_where"] == ["m*g*r - M_f > 0"]
 
 
 LIMITS = {
