@@ -7,7 +7,6 @@ from dataclasses import replace
 from itertools import chain
 from typing import Any
 
-from rbpsym.ask.lasting import kept_from_start
 from rbpsym.decide.domain import divisors
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
@@ -313,7 +312,6 @@ def _valid_where(study: Study) -> list[str]:
     open_ = [one for one in below if not sign(one, study.assumptions).is_nonzero]
     asked = [Demand(value) for _, value in ways_kept(study)]
     asked += [demand for element in study.problem.interactions for demand in kept_sense(study, element)]
-    asked = [demand for demand in asked if study.at_start or not kept_from_start(study, demand)]
     asked += [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
     return [*(f"{text(one, study)} != 0" for one in open_), *_demands([*asked, *grips(study.friction_needs)], study)]
 
