@@ -213,7 +213,7 @@ class Checker(Frozen):
             link = replace(link, how=", ".join(filter(None, (link.how, solved))))
             if link.outcome in (Outcome.REFUTED, Outcome.UNDECIDED) and self.diagnose and not claim.right:
                 near = (one for one, _, _ in rows if one is not relation and {*map(id, one.items)} & {*map(id, relation.items)})
-                with suppress(RbpsymError):  # of what else the motion would have to be known
+                with suppress(RbpsymError, ZeroDivisionError):  # of what else the motion would have to be known
                     found = self.diagnose(relation, claim, ground, {one: decided(one).outcome in HOLDS for one in near})
                     fix = self._fix(latex, place, relation, found.relation, claim) if found.relation and latex else ""
                     link = replace(link, diagnosis=found.words, fix=fix)

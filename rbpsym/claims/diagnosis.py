@@ -127,7 +127,7 @@ def _said_otherwise(relation: t.Chain, claim: Claim, ground: Ground) -> tuple[st
         small = [name for name in question.motion.scope.start if depends_on(gap, name)]
         if equal_to_first_order(left, right, question).is_proved and has_slopes([left, right], small):
             return "", f"{FACT} it holds to first order in {' and '.join(to_text(t.Sym(name)) for name in small)}: write \\approx"
-    except RbpsymError:  # a side has no value
+    except (RbpsymError, ZeroDivisionError):  # a side has no value, or none where the coordinates vanish
         pass
     return "", ""
 
@@ -306,21 +306,13 @@ RULES: tuple[Rule, ...] = (
 
 
 def _moments(relation: t.Chain, ground: Ground) -> Iterator[Repair]:
-    """A moment of inertia, or M d², added to a sum or taken from it."""
-    study = getattr(ground.world, "study", None)
-    turning = {} if study is None else {name: state for name, state in study.system.bodies.items() if state.moment}
-    bodies = {"": ""} if study is None else {f" of {body}": f"_{body}" for body in turning}
-    for tail, label in bodies.items():
-        moment = "moment of inertia about the centre of mass" if study is None else f"moment of inertia{tail}"
-        names = {
-            f"I{label or '_cm'}": moment,
-            f"omega{label}": f"angular velocity{tail}",
-            f"alpha{label}": f"angular acceleration{tail}",
-        }
-        inertia, omega, alpha = names
-        own = _with_phrases(ground, names)
-        yield from _with_terms(relation, t.Sym(inertia), (omega, alpha), own)
-        yield from _with_moment(relation, t.Sym(inertia), f"I_cm{tail}", own)
+    """In the general theory, which has no values: I ω, I α or ½ I ω² about the centre of mass, added or taken away."""
+    if getattr(ground.world, "study", None) is not None:
+        return
+    names = {
+        "I_cm": "moment of inertia about the centre of mass", "omega": "angular velocity", "alpha": "angular acceleration",
+    }  # fmt: skip
+    yield from _with_terms(relation, t.Sym("I_cm"), ("omega", "alpha"), _with_phrases(ground, names))
 
 
 def _with_phrases(ground: Ground, names: dict[str, str]) -> Ground:
@@ -337,15 +329,6 @@ def _with_terms(relation: t.Chain, inertia: t.Sym, speeds: tuple[str, str], grou
     for part in parts:
         for signed, what in ((part, "is missing"), (t.Neg(part), "is too much")):
             yield Repair(t.Chain((left, t.add(right, signed)), ("=",)), f"{to_text(part)} {what}", ground)
-
-
-def _with_moment(relation: t.Chain, moment: t.Sym, words: str, ground: Ground) -> Iterator[Repair]:
-    def change(path: Path, node: t.Node) -> Iterator[Change]:
-        if isinstance(node, (t.Add, t.Mul, t.Sym)) and path and not is_in_exponent(path):
-            yield t.Add((node, moment)), f"{words} is missing"
-            yield t.Add((node, t.Neg(moment))), f"{words} is too much"
-
-    return anywhere(change, ground)(relation)
 
 
 def _pivots(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:

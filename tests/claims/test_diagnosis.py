@@ -17,7 +17,7 @@ INERTIA = r"\frac{m\ell^2}{3}+M\ell^2+\frac{MR^2}{2}"
 ROWS = [
     ("eq-12", rf"\alpha=\frac{{g\ell(\frac m2+M)}}{{{INERTIA}}}\sin\theta", "sign"),
     ("eq-12", rf"\alpha=-\frac{{g\ell(\frac m2+M)}}{{{INERTIA}}}\cos\theta", "sin in place of cos"),
-    ("eq-12", r"\alpha=-\frac{g\ell(\frac m2+M)}{\frac{m\ell^2}{3}+M\ell^2}\sin\theta", "I_cm of disk is missing"),
+    ("eq-12", r"\alpha=-\frac{g\ell(\frac m2+M)}{\frac{m\ell^2}{3}+M\ell^2}\sin\theta", "term MR²/2 is missing"),
     ("eq-12", rf"\alpha=-\frac{{g\ell(m+M)}}{{{INERTIA}}}\sin\theta", "factor 1/2"),
     ("eq-12", r"\alpha=-\frac{g\ell(\frac m2+M)}{\frac{m\ell^2}{3}+M\ell+\frac{MR^2}{2}}\sin\theta", "exponent of ℓ"),
     ("eq-12", r"\alpha=-\frac{g\ell(\frac M2+m)}{\frac{M\ell^2}{3}+m\ell^2+\frac{mR^2}{2}}\sin\theta", "exchanged"),
@@ -119,6 +119,8 @@ def test_the_missing_term_is_told_and_never_what_makes_it_empty(file, name, late
         ("slider-crank", "piston-turns-back", r"v = 6", "v = 0"),
         ("ball-on-incline", "coefficient", r"\frac{F}{N} = \frac{2}{7} \tan\beta^\circ", r"\frac{F}{N} = \frac{2}{7} \tan\beta"),
         ("ring-with-bob", "period", r"T = 2\pi\sqrt{\frac{2R}{}}", r"T = 2\pi\sqrt{\frac{2R}{g}}"),
+        ("rod-over-corner", "about-the-center", r"N(d-\frac{\ell}{2}) - N_f\frac{\ell}{2}\cos2\theta = \frac{1}{12}M\ell^2\alpha",
+         r"N(d-\frac{\ell}{2}) - N_f\frac{\ell}{2}\cos\theta = \frac{1}{12}M\ell^2\alpha"),  # without a value where θ = 0
         ("scotch-yoke", "work", r"(I+MR^2\sin^2)\omega^2 = 2T\theta", r"(I+MR^2\sin^2\theta)\omega^2 = 2T\theta"),
     ],
 )  # fmt: skip
