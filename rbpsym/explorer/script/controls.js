@@ -19,6 +19,7 @@ function begin() {
   byId("curves-kind").replaceChildren(...kinds.map((kind) => element("option", { value: kind }, WORDS[kind])));
   layerBoxes();
   releaseBoxes();
+  document.querySelector(".legend").hidden = !MODELS.some((model) => model.data.weighs);
   MODELS.forEach((_, place) => draggable(byId("picture-" + place), place));
   sliders();
   rebuild();
