@@ -285,7 +285,7 @@ def _by_rate(source: ClaimSource, step: Step, row: t.Chain) -> Iterator[Proposit
     name, right = letter(row.items[0]), row.items[-1]
     rates = [source.steps[id].rule in ("no_slip", "taut") for id in step.premises if id in source.steps]
     if not any(rates) or name not in source.system.dependent:
-        yield from _by_first(source, step, row)
+        yield from _first_or_place(row)(source, step, row)
         return
     yield Proposition(row.items[0], t.Sym(f"{name}_dot"), "rate")
     yield Proposition(row.items[0], started(right, source.moving), "start")
