@@ -80,7 +80,7 @@ def _mode(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Pr
     """If what is linear has a solution of this kind in which a coordinate takes part, the polynomial vanishes."""
     rate, linear = step.slots["letter"], source.steps.get(f"linear.{step.id.partition('.')[2]}")
     if linear is None:
-        return claims
+        raise RbpsymError("a mode among others that die out has no words yet")
     if step.id.startswith(("decay", "damped")):
         return _dying(source, step, claims)
     square = t.Pow(rate, t.TWO)
