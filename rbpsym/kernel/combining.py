@@ -276,11 +276,13 @@ def conjugated(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> 
     rest = search.follow(goal, known)[0]
     for name in sorted(names_in(rest) & search.roots.keys()):
         other = parted(substitute(rest, {name: -symbol(name)}))[1]
-        if name not in names_in(rootless(search, rest * other)[0]) and signed(search, Scalar(other.num)) is not None:
+        found = signed(search, Scalar(other.num))
+        if found is not None and name not in names_in(rootless(search, rest * other)[0]):
+            other = other * found.sign
             whole, taken = rootless(search, goal * other)
-            found = search.shown(whole, known)
+            by = search.shown(whole, known)
             more = tuple((search.tree(factor), item) for factor, item in taken)
-            return search.proof(replace(found, known=(*found.known, *more)), factor=search.tree(other))
+            return search.proof(replace(by, known=(*by.known, *more)), factor=search.tree(other))
     raise Undecided("no other root")
 
 
