@@ -267,6 +267,9 @@ Ltac one_angle := match goal with
   | |- context [cos ?a] => match goal with
     | |- context [cos ?b] => tryif constr_eq a b then fail else replace (cos b) with (cos a) by (f_equal; rational)
     end
+  | |- context [exp ?a] => match goal with
+    | |- context [exp ?b] => tryif constr_eq a b then fail else replace (exp b) with (exp a) by (f_equal; rational)
+    end
   end.
 Ltac one_inverse := match goal with
   | |- context [atan ?a] => match goal with

@@ -228,7 +228,9 @@ class Search:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
         found = self._sought(claim)
         divided = [t.Div(t.ONE, found.factor)] if found.factor is not None else []
-        written = [*sides(claim), *formulas(found), *divided]
+        derived = {name for node in (*(found.like or ())[:1], *(have.of for have in found.steps)) for name in t.names(node)}
+        rates = (self.tree(self.rates[name]) for name in sorted(derived & self.source.rates.keys()))
+        written = [*sides(claim), *formulas(found), *divided, *rates]
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = [*combining.nonzero(self, written, known), *within(self, written)]
         below.sort(key=lambda have: bool(have.claim.given))  # what holds where a force presses may rest on the others
