@@ -25,6 +25,7 @@ from rbpsym.mechanics.elimination import solve_linear
 if TYPE_CHECKING:
     from rbpsym.kernel.proofs import Search
 
+BELOW = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin"}  # what stands below in these
 MOST = 6  # rows of which multiples with sines and cosines alone are sought
 
 
@@ -207,6 +208,8 @@ def _below(part: t.Node) -> Iterator[t.Node]:
         yield from _factors(part.base)
     elif isinstance(part, t.Sqrt):
         yield from _factors(part.arg)
+    elif isinstance(part, t.Fn) and part.name in BELOW:
+        yield t.Fn(BELOW[part.name], part.arg)
 
 
 def _factors(node: t.Node) -> Iterator[t.Node]:

@@ -230,7 +230,8 @@ class Search:
         divided = [t.Div(t.ONE, found.factor)] if found.factor is not None else []
         derived = {name for node in (*(found.like or ())[:1], *(have.of for have in found.steps)) for name in t.names(node)}
         rates = (self.tree(self.rates[name]) for name in sorted(derived & self.source.rates.keys()))
-        written = [*sides(claim), *formulas(found), *divided, *rates]
+        inner = (self.integrals[name].integrand for name in sorted(derived & self.integrals.keys()))
+        written = [*sides(claim), *formulas(found), *divided, *rates, *inner]
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = [*combining.nonzero(self, written, known), *within(self, written)]
         below.sort(key=lambda have: bool(have.claim.given))  # what holds where a force presses may rest on the others
