@@ -9,22 +9,19 @@ from functools import partial
 
 from rbpsym.ask.asked import Asked, Moment
 from rbpsym.ask.found import Found
-from rbpsym.decide.assumptions import Assumptions
+from rbpsym.ask.least import by_speed, driven, least, least_until, until
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided, there
-from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, short, substitute, symbol
+from rbpsym.errors import NotApplicable, StatementError, Undecided, there
+from rbpsym.field import NOTHING, Scalar, is_zero, names_in, short, substitute, symbol
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, value_in
-from rbpsym.mechanics.coupled import courses_of
 from rbpsym.mechanics.demands import Demand, assuming, possible
-from rbpsym.mechanics.endings import LAWS, uniform_motion
-from rbpsym.mechanics.events import Way, ways_of
+from rbpsym.mechanics.endings import LAWS
+from rbpsym.mechanics.events import ways_of
 from rbpsym.mechanics.friction import slips, stops
-from rbpsym.mechanics.led import sense_to
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
-from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.study import Study
@@ -285,7 +282,7 @@ def never_lost(study: Study, state: ArrivalState, courses: Mapping[str, InTime])
             yield here
         elif loss.valid or not loss.at:
             force = there(study.reactions_along_motion)[loss.force]
-            yield from _least_until(study, Demand(force, ">="), state.time, courses)
+            yield from least_until(study, Demand(force, ">="), state.time, courses)
         else:
             try:
                 time, _ = first_time(study, name, loss.at[name], courses)
@@ -312,110 +309,26 @@ def _on_way(
     """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what `courses`
     tell, up to a time). Raises Undecided, StatementError."""
     for demand in running(study):
-        then = _until(study, demand.value, time)
+        then = until(study, demand.value, time)
         if then is not None:
             yield then
             continue
         with suppress(Undecided):  # how far it goes is told by what holds it
             [name] = names_in(demand.value) & study.system.scope.rates.keys()
-            found = _least(study, demand, name, places=places)
+            found = least(study, demand, name, places=places)
             what = "a string runs out, or a spring turns over, before: the motion that is stated ends there"
             possible(found, study.assumptions, StatementError(what))
             yield from found
     for demand in (*held(study), *_pushing(study, places)):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
-        if (low := _by_speed(study, demand)) is not None:
+        if (low := by_speed(study, demand)) is not None:
             found = low
-        elif len(names) > 1 or any(name not in study.squares and _driven(study, name, places) is None for name in names):
+        elif len(names) > 1 or any(name not in study.squares and driven(study, name, places) is None for name in names):
             if time is None and places is not None:
                 raise Undecided("their forces are not known on the way")
-            found = _least_until(study, demand, time, courses or {})
+            found = least_until(study, demand, time, courses or {})
         else:
-            found = _least(study, demand, *names, places=places) if names else [demand]
+            found = least(study, demand, *names, places=places) if names else [demand]
         what = "a contact is lost, or friction reaches its limit, before: the motion that is stated ends there"
         possible(found, study.assumptions, StatementError(what))
         yield from found
-
-
-def _by_speed(study: Study, demand: Demand) -> list[Demand] | None:
-    """What is asked for a function of the one speed not to become negative, where the acceleration is one too: between the first
-    speed and that at which it vanishes. None for another value; raises Undecided."""
-    from rbpsym.ask.wanted import Wanted
-    from rbpsym.ask.yesno import least_values
-
-    [name, *more], given = study.system.independent or ("",), study.assumptions
-    speed, gain = f"{name}_dot", (study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING)
-    moving, begun = {*study.system.coordinates, *study.system.speeds, "t"}, study.system.scope.start.get(speed, NOTHING)
-    if more or not gain or names_in(gain) & moving != {speed} or names_in(demand.value) & moving != {speed}:
-        return None
-    way = sign(substitute(gain, {speed: begun}), given).sense
-    ends = [place for place in zeros(gain, speed, given) if sign((place - begun) * way, given).kind == "positive"]
-    if not way or len(ends) > 1:
-        return None
-    try:
-        end = ends[0] if ends else None
-        within = given.with_range(speed, *((begun, end) if way > 0 else (end, begun)))
-        return [*least_values(Wanted((demand.value,), within, speed))]
-    except RbpsymError as error:
-        raise Undecided(error.what) from None
-
-
-def _least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime]) -> list[Demand]:
-    """What is asked for a value not to become negative up to a time (None: ever), as the courses tell it. Raises Undecided."""
-    from rbpsym.ask.seen import one_period
-    from rbpsym.ask.wanted import Wanted
-    from rbpsym.ask.yesno import least_values
-
-    if time is None:
-        with suppress(NotApplicable):
-            courses = courses_of(study)
-    at = {name: one.whole for name, one in courses.items()} | {f"{name}_dot": one.speed for name, one in courses.items()}
-    told, given = short(substitute(demand.value, at)), study.assumptions
-    if names_in(told) & {*study.system.coordinates, *study.system.speeds} or not depends_on(told, "t"):
-        raise Undecided("their forces are not known on the way")
-    if time == symbol("t"):
-        return [Demand(told, demand.op)]
-    given = one_period(told, given) if time is None else given.with_range("t", NOTHING, time)
-    try:
-        return [] if sign(told, given).is_nonnegative else [*least_values(Wanted((told,), given, "t"))]
-    except RbpsymError as error:
-        raise Undecided(error.what) from None
-
-
-def _until(study: Study, value: Scalar, time: Scalar | None) -> Demand | None:
-    """That a string has not run out at a time of a uniform motion: what goes one way, or is bent downwards, and is not negative
-    at the start and then is not so between; None where that does not tell it."""
-    with suppress(NotApplicable):
-        course = substitute(value, uniform_motion(study, symbol("t")).places)
-        rate = derivative(course, "t")
-        bend = derivative(rate, "t")
-        is_one_way = is_zero(substitute(rate, {"t": NOTHING})) and not depends_on(bend, "t")  # from rest, at a steady gain
-        if time is not None and (is_one_way or sign(-bend, study.assumptions).is_nonnegative):
-            return Demand(short(substitute(course, {"t": time})), ">=")
-    return None
-
-
-def _driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tuple[Way, Assumptions] | None:
-    """The way of a coordinate that the time alone ties, to a place; None where that is not known."""
-    begin = study.system.scope.start.get(name)
-    if begin is None or not places or name not in places:
-        return None
-    way = Way(name, begin, sense_to(study, name, (begin, places[name])), NOTHING)
-    return (way, way.until(places[name], study.assumptions)) if way.sense else None
-
-
-def _least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
-    from rbpsym.ask.seen import to_and_fro, way_to
-    from rbpsym.ask.wanted import Wanted
-    from rbpsym.ask.yesno import least_values
-
-    world, given = ProblemWorld(study), study.assumptions
-    try:
-        driven = None if name in study.squares else _driven(study, name, places)
-        ways = [driven or way_to(world, name, places[name], given)] if places else to_and_fro(world, name, given)
-        found = [Demand(way.ahead(places[name])) for way, _ in ways if places]
-        for way, within in ways:
-            found += least_values(Wanted((demand.value,), within, name, asked=way.asked))
-    except RbpsymError as error:
-        raise Undecided(error.what) from None
-    return found

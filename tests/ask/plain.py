@@ -19,9 +19,10 @@ import numpy as np
 
 from rbpsym.ask.answer import _meant
 from rbpsym.ask.asked import Asked
-from rbpsym.ask.asking import _plain, answered
+from rbpsym.ask.asking import answered
 from rbpsym.ask.found import Answer
 from rbpsym.ask.numbers import require_numbers, unmet
+from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import Question, When, read_question
 from rbpsym.errors import NoNumber, NotApplicable, RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
@@ -65,7 +66,7 @@ def judged(asked: Asked, text: str, sets: int, seed: int = 2039) -> Judged:
     """A PROVED answer at that many sets of parameters that meet what is told with it."""
     found = Judged()
     try:
-        answer, plain = answered(asked, text), _plain(asked, text)
+        answer, plain = answered(asked, text), plain_words(asked, text)
         judge = _judge(asked, answer, plain) if answer.verdict.is_proved else None
     except RbpsymError as error:
         return Judged(why=f"refused: {error.what}")
