@@ -218,6 +218,8 @@ def test_marks_before_and_behind_a_name_are_no_powers(latex, told):
     (r"r!(n - r)! = \overline{u'w'}", "factorial(r) factorial(n − r) = accented(bar, u′w′)"),
     (r"M = \begin{pmatrix} 1\\ & 1\end{pmatrix}", "M = matrix(row(1), row(, 1))"),
     (r"\partial_X^\mu = a", "raised(∂(X), μ) = a"),
+    (r"\Delta V(t) = EPE_{\text{in}}", "value(ΔV, t) = run(E, P, Eᵢₙ)"),
+    (r"a = b^* \quad\quad c = u^*", "a = bₛₜₐᵣ\nc = uₛₜₐᵣ"),
     (r"\frac{\partial}{\partial x^2} f = \frac{\partial f}{\partial x^2}",
      "differential(f, differential(raised(x, 2))) = differential(f)/differential(raised(x, 2))"),
 ])  # fmt: skip

@@ -95,7 +95,7 @@ _VALUES = ("binomial", "factorial", "measured", "state", "mean", "…")  # no fu
 def called(reader: LatexReader, node: t.Node) -> t.Node:
     """In a text of which nothing is known: with what stands in brackets behind it, of which it may be a function."""
     parts = (node.num, node.den) if isinstance(node, t.Div) else (node,)
-    may = reader.table.open and all(isinstance(one, (*_NAMED, t.Pow, t.Formal)) for one in parts)
+    may = reader.table.open and all(isinstance(one, (*_NAMED, t.Pow, t.Formal, t.Delta)) for one in parts)
     may = may and not any(isinstance(one, t.Formal) and one.kind in _VALUES for one in parts)
     while may and reader.sees_sign("(", "["):
         if reader.sees_sign("[") and reader.ahead(len(_inside(reader))).text == "_":

@@ -61,7 +61,8 @@ def letter_run(reader: LatexReader) -> t.Node | None:
             break
         run += token.text
     word = token.text in ("(", "[") or len(run) > 3 or (run.isupper() and len(run) > 2)
-    if len(run) < 2 or not word or token.text in ("_", "^", "'") or "d" in run:
+    scripts = ("^", "'") if run.isupper() and len(run) > 2 else ("_", "^", "'")
+    if len(run) < 2 or not word or token.text in scripts or "d" in run:
         return None
     start = reader.token.start
     return reader.spanned(t.Formal("run", tuple(read_name(reader) for _ in run)), start)

@@ -131,6 +131,10 @@ class _Layout:
         """Does a relation sign follow in this row?"""
         return any(_is_relation(self.all[place]) for place in self._row_behind(k))
 
+    def _is_sign(self, token: Token) -> bool:
+        """Does it go on behind it? The star of z^* is none."""
+        return token.text in _SIGNS and not self.source.text[: token.start].rstrip().endswith("^")
+
     # --- rules
 
     def _row(self, k: int, token: Token) -> Token | None:
@@ -148,8 +152,7 @@ class _Layout:
             return None
         if {before.text, behind.text} <= {"+", "-"} and before.text == "-":
             raise self._error(token, "a sign ends this row, and a sign begins the next", "Write it once.")
-        raised = self.source.text[: before.start].rstrip().endswith("^")  # z^*
-        if (before.text in _SIGNS and not raised) or behind.text in _JOINING:
+        if self._is_sign(before) or behind.text in _JOINING:
             return None
         if self.depth:
             if behind.text in (*_SIGNS, *_HELD) or before.text in PUNCTUATION:
@@ -192,7 +195,7 @@ class _Layout:
         related = self.related + self._relates(k)
         if before.text in ("+", "-") and related == 2 and token.text in _WIDE:
             raise self._error(token, "what stands behind this sign?", "Leave the sign out, or write the term.")
-        if before.text in _SIGNS or behind.text in (*_JOINING, *RELATIONS, *_HELD, *PUNCTUATION):
+        if self._is_sign(before) or behind.text in (*_JOINING, *RELATIONS, *_HELD, *PUNCTUATION):
             return None
         wide = last > k or token.text.startswith((r"\q", r"\enspace"))
         if behind.text == "-" or not wide:
