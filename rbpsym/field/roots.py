@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from rbpsym.field import atoms
 from rbpsym.field.calculus import inside, root
-from rbpsym.field.normal import has_roots, partner, tidy, without_squares
+from rbpsym.field.normal import has_roots, is_zero, partner, tidy, without_squares
 from rbpsym.field.poly import ONE, Monomial, Poly, generator, inverse, times
 from rbpsym.field.ring import factors
 from rbpsym.field.scalar import NOTHING, UNITY, Scalar, generator_of, lift, name_of, total
@@ -137,7 +137,20 @@ def side_of(radicand: Scalar) -> Scalar | None:
     """x, for x²; None for what is no square."""
     number, powers = _squared(radicand) or (Fraction(0), {})
     size = root(lift(number)).number() if number > 0 else None
-    return None if size is None else _whole(size, {factor: power // 2 for factor, power in powers.items()})
+    return _completed(radicand) if size is None else _whole(size, {factor: power // 2 for factor, power in powers.items()})
+
+
+def _completed(radicand: Scalar) -> Scalar | None:
+    """a u + b/(2 a), for a² u² + b u + c in a symbol u of which the discriminant vanishes modulo sin² + cos² = 1."""
+    for index in sorted(i for i in radicand.num.atoms() if atoms.symbol_name(i) and i not in radicand.den.atoms()):
+        parts = {power: Scalar(part, radicand.den) for power, part in radicand.num.by_power(index).items()}
+        if set(parts) != {0, 1, 2} or any(map(is_root, radicand.num.atoms())):
+            continue
+        if not is_zero(parts[1] * parts[1] - parts[0] * parts[2] * 4):
+            return None
+        first = side_of(parts[2])
+        return None if first is None else first * Scalar(generator(index)) + parts[1] / (first * 2)
+    return None
 
 
 def _squared(radicand: Scalar) -> tuple[Fraction, dict[Poly, int]] | None:

@@ -104,8 +104,8 @@ class Geometry(Frozen):
         return 0 if abs(found) < TINY else 1 if found > 0 else -1
 
     def size(self, square: Scalar) -> Scalar:
-        """The root of the square of a length, which is none for the square of one product: ℓ, as it is positive, for ℓ²."""
-        side = side_of(square) if len(square.num) == 1 else None
+        """The root of the square of a length: ℓ, with the sign that makes it positive at the start, for ℓ²."""
+        side = side_of(square)
         return root(square) if side is None or not self.sign(side) else side * self.sign(side)
 
     def is_unsaid(self, value: Scalar) -> bool:
