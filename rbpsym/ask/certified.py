@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -68,7 +68,7 @@ def certified(
         _spread(draft, found, *found.about)
     draft.chapter = "ask"
     _grounds(draft, found)
-    if found.moment is not None and found.moment.phase is not None and found.moment.phase.event != "at once":
+    if found.moment is not None and found.moment.phase is not None and _arrives(found.moment):
         endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
     is_free = bool(found.study.system.independent)  # else all is a function of the time as it is stated
     if found.moment is not None and (found.moment.courses or (found.moment.watched and is_free)):
@@ -107,20 +107,18 @@ def _grounds(draft: Draft, found: Found) -> None:
     if draft.study.at_start:
         instant.write(draft)
         return
-    study, dynamics = draft.study, draft.study.dynamics
-    known = {**(dynamics.accelerations or {}), **dynamics.reactions}
-    named = [*found.named, *(power for power, _ in found.works.values())]
-    speeds = _speeds(found)
-    wanted = {name for value in named for name in names_in(value) & known.keys()}
-    wanted |= {f"{name}_ddot" for name in (*speeds, *found.places)} & known.keys()
-    laws = [id for id, fact in draft.context.facts.items() if fact.kind == "law" and fact.subject]
-    for name in sorted(wanted):
-        kind = f"motion.{name.removesuffix('_ddot')}" if name.endswith("_ddot") else f"reaction.{name}"
-        draft.add(kind, "solution", t.equation(t.Sym(name), draft.show(known[name])), "ask.law", premises=laws)
+    study = draft.study
+    named, speeds, moment = _named(found), _speeds(found), found.moment
+    moved = (*speeds, *found.places, *found.speeds)
+    if (moment is not None and (_arrives(moment) or moment.courses)) or any("t" in names_in(value) for value in found.values):
+        moved = (*moved, *study.system.independent)
+    _laws(draft, {*(name for value in named for name in names_in(value)), *(f"{name}_ddot" for name in moved)})
     for name in speeds:
         square = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), draft.show(study.squares[name], factor=True))
         draft.add(f"square.{name}", "first_integral", square, "ask.speed", premises=draft.those(f"motion.{name}"),
                   data={"name": name, "value": study.squares[name]})  # fmt: skip
+    met = () if moment is None or moment.state.time is not None else _met(moment)
+    contact.along_motion(draft, {name: value for name, value in (study.reactions_along_motion or {}).items() if name in met})
     for name, value in found.speeds.items():
         course.speed(draft, name, value)
     if found.kept:
@@ -135,6 +133,16 @@ def _grounds(draft: Draft, found: Found) -> None:
         draft.context.works[letter] = power
         draft.add(f"done.{letter}", "work_done", t.equation(t.Sym(letter), draft.show(done, factor=True)), "ask.work",
                   premises=draft.those(*(step.id for step in draft.steps)))  # fmt: skip
+
+
+def _laws(draft: Draft, names: Set[str]) -> None:
+    """What the laws make of those of the accelerations and unknown forces that have these names."""
+    dynamics = draft.study.dynamics
+    known = {**(dynamics.accelerations or {}), **dynamics.reactions}
+    laws = [id for id, fact in draft.context.facts.items() if fact.kind == "law" and fact.subject]
+    for name in sorted(names & known.keys()):
+        kind = f"motion.{name.removesuffix('_ddot')}" if name.endswith("_ddot") else f"reaction.{name}"
+        draft.add(kind, "solution", t.equation(t.Sym(name), draft.show(known[name])), "ask.law", premises=laws)
 
 
 def _spread(draft: Draft, found: Found, name: str, about: str | None) -> None:
@@ -153,13 +161,29 @@ def _spread(draft: Draft, found: Found, name: str, about: str | None) -> None:
 
 def _speeds(found: Found) -> list[str]:
     """The coordinates whose speeds are needed as functions of the place."""
-    named = [*found.named, *(power for power, _ in found.works.values())]
     if found.study.at_start:
         return []
-    on_motion = (substitute(found.study.on_motion(value), found.kept) for value in named)
+    on_motion = (substitute(found.study.on_motion(value), found.kept) for value in _named(found))
     told = {name for value in on_motion for name in names_in(value)}
-    needed = found.of == "position" or bool(found.works)
+    is_there = found.moment is not None and _arrives(found.moment) and found.moment.state.time is None  # else by the time
+    needed = found.of == "position" or bool(found.works) or is_there
     return [name for name in found.study.squares if needed and f"{name}_dot" in told]
+
+
+def _named(found: Found) -> list[Scalar]:
+    """What is asked for, the rates of the works in it, and the force of which a value is met."""
+    met = map(symbol, _met(found.moment) & found.study.dynamics.reactions.keys() if found.moment else ())
+    return [*found.named, *(power for power, _ in found.works.values()), *met]
+
+
+def _met(moment: Moment) -> Set[str]:
+    """What has a value at the end of a way."""
+    return {moment.phase.subject} if moment.phase is not None and moment.phase.event != "at once" else set()
+
+
+def _arrives(moment: Moment) -> bool:
+    """Is it the end of a way?"""
+    return bool(_met(moment))
 
 
 def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apart: Container[str]) -> Step:
@@ -256,6 +280,8 @@ def _told_by(asked: Asked, found: Found) -> Draft:
         name, _, key = place.partition(" ")
         key, small = key.removesuffix(f" {solutions.SMALL}"), key.endswith(f" {solutions.SMALL}")
         law = oscillations.laws(draft)[name] if small else ""
+        draft.chapter = "ask"
+        _laws(draft, {f"{name}_ddot"})
         draft.chapter = kind
         known = solutions.given(found.study, name, small=small)
         if known is None:

@@ -28,7 +28,7 @@ def write(draft: Draft) -> None:
     draft.chapter = "contact"
     along = draft.study.reactions_along_motion
     if along and draft.study.squares:
-        _along(draft, along)
+        along_motion(draft, along)
         for loss in draft.study.losses:
             _loss(draft, loss, along)
     for side in draft.study.sides:
@@ -70,7 +70,7 @@ def _with_tangent(draft: Draft, value: Scalar) -> t.Node:
     return draft.show(value, factor=True)
 
 
-def _along(draft: Draft, along: Mapping[str, Scalar]) -> None:
+def along_motion(draft: Draft, along: Mapping[str, Scalar]) -> None:
     """Each unknown force with the speed put in."""
     for name, value in along.items():
         shown = draft.show(value, factor=True)

@@ -88,13 +88,18 @@ def _moment(draft: Draft, ending: Ending, time: Scalar) -> None:
         "event_time",
         t.equation(letter, draft.show(time, factor=True, met=ending.state.valid or None)),
         f"phases.moment.{EVENTS[event].moment if event in EVENTS else event}",
-        premises=draft.those("slip.speed", "slip.rate"),
+        premises=draft.those("slip.speed", "slip.rate") or _laws(draft),
         letter=letter,
         coordinate=t.Sym(ending.phase.subject),
         is_result=True,
         obligations=draft.asked(ending.state.valid),
         data={"ending": ending},
     )
+
+
+def _laws(draft: Draft) -> tuple[str, ...]:
+    """By what the motion goes on, as far as that was told."""
+    return draft.those(*(f"motion.{name}" for name in draft.study.system.independent))
 
 
 # --- where
@@ -110,6 +115,7 @@ def _place(draft: Draft, ending: Ending) -> None:
         "event_place",
         t.equation(letter, draft.show(value)),
         f"phases.place.{EVENTS[ending.phase.event].place}",
+        premises=draft.those(f"along.{ending.phase.subject}"),
         letter=letter,
         force=t.Sym(ending.phase.subject),
         coordinate=t.Sym(name),
@@ -150,13 +156,14 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
         if not known and not stays:
             rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True, met=ending.state.valid or None)))
             letters[letter] = name
+    squared = letters.values() if what == "speed" and ending.state.time is None else ()
     if rows:
         draft.add(
             f"state.{what}",
             "end_state",
             t.system(rows),
             f"phases.state.{'kept' if given else what}",
-            premises=[step.id for step in given] or draft.those("moment", "place"),
+            premises=[step.id for step in given] or draft.those("moment", "place", *(f"square.{name}" for name in squared)),
             sources=[StepRef(step.id) for step in given],
             free=PhraseRef("phases.free", {"coefficient": _coefficient(draft, ending), "count": len(rows)}),
             count=len(rows),

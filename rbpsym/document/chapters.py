@@ -51,9 +51,9 @@ GENERAL = ("kinematics", "inertia", "momentum", "torque")  # introductions that 
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 
 
-def in_page_order(derivation: Derivation) -> list[Step]:
+def in_page_order(steps: Iterable[Step]) -> list[Step]:
     """The steps as they follow each other on a page that is not full."""
-    return sorted(derivation.steps, key=lambda step: PAGE.index(step.chapter) if step.chapter in PAGE else len(PAGE))
+    return sorted(steps, key=lambda step: PAGE.index(step.chapter) if step.chapter in PAGE else len(PAGE))
 
 
 def chapter_sections(derivation: Derivation, said: Words, level: int, first: Iterable[Block] = ()) -> Iterator[Section]:

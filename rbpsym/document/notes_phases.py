@@ -26,6 +26,7 @@ NEW: Mapping[str, Collection[str]] = {
     "energy": ("conservation", "first_integral"),
 }
 LASTING = ("conservation", "substitution", "linearization")  # left out one by one where they say the same as before
+BLOWS = ("jump", "impulse")
 Speaker = Callable[[Derivation, str], Words]
 
 
@@ -37,8 +38,9 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
     stated_phases, struck = derivation.study.problem.phases, is_struck(derivation.study)
     told = zip(derivation.phases, stated_phases, phase_words(derivation, said, speaker), strict=False)
     for number, (phase, stated, (first, own)) in enumerate(told, 2 - struck):
-        inertia = chapter_blocks("inertia", phase.derivation, own)
-        own = replace(own, shown=own.shown.difference(step.id for step in phase.derivation.chapter("inertia")))
+        inertia = chapter_blocks("inertia", phase.derivation, own) if _is_blow(phase, first) else iter(())
+        gone = [step.id for step in phase.derivation.chapter("inertia") if _is_blow(phase, first)]
+        own = replace(own, shown=own.shown.difference(gone))
         begins = (*_event(stated, first), *_begins(phase, first, inertia), *_motion_again(phase.derivation, own))
         is_alone = struck and len(stated_phases) == 1
         title = said.say("phases.alone" if is_alone else "phases.title", number=number, name=said.named(phase.name))
@@ -116,13 +118,18 @@ def _begins(phase: DerivedPhase, own: Words, inertia: Iterator[Block]) -> Iterat
     and what it keeps before what it changes."""
     teller, shown = Teller(own), [step for step in phase.begins if step.id in own.shown]
     is_kept = any(step.rule == "jump" for step in shown)
-    leads = {"jump": "phases.blow", "impulse": "phases.impulses_then" if is_kept else "phases.impulses"}
+    leads = dict(zip(BLOWS, ("phases.blow", "phases.impulses_then" if is_kept else "phases.impulses"), strict=True))
     for rule, group in groupby(shown, key=lambda step: step.rule):
         steps = list(group)
         if rule in leads:
             yield from inertia  # once
             yield Paragraph(own.say(leads[rule], count=len(phase.derivation.study.system.bodies)))
         yield from teller.steps(steps)
+
+
+def _is_blow(phase: DerivedPhase, own: Words) -> bool:
+    """Does the page tell of a blow by which it begins?"""
+    return any(step.rule in BLOWS and step.id in own.shown for step in phase.begins)
 
 
 def new_steps(phase: Derivation, shown: frozenset[str], told: frozenset[str], chapters: Collection[str]) -> frozenset[str]:

@@ -9,23 +9,24 @@ from typing import TypeGuard
 
 from rbpsym.ask.asking import Refused
 from rbpsym.ask.found import Answer
-from rbpsym.document.chapters import ends
-from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section, Text
+from rbpsym.document.chapters import ends, in_page_order
+from rbpsym.document.model import Block, Display, Emph, Inlines, ItemList, Paragraph, Ref, Section, Text
 from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
 from rbpsym.document.translated import translated
-from rbpsym.document.used import led_to
+from rbpsym.document.used import leading, led_to
 from rbpsym.document.words import Words, capital, sentences
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import RELATION_SIGNS
 from rbpsym.field import is_zero, names_in, symbol
 from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import Frozen
 from rbpsym.proof.forms import Forms
 from rbpsym.proof.grounds import Said
-from rbpsym.proof.step import Step, StepRef
+from rbpsym.proof.step import Step
 
 Found = Answer | Refused
-Told = tuple[Words, tuple[Step, ...]]
+Chapter = tuple[Words, tuple[Step, ...]]
 MOST_ASKED = 3  # in one sentence
 
 
@@ -71,12 +72,39 @@ def asked(answers: tuple[Found, ...], stated: Mapping[int, Ref], said: Words) ->
         yield Paragraph(said.say("question.asked", questions=items), is_question=True)
 
 
-def _stated(found: Found, shown: Mapping[t.Node, Inline]) -> Ref | None:
+class Told(Frozen):
+    """Where a page tells what a step says: under its own number, or under those of the steps by which it is led to."""
+
+    marks: tuple[Ref, ...]
+    is_own: bool
+
+
+def _page(told: Iterable[Chapter]) -> dict[t.Node, Told]:
+    """Where the statements of all these steps stand."""
+    found: dict[t.Node, Told] = {}
+    for words, steps in told:
+        by_id = {step.id: step for step in steps}
+        for step in in_page_order(steps):
+            one = _told(step, by_id, words)
+            if one.is_own or ends(step.statement) not in found:
+                found[ends(step.statement)] = one
+    return found
+
+
+def _told(step: Step, by_id: Mapping[str, Step], words: Words) -> Told:
+    mark = words.step(step.id)[0]
+    if isinstance(mark, Ref):
+        return Told((mark,), True)
+    marks = (mark for id in leading(step) if id in by_id for mark in _told(by_id[id], by_id, words).marks)
+    return Told(tuple(dict.fromkeys(marks)), False)
+
+
+def _stated(found: Found, shown: Mapping[t.Node, Told]) -> Ref | None:
     """Where a step on the page states an answer as it is."""
     own = found.steps[-1] if _states(found) and len(found.nodes) == 1 and not _has_more(found) else None
     rows = [*(ends(step.statement) for step in _equal(found)), *(_by_name(own) if own else ())]
     rows += [row for row in shown if own and _is_marked(row, ends(own.statement))]
-    return next((mark for row in rows if isinstance(mark := shown.get(row), Ref)), None)
+    return next((shown[row].marks[0] for row in rows if row in shown and shown[row].is_own), None)
 
 
 def _is_marked(row: t.Node, own: t.Node) -> bool:
@@ -137,12 +165,11 @@ def _boxed(block: Block, labels: Set[str], *, others: bool) -> Block:
 
 
 def answer_section(
-    answers: tuple[Found, ...], told: Iterable[Told], said: Words, level: int
+    answers: tuple[Found, ...], told: Iterable[Chapter], said: Words, level: int
 ) -> tuple[Section | None, dict[int, Ref]]:
     """Each answer with the steps that are not among those `told` before, what is shown being referred to and what this level
     of detail leaves out being left out; and where the others are stated. No section if all are."""
-    marks = [(ends(step.statement), words.step(step.id)[0]) for words, steps in told for step in steps]
-    shown = dict(sorted(marks, key=lambda pair: isinstance(pair[1], Ref)))  # by the number under which it stands, if any
+    shown = _page(told)
     together = len(answers) > 1 and all(isinstance(found, Answer) and found.verdict.is_proved for found in answers)
     blocks: list[Block] = []
     stated: dict[int, Ref] = {}
@@ -173,7 +200,7 @@ def text_of(found: Found) -> str:
     return found.text if isinstance(found, Refused) else found.question.text
 
 
-def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[Block]:
+def _road(found: Answer, shown: dict[t.Node, Told], said: Words) -> Iterator[Block]:
     """The steps beyond what is told; adds to what is shown."""
     last = found.steps[-1:] if _states(found) else ()
     equal = {step.id for step in _equal(found)}
@@ -184,14 +211,16 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     new = [*(step for step in before if step.id not in known), *last]
     if any(step.id in equal for step in new):
         new = [_asked_alone(step, found) if step.id in equal else step for step in new[:-1]]  # it has its name already
-    seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
+    seen = {id: one.marks[0] for id, one in known.items() if one.is_own}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)
-    inner = {id for step in before if step.id in seen for id in step.reasons}
-    needed = {id for step in new for id in step.reasons} & seen.keys() or seen.keys() - inner
-    if seen and new:
-        yield Paragraph(said.say("question.given", steps=[StepRef(id) for id in seen if id in needed]))
+    inner = {id for step in before if step.id in known for id in step.reasons}
+    needed = {id for step in new for id in step.reasons} & known.keys() or known.keys() - inner
+    marks = {mark for id in needed for mark in known[id].marks}
+    if marks and (new or not last):
+        in_order = dict.fromkeys(mark for one in shown.values() for mark in one.marks if mark in marks)
+        yield Paragraph(said.say("question.given", steps=list(in_order)))
     yield from Teller(said).steps(new)
-    shown |= {ends(step.statement): Ref(said.prefix + step.id) for step in new if step not in last}
+    shown |= {ends(step.statement): Told((Ref(said.prefix + step.id),), True) for step in new if step not in last}
 
 
 def _asked_alone(step: Step, found: Answer) -> Step:

@@ -72,7 +72,7 @@ def _ends(derivation: Derivation, both: Collection[str], asked: Collection[t.Nod
     from which no speed follows, is none, nor are small oscillations if all else is asked; of the unknown forces those that are
     asked for, that vanish altogether, or by which a contact pushes."""
     if is_struck(derivation.study):
-        return [*derivation.chapter("inertia")]
+        return [*derivation.chapter("inertia"), *(step for step in derivation.steps if step.statement in (asked or ()))]
     system = derivation.study.system
     is_given = not system.independent
     without = {"energy"} if system.has_clock and is_given else set()
@@ -150,8 +150,13 @@ def led_to(steps: Iterable[Step], ends: Iterable[str]) -> frozenset[str]:
         id = left.pop()
         if id in by_id and id not in found:
             found.add(id)
-            left += by_id[id].premises if by_id[id].phrase in FORCES[:3] else by_id[id].reasons
+            left += leading(by_id[id])
     return frozenset(found)
+
+
+def leading(step: Step) -> tuple[str, ...]:
+    """Ids of what leads to a step on a page: to an unknown force what it follows from, to others what they tell of as well."""
+    return step.premises if step.phrase in FORCES[:3] else step.reasons
 
 
 def _concludes(step: Step, both: Collection[str]) -> bool:

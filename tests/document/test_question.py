@@ -2,13 +2,15 @@
 
 import pytest
 
+from rbpsym.ask.asking import own_answers
+from rbpsym.ask.found import Answer
 from rbpsym.derive import derive
 from rbpsym.document.model import Display, Math, Paragraph, Ref, Text, numbered, parts
 from rbpsym.document.notes import DETAILS, notes
 from rbpsym.document.questions import question
 from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
-from rbpsym.statement.library import find_problem
+from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem, load_text
 from tests.library.derived import unsimulated
 
@@ -105,3 +107,70 @@ def test_why_there_is_no_answer_is_said_in_the_language_of_the_page():
     said = text(notes(asking("speed of theta where theta = 4", "tension T"), "es"))
     assert "no alcanza este valor en este movimiento" in said and "no actúa ninguna fuerza «T»" in said
     assert "does not" not in said and "acts on" not in said
+
+
+HANGING = """
+title = "A plank held by a rope that is cut"
+[parameters]
+M = "mass: mass of the plank"
+ell = "length: its length"
+g = "acceleration: gravity"
+[coordinates.phi]
+meaning = "angle of the plank below the horizontal"
+start = "0"
+[bodies.plank]
+shape = "rod"
+mass = "M"
+length = "ell"
+start = "O"
+angle = "-phi"
+[points]
+H = ["ell", "ell"]
+[interactions.W]
+type = "gravity"
+[constraints.F]
+type = "pivot"
+point = "plank.start"
+[constraints.T]
+type = "string"
+path = ["H", "plank.end"]
+[[phases]]
+name = "cut"
+event = "at once"
+without = ["T"]
+[[ask]]
+question = "T at the start"
+[[ask]]
+question = "F_y when cut begins"
+[[ask]]
+question = "F where phi = pi/2 in phase cut"
+"""
+
+
+def roads(page):
+    """The parts of the section of answers, one for each question that stands there."""
+    found = [section.blocks for section in page.sections if section.label == "section.answer"]
+    heads = [k for k, block in enumerate(found[0]) if isinstance(block, Paragraph) and block.is_question] if found else []
+    return [found[0][k:end] for k, end in zip(heads, [*heads, None][1:], strict=True)]
+
+
+def test_the_road_to_each_answer_stands_on_the_page():
+    """What is asked before a cut at once is derived there; of a later phase the energy that gives a speed, and the moment of
+    inertia, are told; what a level of detail leaves out is referred to by that from which it follows."""
+    page = numbered(notes(derive(load_text(HANGING), simulation=False)))
+    shown = [part.node for part in parts(page) if isinstance(part, Display)]
+    assert any(isinstance(part, t.Sqrt) for node in shown for part in t.walk(node))
+    rules = ("I_O", "E", "phi_dot")  # moment of inertia about the pivot, energy, the square of the speed
+    assert all(any(name in t.names(node) for node in shown) for name in rules)
+    assert [bool([p for p in parts(road) if isinstance(p, Ref)]) for road in roads(page)] == [True, True]
+
+
+@pytest.mark.parametrize("name", sorted(problem_files()))
+def test_an_answer_that_follows_from_steps_says_from_which(name):
+    derivation = unsimulated(name)
+    answers = [found for found in own_answers(derivation.study) if isinstance(found, Answer)]
+    led = {found.question.text: len(found.steps) > (found.steps[-1:] != () and found.steps[-1].is_result) for found in answers}
+    page = notes(derivation)
+    bare = [road for road in roads(page) if not any(isinstance(part, Ref) for part in parts(road))]
+    alone = [road for road in bare if sum(isinstance(part, Display) for part in parts(road)) < 2]
+    assert len(alone) <= sum(not is_led for is_led in led.values())
