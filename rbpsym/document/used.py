@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Set
 
 from rbpsym.ask.asking import Refused, own_answers
+from rbpsym.ask.found import Answer
 from rbpsym.chapters.methods.newton_euler import EACH_BODY
 from rbpsym.document.needless import is_struck
 from rbpsym.expr import tree as t
@@ -53,9 +54,14 @@ def used_to_begin(phase: DerivedPhase, whole: Derivation) -> frozenset[str]:
 
 def reaches_beyond(whole: Derivation) -> bool:
     """May a question reach beyond the beginnings of the later phases?"""
-    own = {step.id for phase in whole.phases for step in phase.derivation.steps}
-    asked = {step.id for found in own_answers(whole.study) if not isinstance(found, Refused) for step in found.steps}
-    return not asked or not own.isdisjoint(asked)
+    answers = [found for found in own_answers(whole.study) if not isinstance(found, Refused)]
+    return not answers or any(_meet(found, phase.derivation) for found in answers for phase in whole.phases)
+
+
+def _meet(answer: Answer, phase: Derivation) -> bool:
+    """Is a step of the answer one of this very phase?"""
+    own = {step.id for step in phase.steps}
+    return answer.study.system == phase.study.system and any(step.id in own for step in answer.steps)
 
 
 def _asked(whole: Derivation) -> frozenset[t.Node] | None:
