@@ -220,8 +220,11 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apar
         ids = [id for id in ids if draft.context.steps[id].slots["quantity"].name in held]
     named = draft.those(*(filter(None, said["told"]) if found.told else ids), "law.motion")
     phrase = "ask.there" if found.study.at_start else "ask.answer"
-    return draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
+    step = draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
+    if not draft.context.steps.keys().isdisjoint(step.premises):  # the steps that it follows from are its road
+        step = draft.steps[-1] = replace(step, cites=())
+    return step
 
 
 def _is_same(draft: Draft, *values: Scalar) -> bool:

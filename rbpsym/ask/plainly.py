@@ -64,6 +64,20 @@ def _stopped(asked: Asked, said: re.Match[str]) -> str:
     return f"{counted} until {said[1]} = {said[2]}" if counted else said[0]
 
 
+def _displaced(asked: Asked, said: re.Match[str]) -> str:
+    """The displacement of the one coordinate that moves, if there is one."""
+    study = asked.study(asked.lasting)
+    way = None if study.at_start else mover(study)
+    return f"displacement of {way} until {said[1] or 'it stops'}" if way else said[0]
+
+
+def _kept_at_rest(asked: Asked, said: re.Match[str]) -> str:
+    """Of one coordinate that starts from rest: that it has no acceleration."""
+    system = asked.study(asked.lasting).system
+    is_still = len(free := system.independent) == 1 and not system.scope.start.get(f"{free[0]}_dot")
+    return f"for which acceleration of {free[0]} at the start vanishes" if is_still else said[0]
+
+
 def _turned(asked: Asked, name: str) -> str:
     """The displacement of the coordinate that is the angle of a body, or of that coordinate."""
     body = asked.first.system.bodies.get(name)
@@ -96,10 +110,8 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
     for pattern, written in ((VANISHES, r"\1 = 0"), (AT_PLACE, r" where \1 = ")):
         plain = re.sub(pattern, written, plain)
-    way, system = mover(asked.study(asked.lasting)), asked.study(asked.lasting).system
-    plain = re.sub(DISTANCE, lambda said: f"displacement of {way} until {said[1] or 'it stops'}", plain)
-    if len(free := system.independent) == 1 and not system.scope.start.get(f"{free[0]}_dot"):
-        plain = re.sub(STAYS, f"for which acceleration of {free[0]} at the start vanishes", plain)
+    plain = re.sub(DISTANCE, lambda said: _displaced(asked, said), plain)
+    plain = re.sub(STAYS, lambda said: _kept_at_rest(asked, said), plain)
     plain = HEIGHT.sub(lambda said: f" where height of system.cm is {'smallest' if said[1] == 'lowest' else 'largest'}", plain)
     plain = re.sub(TURNED, lambda said: _turned(asked, said[1]), plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)

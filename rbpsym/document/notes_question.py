@@ -72,16 +72,16 @@ def asked(answers: tuple[Found, ...], stated: Mapping[int, Ref], said: Words) ->
         yield Paragraph(said.say("question.asked", questions=items), is_question=True)
 
 
-class Told(Frozen):
+class OnPage(Frozen):
     """Where a page tells what a step says: under its own number, or under those of the steps by which it is led to."""
 
     marks: tuple[Ref, ...]
     is_own: bool
 
 
-def _page(told: Iterable[Chapter]) -> dict[t.Node, Told]:
+def _page(told: Iterable[Chapter]) -> dict[t.Node, OnPage]:
     """Where the statements of all these steps stand."""
-    found: dict[t.Node, Told] = {}
+    found: dict[t.Node, OnPage] = {}
     for words, steps in told:
         by_id = {step.id: step for step in steps}
         for step in in_page_order(steps):
@@ -91,15 +91,15 @@ def _page(told: Iterable[Chapter]) -> dict[t.Node, Told]:
     return found
 
 
-def _told(step: Step, by_id: Mapping[str, Step], words: Words) -> Told:
+def _told(step: Step, by_id: Mapping[str, Step], words: Words) -> OnPage:
     mark = words.step(step.id)[0]
     if isinstance(mark, Ref):
-        return Told((mark,), True)
+        return OnPage((mark,), True)
     marks = (mark for id in leading(step) if id in by_id for mark in _told(by_id[id], by_id, words).marks)
-    return Told(tuple(dict.fromkeys(marks)), False)
+    return OnPage(tuple(dict.fromkeys(marks)), False)
 
 
-def _stated(found: Found, shown: Mapping[t.Node, Told]) -> Ref | None:
+def _stated(found: Found, shown: Mapping[t.Node, OnPage]) -> Ref | None:
     """Where a step on the page states an answer as it is."""
     own = found.steps[-1] if _states(found) and len(found.nodes) == 1 and not _has_more(found) else None
     rows = [*(ends(step.statement) for step in _equal(found)), *(_by_name(own) if own else ())]
@@ -200,7 +200,7 @@ def text_of(found: Found) -> str:
     return found.text if isinstance(found, Refused) else found.question.text
 
 
-def _road(found: Answer, shown: dict[t.Node, Told], said: Words) -> Iterator[Block]:
+def _road(found: Answer, shown: dict[t.Node, OnPage], said: Words) -> Iterator[Block]:
     """The steps beyond what is told; adds to what is shown."""
     last = found.steps[-1:] if _states(found) else ()
     equal = {step.id for step in _equal(found)}
@@ -220,7 +220,7 @@ def _road(found: Answer, shown: dict[t.Node, Told], said: Words) -> Iterator[Blo
         in_order = dict.fromkeys(mark for one in shown.values() for mark in one.marks if mark in marks)
         yield Paragraph(said.say("question.given", steps=list(in_order)))
     yield from Teller(said).steps(new)
-    shown |= {ends(step.statement): Told((Ref(said.prefix + step.id),), True) for step in new if step not in last}
+    shown |= {ends(step.statement): OnPage((Ref(said.prefix + step.id),), True) for step in new if step not in last}
 
 
 def _asked_alone(step: Step, found: Answer) -> Step:
