@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Mapping, Sequence, Set
+from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
-from rbpsym.ask import in_time
+from rbpsym.ask import in_time, led_by
 from rbpsym.ask.asked import Asked, Moment
 from rbpsym.ask.begun import before, needed, resting_on
 from rbpsym.ask.found import Answer, Found
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.question import Question, is_jump
-from rbpsym.chapters import contact, course, endings, instant, moments, momentum, oscillations
+from rbpsym.chapters import contact, course, endings, instant, momentum, oscillations
 from rbpsym.chapters.impulses import hand_over
 from rbpsym.decide.rooted import neat, rationalised
 from rbpsym.decide.signs import sign
@@ -35,7 +35,6 @@ from rbpsym.present.forms import present
 from rbpsym.proof.checks.values import TURNED, told_as
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import Derivation, Step
-from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 from rbpsym.typeset.text import to_text
 
@@ -65,10 +64,10 @@ def certified(
         each += first.derivations
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     if found.about is not None:
-        _spread(draft, found, *found.about)
+        led_by.spread(draft, found, *found.about)
     draft.chapter = "ask"
-    _grounds(draft, found)
-    if found.moment is not None and found.moment.phase is not None and _arrives(found.moment):
+    led_by.write(draft, found)
+    if found.moment is not None and found.moment.phase is not None and led_by.arrives(found.moment):
         endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
     is_free = bool(found.study.system.independent)  # else all is a function of the time as it is stated
     if found.moment is not None and (found.moment.courses or (found.moment.watched and is_free)):
@@ -100,90 +99,6 @@ def _behind(draft: Draft, last: Step) -> str:
     """Behind what a phase lag is."""
     cause = draft.context.steps[last.data["told"][0]].slots.get("cause")
     return f"behind {'the force' if cause is None else to_text(cause, Notation(draft.study.problem.notation))}"
-
-
-def _grounds(draft: Draft, found: Found) -> None:
-    """What the laws make of the accelerations and forces that are needed, and the squares of speeds from the start."""
-    if draft.study.at_start:
-        instant.write(draft)
-        return
-    study = draft.study
-    named, speeds, moment = _named(found), _speeds(found), found.moment
-    moved = (*speeds, *found.places, *found.speeds)
-    if (moment is not None and (_arrives(moment) or moment.courses)) or any("t" in names_in(value) for value in found.values):
-        moved = (*moved, *study.system.independent)
-    _laws(draft, {*(name for value in named for name in names_in(value)), *(f"{name}_ddot" for name in moved)})
-    for name in speeds:
-        square = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), draft.show(study.squares[name], factor=True))
-        draft.add(f"square.{name}", "first_integral", square, "ask.speed", premises=draft.those(f"motion.{name}"),
-                  data={"name": name, "value": study.squares[name]})  # fmt: skip
-    met = () if moment is None or moment.state.time is not None else _met(moment)
-    contact.along_motion(draft, {name: value for name, value in (study.reactions_along_motion or {}).items() if name in met})
-    for name, value in found.speeds.items():
-        course.speed(draft, name, value)
-    if found.kept:
-        momentum.kept_speeds(draft, found.kept)
-    for name, place in found.places.items():
-        if f"{name}_dot" in study.kept_speeds:
-            momentum.kept_speeds(draft, [f"{name}_dot"])
-        draft.add(f"place_at.{name}", "followed", t.equation(t.Sym(name), draft.show(place, factor=True)), "course.followed",
-                  premises=draft.those(f"speed_at.{name}", *(f"motion.{n}" for n in study.system.independent)), name=t.Sym(name),
-                  is_result=True, data={"name": name})  # fmt: skip
-    for letter, (power, done) in found.works.items():
-        draft.context.works[letter] = power
-        draft.add(f"done.{letter}", "work_done", t.equation(t.Sym(letter), draft.show(done, factor=True)), "ask.work",
-                  premises=draft.those(*(step.id for step in draft.steps)))  # fmt: skip
-
-
-def _laws(draft: Draft, names: Set[str]) -> None:
-    """What the laws make of those of the accelerations and unknown forces that have these names."""
-    dynamics = draft.study.dynamics
-    known = {**(dynamics.accelerations or {}), **dynamics.reactions}
-    laws = [id for id, fact in draft.context.facts.items() if fact.kind == "law" and fact.subject]
-    for name in sorted(names & known.keys()):
-        kind = f"motion.{name.removesuffix('_ddot')}" if name.endswith("_ddot") else f"reaction.{name}"
-        draft.add(kind, "solution", t.equation(t.Sym(name), draft.show(known[name])), "ask.law", premises=laws)
-
-
-def _spread(draft: Draft, found: Found, name: str, about: str | None) -> None:
-    """How the mass of the bodies that are named is spread: about the point, or each about its centre of mass."""
-    world = ProblemWorld(found.study)
-    names = tuple(state.name for state in world.bodies(name))
-    if about is not None:
-        moments.about(draft, names, about, world.place(about, name))
-        return
-    for each in names:
-        if len(found.values) > 1:
-            moments.center(draft, each)
-        else:
-            moments.about(draft, (each,), moments.CENTER)
-
-
-def _speeds(found: Found) -> list[str]:
-    """The coordinates whose speeds are needed as functions of the place."""
-    if found.study.at_start:
-        return []
-    on_motion = (substitute(found.study.on_motion(value), found.kept) for value in _named(found))
-    told = {name for value in on_motion for name in names_in(value)}
-    is_there = found.moment is not None and _arrives(found.moment) and found.moment.state.time is None  # else by the time
-    needed = found.of == "position" or bool(found.works) or is_there
-    return [name for name in found.study.squares if needed and f"{name}_dot" in told]
-
-
-def _named(found: Found) -> list[Scalar]:
-    """What is asked for, the rates of the works in it, and the force of which a value is met."""
-    met = map(symbol, _met(found.moment) & found.study.dynamics.reactions.keys() if found.moment else ())
-    return [*found.named, *(power for power, _ in found.works.values()), *met]
-
-
-def _met(moment: Moment) -> Set[str]:
-    """What has a value at the end of a way."""
-    return {moment.phase.subject} if moment.phase is not None and moment.phase.event != "at once" else set()
-
-
-def _arrives(moment: Moment) -> bool:
-    """Is it the end of a way?"""
-    return bool(_met(moment))
 
 
 def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apart: Container[str]) -> Step:
@@ -284,7 +199,7 @@ def _told_by(asked: Asked, found: Found) -> Draft:
         key, small = key.removesuffix(f" {solutions.SMALL}"), key.endswith(f" {solutions.SMALL}")
         law = oscillations.laws(draft)[name] if small else ""
         draft.chapter = "ask"
-        _laws(draft, {f"{name}_ddot"})
+        led_by.laws(draft, {f"{name}_ddot"})
         draft.chapter = kind
         known = solutions.given(found.study, name, small=small)
         if known is None:
