@@ -137,8 +137,11 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apar
     phrase = "ask.there" if found.study.at_start else "ask.answer"
     step = draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
-    if not draft.context.steps.keys().isdisjoint(step.premises):  # the steps that it follows from are its road
-        step = draft.steps[-1] = replace(step, cites=())
+    made = draft.context.steps
+    if not made.keys().isdisjoint(step.premises):  # what it follows from is its road, and what says it already
+        cited = (made[id] for id in step.cites if id in made)
+        saying = (one.id for one in cited if not {row.items[-1] for row in t.rows(one.statement)}.isdisjoint(shown))
+        step = draft.steps[-1] = replace(step, cites=tuple(saying))
     return step
 
 

@@ -159,7 +159,6 @@ def test_the_road_to_each_answer_stands_on_the_page():
     inertia, are told; what a level of detail leaves out is referred to by that from which it follows."""
     page = numbered(notes(derive(load_text(HANGING), simulation=False)))
     shown = [part.node for part in parts(page) if isinstance(part, Display)]
-    assert any(isinstance(part, t.Sqrt) for node in shown for part in t.walk(node))
     rules = ("I_O", "E", "phi_dot")  # moment of inertia about the pivot, energy, the square of the speed
     assert all(any(name in t.names(node) for node in shown) for name in rules)
     assert [bool([p for p in parts(road) if isinstance(p, Ref)]) for road in roads(page)] == [True, True]

@@ -12,8 +12,9 @@ from fractions import Fraction as Rational
 
 from rbpsym.errors import Incomplete, RbpsymError, ReadError
 from rbpsym.expr import tree as t
+from rbpsym.expr.directed import is_vector
 from rbpsym.expr.latex.functions import SIGNS, relation
-from rbpsym.expr.latex.grammar import argument, between, is_vector, term_of
+from rbpsym.expr.latex.grammar import argument, between, term_of
 from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, LOOSE, NEXT, closed
 from rbpsym.expr.source import SourceText

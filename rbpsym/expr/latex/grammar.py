@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rbpsym.errors import Incomplete, RbpsymError, UnknownName
 from rbpsym.expr import tree as t
+from rbpsym.expr.directed import is_vector
 from rbpsym.expr.latex.names import begins_name, letter_run, read_name
 from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.rows import OPEN
@@ -122,22 +123,6 @@ def _joined(reader: LatexReader, left: t.Node, right: t.Node, sign: Token) -> t.
         return t.Formal("dotted", (left, right))
     factors = [part for side in (left, right) for part in (side.factors if isinstance(side, t.Mul) else (side,))]
     return t.Mul(tuple(factors))
-
-
-def is_vector(node: t.Node) -> bool:
-    """Is the value of the node a vector?"""
-    if isinstance(node, (t.Dot, t.Abs)):
-        return False
-    if isinstance(node, (t.Vec, t.Unit, t.Cross)):
-        return True
-    if isinstance(node, t.Div):
-        return is_vector(node.num)
-    if isinstance(node, t.Formal) and node.kind in _SHAPED:
-        return node.kind == "∇"
-    return any(is_vector(part) for part in t.children(node))
-
-
-_SHAPED = frozenset(("∇", "matrix", "transposed", "determinant", "row", "mean"))
 
 
 def _product(reader: LatexReader) -> t.Node:
