@@ -9,7 +9,7 @@ from rbpsym.ask.asked import Asked
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import derivative, is_zero
+from rbpsym.field import NOTHING, derivative, is_zero, names_in
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import stops
 from rbpsym.present.forms import present
@@ -72,10 +72,14 @@ def _displaced(asked: Asked, said: re.Match[str]) -> str:
 
 
 def _kept_at_rest(asked: Asked, said: re.Match[str]) -> str:
-    """Of one coordinate that starts from rest: that it has no acceleration."""
-    system = asked.study(asked.lasting).system
-    is_still = len(free := system.independent) == 1 and not system.scope.start.get(f"{free[0]}_dot")
-    return f"for which acceleration of {free[0]} at the start vanishes" if is_still else said[0]
+    """Of one coordinate that starts from rest: that it has no acceleration, where that hangs on what is asked for."""
+    study, wanted = asked.study(asked.lasting), said.string[: said.start()].split()[-1:]
+    free = study.system.independent if not study.at_start else ()
+    if len(free) != 1 or study.system.scope.start.get(f"{free[0]}_dot"):
+        return said[0]
+    gain = (study.dynamics.accelerations or {}).get(f"{free[0]}_ddot", NOTHING)
+    hangs = {*wanted} <= names_in(gain)
+    return f"for which acceleration of {free[0]} at the start vanishes" if hangs else said[0]
 
 
 def _turned(asked: Asked, name: str) -> str:
