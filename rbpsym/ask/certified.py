@@ -127,6 +127,9 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apar
         told = next((node for node in sides if _is_same(draft, draft.context.value(node), found.values[0])), None)
         if told is not None and not _letters(told, found.values[0]):
             lefts, shown = [t.Sym(letters[0])], [told]
+    for k, (id, turned) in enumerate(zip(said.get("told", ()), said.get("turned", ()), strict=True)):
+        if id and turned == "its square":
+            shown[k] = _root_of_sum(draft, draft.context.steps[id], found.values[k]) or shown[k]
     rows = tuple(map(t.equation, lefts, shown))
     statement = rows[0] if len(rows) == 1 else t.Relations(rows)
     ids = [step.id for step in draft.steps if step.rule in TOLD]
@@ -143,6 +146,13 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apar
         saying = (one.id for one in cited if not {row.items[-1] for row in t.rows(one.statement)}.isdisjoint(shown))
         step = draft.steps[-1] = replace(step, cites=tuple(saying))
     return step
+
+
+def _root_of_sum(draft: Draft, step: Step, value: Scalar) -> t.Node | None:
+    """√(k/m + g/ℓ) of what a step tells as the square k/m + g/ℓ; None for other squares."""
+    sums = (right for _, op, right in t.relations(step.statement) if op == "=" and isinstance(right, t.Add))
+    told = next((node for node in sums if _is_same(draft, draft.context.value(node), value * value)), None)
+    return None if told is None or _letters(told, value) else t.Sqrt(told)
 
 
 def _is_same(draft: Draft, *values: Scalar) -> bool:

@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 from rbpsym.ask.asked import Asked
-from rbpsym.ask.asking import answered
+from rbpsym.ask.asking import answered, own_answers
+from rbpsym.expr import tree as t
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_text
+from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.typeset.text import to_text
 from tests.ask.test_unseen import HERE
 
@@ -116,3 +118,10 @@ def test_conditions_that_others_leave_are_not_told() -> None:
     ]  # fmt: skip
     found = answered(asked("drum-and-load"), "speed of y as a function of y")  # it only goes down: the string does not run out
     assert [to_text(node) for node in found.valid] == ["v₀²(mr² + I) + 2r(mgr − M_f) y ≥ 0"]
+
+
+def test_a_frequency_has_the_form_of_its_square():
+    """√(Ω² − g²/(R²Ω²)), as the line before tells ϑ²."""
+    [found] = own_answers(study_of(load_problem(find_problem("bead-on-turning-hoop"))))
+    [told] = [right for step in found.steps[:-1] for _, op, right in t.relations(step.statement) if isinstance(right, t.Add)][-1:]
+    assert found.nodes == (t.Sqrt(told),)
