@@ -50,10 +50,10 @@ def laws(draft: Draft, names: Set[str]) -> None:
     """What the laws make of those of the accelerations and unknown forces that have these names."""
     dynamics = draft.study.dynamics
     known = {**(dynamics.accelerations or {}), **dynamics.reactions}
-    laws = [id for id, fact in draft.context.facts.items() if fact.kind == "law" and fact.subject]
+    facts = [id for id, fact in draft.context.facts.items() if fact.kind == "law" and fact.subject]
     for name in sorted(names & known.keys()):
         kind = f"motion.{name.removesuffix('_ddot')}" if name.endswith("_ddot") else f"reaction.{name}"
-        draft.add(kind, "solution", t.equation(t.Sym(name), draft.show(known[name])), "ask.law", premises=laws)
+        draft.add(kind, "solution", t.equation(t.Sym(name), draft.show(known[name])), "ask.law", premises=facts)
 
 
 def spread(draft: Draft, found: Found, name: str, about: str | None) -> None:

@@ -179,7 +179,7 @@ def _meant(asked: Asked, when: When) -> str:
     key = "coefficient" if when.kind == "grips" else "limit"
     held = [element.name for element in asked.problem.constraints if element.values.get(key) is not None]
     said = when.words[0] if when.words else "it"
-    return held[0] if len(held) == 1 and said not in asked.held else said
+    return held[0] if len(held) == 1 and said in ("it", *asked.problem.body_names) else said
 
 
 def _begun_before(asked: Asked, when: When, place: int | None) -> Moment:

@@ -7,9 +7,10 @@ from contextlib import suppress
 
 from rbpsym.ask.asked import Asked
 from rbpsym.decide.dimensions import dimension_of
+from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, derivative, is_zero, names_in
+from rbpsym.field import NOTHING, derivative, is_zero, names_in, short
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import stops
 from rbpsym.present.forms import present
@@ -30,7 +31,7 @@ VANISHES = r"(\b(?:where|when|until|once) (?:the )?(?:[\w ]+ )?of [\w. ]+?) (?:v
 AT_PLACE = r" as (?:a )?functions? of (?:the )?(\w+),? (?:with|where|at) \1 ?= ?"  # a function, and where: its value there
 HEIGHT = re.compile(r" (?:at|in) (?:the|its) (lowest|highest) (?:point|place)(?: of (?:the|its) (?:path|swing))?(?=$|,? with )")
 DISTANCE = (  # up to the first rest, to which it goes one way
-    r"^(?:the )?(?:(?:stopping|braking|sliding) distance|distance (?:travelled|covered|moved)(?: by \w+)?)"
+    r"^(?:the )?(?:(?:stopping|braking|sliding) distance|distance (?:travelled|covered|moved)(?: by (\w+))?)"
     r"(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with )"
 )
 STAYS = r"\bfor which (?:it|\w+) (?:(?:stays|remains) at rest|is (?:in equilibrium|balanced))(?=$|,? with )"
@@ -65,10 +66,21 @@ def _stopped(asked: Asked, said: re.Match[str]) -> str:
 
 
 def _displaced(asked: Asked, said: re.Match[str]) -> str:
-    """The displacement of the one coordinate that moves, if there is one."""
-    study = asked.study(asked.lasting)
-    way = None if study.at_start else mover(study)
-    return f"displacement of {way} until {said[1] or 'it stops'}" if way else said[0]
+    """The displacement of the one coordinate that moves, if it is a length; of a body, if there is no other."""
+    study, names = asked.study(asked.lasting), asked.problem.body_names
+    way = None if study.at_start or (said[1] not in (None, "it") and [said[1]] != [*names]) else mover(study)
+    is_length = way is not None and asked.problem.dimensions[way] == LENGTH
+    return f"displacement of {way} until {said[2] or 'it stops'}" if is_length else said[0]
+
+
+def _extreme(asked: Asked, said: re.Match[str]) -> str:
+    """Where the body that is named, or the only one, is highest or lowest; of several where all are so together."""
+    bodies = asked.study(asked.lasting).system.bodies
+    named = [name for name in bodies if re.search(rf"\b{re.escape(name)}\b", said.string)] or [*bodies]
+    first, *others = [bodies[name].velocity.y for name in named]
+    if others and not (first and all(sign(short(rate / first), asked.first.assumptions).kind == "positive" for rate in others)):
+        return said[0]
+    return f" where height of {named[0]}.cm is {'smallest' if said[1] == 'lowest' else 'largest'}"
 
 
 def _kept_at_rest(asked: Asked, said: re.Match[str]) -> str:
@@ -116,7 +128,7 @@ def plain_words(asked: Asked, text: str) -> str:
         plain = re.sub(pattern, written, plain)
     plain = re.sub(DISTANCE, lambda said: _displaced(asked, said), plain)
     plain = re.sub(STAYS, lambda said: _kept_at_rest(asked, said), plain)
-    plain = HEIGHT.sub(lambda said: f" where height of system.cm is {'smallest' if said[1] == 'lowest' else 'largest'}", plain)
+    plain = HEIGHT.sub(lambda said: _extreme(asked, said), plain)
     plain = re.sub(TURNED, lambda said: _turned(asked, said[1]), plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))

@@ -14,7 +14,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar
 from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_problem
+from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.typeset.text import to_text
 from tests.ask.lines import on_line
 
@@ -100,3 +100,57 @@ REFUSED = (
 def test_what_is_put_together_of_nothing_gets_a_sentence(name: str, question: str, told: str) -> None:
     with pytest.raises(RbpsymError, match=told):
         answered(Asked(load_problem(find_problem(name))), question)
+
+
+COUNTERWEIGHT = """
+title = "A bob and a counterweight that is heavier"
+[parameters]
+m = "mass: bob"
+M = "mass > 4*m: counterweight"
+a = "length: arm"
+g = "acceleration: gravity"
+[coordinates.phi]
+meaning = "angle of the bob from the downward vertical"
+start = "pi/2"
+[bodies.arm]
+shape = "rod"
+mass = "m"
+length = "2*a"
+center = "O"
+angle = "phi - pi/2"
+[bodies.bob]
+shape = "particle"
+mass = "m"
+center = "arm.end"
+[bodies.heavy]
+shape = "particle"
+mass = "M"
+center = "arm.start"
+[interactions.W]
+type = "gravity"
+[constraints.F]
+type = "pivot"
+point = "arm.center"
+[constraints.K]
+type = "pin"
+points = ["arm.end", "bob.center"]
+[constraints.L]
+type = "pin"
+points = ["arm.start", "heavy.center"]
+"""
+
+
+def test_the_lowest_point_is_that_of_the_body_that_is_named():
+    """Where the system is lowest, the bob is highest; of all of them together there is no such place."""
+    asked = Asked(load_text(COUNTERWEIGHT, "problem.toml"))
+    assert not answered(asked, "speed of bob at its lowest point").verdict.is_proved
+    heavy = answered(asked, "speed of heavy at its lowest point")
+    assert heavy.verdict.is_proved and heavy.text == answered(asked, "speed of bob where phi = pi").text
+    with pytest.raises(RbpsymError):
+        answered(asked, "F at the lowest point")
+
+
+@pytest.mark.parametrize("question", ["stopping distance", "distance travelled by weight until it stops"])
+def test_an_angle_is_no_distance_and_nobody_else_travels(question):
+    with pytest.raises(RbpsymError):
+        answered(Asked(load_problem(find_problem("disk-on-rough-table"))), question)
