@@ -65,7 +65,11 @@ def _in_phase(
     begin = {name: known[name] for name in moving}
     require_numbers(study, [*values, *begin.values()], {*numbers, *begin, *ledger, "t"})
     compiled, size = compiled_values(study, values, numbers, tuple(ledger)), len(moving)
-    evaluate: Evaluate = lambda time, state: compiled(time, state[:size], *state[size:])  # noqa: E731
+
+    def evaluate(time: float, state: np.ndarray) -> np.ndarray:
+        found: np.ndarray = compiled(time, state[:size], *state[size:])
+        return found
+
     start = [*(number(value, numbers) for value in begin.values()), *(0.0 for _ in ledger)]
     time, state = _followed(study, evaluate, start, numbers, len(named), len(ledger), when)
     if place + 1 < len(asked.names):
