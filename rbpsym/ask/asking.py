@@ -75,26 +75,34 @@ def letters(study: Study) -> dict[str, str]:
 # what a book calls a quantity of this name: along a line, of an angle
 STEMS: Mapping[str, tuple[str, str]] = {
     "period": ("T", "T"), "frequency": ("vartheta", "vartheta"), "moment of inertia": ("I", "I"),
-    "speed": ("v", "omega"), "velocity": ("v", "omega"), "acceleration": ("a", "alpha"),
-    "angular velocity": ("omega", "omega"), "angular acceleration": ("alpha", "alpha"), "time": ("t", "t"),
+    "angular velocity": ("omega", "omega"), "angular acceleration": ("alpha", "alpha"), "angular momentum": ("L", "L"),
+    "speed": ("v", "omega"), "velocity": ("v", "omega"), "acceleration": ("a", "alpha"), "time": ("t", "t"),
     "decay rate": ("gamma", "gamma"), "impulse": ("J", "J"), "energy lost": ("E_lost", "E_lost"),
+    "kinetic energy": ("K", "K"), "potential energy": ("U", "U"), "energy": ("E", "E"), "work": ("W", "W"),
+    "linear momentum": ("P", "P"), "momentum": ("P", "P"), "power": ("P", "P"), "torque": ("tau", "tau"),
+    "couple": ("tau", "tau"), "tension": ("T", "T"), "normal force": ("N", "N"), "friction": ("f", "f"),
+    "(?:spring |net )?force": ("F", "F"), "reaction": ("F", "F"), "distance": ("d", "d"), "position": ("r", "r"),
 }  # fmt: skip
 AT_REST = re.compile(r"(?:the )?(?:(?:stable|unstable) )?equilibri(?:um|a) of (\w+)")
 BEST = re.compile(r"(?:the )?(?:(largest|greatest|maximum|highest)|(smallest|least|minimum|lowest)) (\w+)")
-ASKED = re.compile(rf"(?:the )?(?:(?:lowest|highest|damped) )?({'|'.join(STEMS)})\b(?: of (?:the )?(\w+)\b)?")
+SIZE = r"(?:the )?(?:(?:lowest|highest|damped|magnitude of|size of|total|mechanical|largest|greatest|smallest|least) )*(?:the )?"
+ASKED = re.compile(rf"{SIZE}(?:({'|'.join(STEMS)})\b(?: (?:of|on) (?:the )?(\w+)\b)?|(\w+))")
 
 
 def _stem(text: str, study: Study) -> str:
     """The letter of a question's answer: the usual one of its quantity, with what it is of, if the problem has another use for
-    the letter alone."""
+    the letter alone; a force has the usual one of forces."""
     if (best := BEST.fullmatch(text)) and best[3] in (*study.system.coordinates, *study.system.unknowns):
         return study.letters.free(f"{best[3]}_{'max' if best[1] else 'min'}")
     if rests := AT_REST.fullmatch(text):
         return study.letters.free(f"{rests[1]}_eq")
-    if not (said := ASKED.match(text)):
+    said = ASKED.match(text)
+    if said and said[3] in study.letters.forces:
+        return next((name for name in ("F", f"F_{said[3]}") if study.letters.free(name) == name), LETTER)
+    if not said or said[3]:
         return LETTER
     turns = any(said[2] == c.name and c.quantity.dimension == NUMBER for c in study.problem.coordinates)
-    wanted = STEMS[said[1]][turns]
+    wanted = next(letters for noun, letters in STEMS.items() if re.fullmatch(noun, said[1]))[turns]
     names = (wanted, *([f"{wanted}_{said[2]}"] if said[2] else []), f"{wanted}_1", LETTER)
     return next(name for name in names if name == LETTER or study.letters.free(name) == name)
 

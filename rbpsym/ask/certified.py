@@ -39,7 +39,7 @@ from rbpsym.typeset.machine import to_machine
 from rbpsym.typeset.text import to_text
 
 LETTER = "Q"
-ANSWERS = ("ask.answer", "ask.there")
+ANSWER = "ask.answer"
 COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, at a place that was not found")
 LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
 TOLD = (
@@ -59,7 +59,7 @@ def certified(
     begun, earlier, each = before(asked, place, found)
     for k, part in enumerate(found.since):
         first = certified(asked, question, part, f"{letter}_{k}")
-        parts = (replace(step, phrase="ask.part") if step.phrase in ANSWERS else step for step in first.steps)
+        parts = (replace(step, phrase="ask.part") if step.phrase == ANSWER else step for step in first.steps)
         earlier += tuple(replace(step, id=f"since.{k}.{step.id}") for step in parts if step not in earlier)
         each += first.derivations
     draft = _told_by(asked, found) if found.told else Draft(found.study)
@@ -104,7 +104,7 @@ def _behind(draft: Draft, last: Step) -> str:
 def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apart: Container[str]) -> Step:
     """The step that states the answer."""
     met = (*found.asked, *(found.moment.state.valid if found.moment else ()), *lasts)
-    parted = f"{name}_" if "_" not in name else name
+    parted = f"{name}_"
     marks = "xy" if not found.told.startswith("osc") else range(1, len(found.values) + 1)
     own = _own_letter(found)
     letters = [own if own and own not in apart else name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
@@ -137,13 +137,13 @@ def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...], apar
         held = {name for value in found.named for name in names_in(value)}
         ids = [id for id in ids if draft.context.steps[id].slots["quantity"].name in held]
     named = draft.those(*(filter(None, said["told"]) if found.told else ids), "law.motion")
-    phrase = "ask.there" if found.study.at_start else "ask.answer"
-    step = draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
+    step = draft.add("answer", rule, statement, ANSWER, premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
     made = draft.context.steps
     if not made.keys().isdisjoint(step.premises):  # what it follows from is its road, and what says it already
         cited = (made[id] for id in step.cites if id in made)
-        saying = (one.id for one in cited if not {row.items[-1] for row in t.rows(one.statement)}.isdisjoint(shown))
+        laws = {f"reaction.{name}" for value in found.named for name in names_in(value)}  # of the force that is asked for
+        saying = (one.id for one in cited if one.id in laws or not {*_last_sides(one.statement)}.isdisjoint(shown))
         step = draft.steps[-1] = replace(step, cites=tuple(saying))
     return step
 
@@ -189,7 +189,7 @@ def _direction(draft: Draft, question: Question, found: Found) -> tuple[Step, tu
         way = sign(x, draft.study.assumptions).sense or (1 if number(x, sample(draft.study.problem)) > 0 else -1)
         angle, asked = function("atan", y / x) + (NOTHING if way > 0 else PI), [Demand(x * way)]
     letter = draft.define(draft.free("varphi"), angle)
-    step = draft.add("direction", "direction", t.equation(letter, draft.show(angle)), "ask.there", premises=["answer"],
+    step = draft.add("direction", "direction", t.equation(letter, draft.show(angle)), ANSWER, premises=["answer"],
                      is_result=True, data={"of": "answer"}, obligations=draft.asked(asked))  # fmt: skip
     return step, (angle,)
 

@@ -233,9 +233,7 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
     reactions = [*moving, *still]
     yield from teller.steps(others)
     yield from teller.together(known, "newton_euler.solved_many")
-    yield from teller.together(
-        reactions, "newton_euler.reactions_rest" if is_still(derivation) else "newton_euler.reactions"
-    )
+    yield from teller.together(reactions, "newton_euler.reactions_rest" if is_still(derivation) else "newton_euler.reactions")
 
 
 def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -125,8 +125,11 @@ def _by_name(step: Step) -> Iterator[t.Node]:
 
 
 def _equal(found: Found) -> list[Step]:
-    """Of the steps from which an answer follows those that state its value, where no more is to be said."""
+    """Of the steps from which an answer follows those that state its value, where no more is to be said; a letter or a number is
+    the value of much else."""
     if not _states(found) or len(found.nodes) != 1 or found.relation != "=" or _has_more(found):
+        return []
+    if isinstance(found.nodes[0], (t.Sym, t.Num)):
         return []
     before = (step for step in found.steps if step.id in found.steps[-1].reasons)
     return [step for step in before if found.nodes[0] in {_comes_to(row) for row in t.rows(step.statement)}]
@@ -181,10 +184,10 @@ def answer_section(
             continue
         own = replace(said, prefix=f"{said.prefix}ask{number + 1}.", same={}, owed={}, shown=frozenset())
         road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
-        stated |= {number: mark} if (mark := _stated(found, shown)) else {}
+        mark = _stated(found, shown) or next((Ref(part.label) for part in reversed(road) if isinstance(part, Display)), None)
+        stated |= {number: mark} if mark else {}
         road += _outcome(found, said, () if _states(found) else _box(found), alone=not together)
-        head = [Paragraph((Emph(capital(question(text_of(found), said))),), is_question=True)] if road else []
-        blocks += [*head, *road]
+        blocks += _headed(capital(question(text_of(found), said)), road)
     if together and blocks:
         steps = [step for found in answers if isinstance(found, Answer) for step in found.steps]
         blocks.append(Paragraph(said.say("question.proved.many", ground=Said(steps=steps))))
@@ -193,6 +196,14 @@ def answer_section(
     labels = {mark.label for mark in stated.values()}
     blocks = [_boxed(block, labels, others=True) for block in (*map(Paragraph, said_of), *blocks)]
     return Section(said.say("section.answer"), tuple(blocks), said.prefix + "section.answer", level) if blocks else None, stated
+
+
+def _headed(asked: Inlines, road: list[Block]) -> Iterator[Block]:
+    """A road under its question, which its first sentence follows on the same line."""
+    first, rest = (road[0].inlines, road[1:]) if road and isinstance(road[0], Paragraph) else ((), road)
+    if road:
+        yield Paragraph(sentences([(Emph((*asked, Text("."))),), *([first] if first else [])]), is_question=True)
+    yield from rest
 
 
 def text_of(found: Found) -> str:
@@ -206,6 +217,7 @@ def _road(found: Answer, shown: dict[t.Node, OnPage], said: Words) -> Iterator[B
     equal = {step.id for step in _equal(found)}
     led = led_to(found.steps, equal or [step.id for step in last]) | {step.id for step in last or found.steps}
     before = [replace(step, is_result=False) for step in found.steps if step.id in led and step not in last]
+    before = [step for step in before if not _is_asked_so(step, found)]
     rows = ((step.id, row) for step in before for row in (ends(step.statement), *_by_name(step)))
     known = {id: shown[row] for id, row in rows if row in shown}
     new = [*(step for step in before if step.id not in known), *last]
@@ -218,9 +230,18 @@ def _road(found: Answer, shown: dict[t.Node, OnPage], said: Words) -> Iterator[B
     marks = {mark for id in needed for mark in known[id].marks}
     if marks and (new or not last):
         in_order = dict.fromkeys(mark for one in shown.values() for mark in one.marks if mark in marks)
-        yield Paragraph(said.say("question.given", steps=list(in_order)))
+        is_all = bool(last) and new == [*last]
+        yield Paragraph(said.say("question.follows" if is_all else "question.given", steps=list(in_order)))
+        new = [replace(step, phrase="") for step in new] if is_all else new
     yield from Teller(said).steps(new)
     shown |= {ends(step.statement): OnPage((Ref(said.prefix + step.id),), True) for step in new if step not in last}
+
+
+def _is_asked_so(step: Step, found: Answer) -> bool:
+    """Does a step say no more than the place that the question itself states?"""
+    when = found.question.when
+    is_there = when is not None and when.kind == "reaches" and f"{when.words[0]} " in text_of(found)
+    return is_there and step.phrase == "phases.place.value"
 
 
 def _asked_alone(step: Step, found: Answer) -> Step:

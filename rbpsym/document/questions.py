@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from rbpsym.ask.special import COEFFICIENT
 from rbpsym.document.model import Inline, Inlines, Math, Text
 from rbpsym.document.phrases import merged, plain
 from rbpsym.errors import RbpsymError
@@ -71,7 +72,7 @@ def _formula(text: str, said: Words) -> Math | None:
     blows = (element for phase in said.problem.phases for element in phase.impulses)
     struck = {name for element in blows for name in (element.name, element.values.get("friction")) if name}
     try:
-        return Math(read(text, letters_of(said.problem).names | {"t", *struck}))
+        return Math(read(text, letters_of(said.problem).names | {"t", COEFFICIENT, *struck}))
     except RbpsymError:
         return None
 

@@ -1,6 +1,5 @@
 """What people type, what it means, and what is refused with a sentence."""
 
-
 import pytest
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError

@@ -1,6 +1,5 @@
 """What papers write, and what the LaTeX reader refuses."""
 
-
 import pytest
 
 from rbpsym.errors import RbpsymError
