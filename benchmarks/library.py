@@ -85,7 +85,10 @@ def main(names: list[str]) -> int:
     """Print the table; 1 if something is not as it should be."""
     gc.set_threshold(SELDOM)  # as the command does
     print(f"{'':<36} {'degrees':>7}{'':>27} {'seconds':>8} {'with':>8} {'error of':>8}")
-    print(f"{'problem':<36} {'freedom':>7} {'steps':>6} {'proved':>7} {'undecided':>10} {'':>8} {'simul.':>8} {'simul.':>8}")
+    print(
+        f"{'problem':<36} {'freedom':>7} {'steps':>6} {'proved':>7} {'undecided':>10} "
+        f"{'':>8} {'simul.':>8} {'simul.':>8}"
+    )
     row(names[0])  # warms the imports
     rows = []
     for name in names:

@@ -107,7 +107,6 @@ def derive_course(
     `derived` gives the derivation of a problem file, if not every one is to be made anew.
     """
     from rbpsym.document.own_texts import check_unbound
-
     derivations: dict[str, Derivation] = {}
     check_unbound(course)
     paths = _paths(course)

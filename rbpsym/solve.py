@@ -140,7 +140,8 @@ def results(study: Study) -> dict[str, Any]:
         "balance": _balance(study),
         "start_valid_where": _demands(begins(study), study),
         "conditions": [_condition(loss, study) for loss in study.losses],
-        "conditions_complete": _complete(study.ended) | {"open": [_condition(loss, study) for loss in study.ended.open_]},
+        "conditions_complete": _complete(study.ended)
+        | {"open": [_condition(loss, study) for loss in study.ended.open_]},
         "one_sided": _sides(study),
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "solutions": _solutions(study),

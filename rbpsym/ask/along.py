@@ -99,7 +99,7 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     letter = world.study.letters.free("v" if speed else f"{name}_1")
     end = present(begun) if not speed and names_in(begun) <= known else None
     is_positive = (speed and way) or (way > 0 and sign(begun, world.motion.assumptions).is_nonnegative)
-    dimension = asked.problem.dimensions[name] / TIME ** int(speed)
+    dimension = asked.problem.dimensions[name] / TIME**int(speed)
     kind, lower, upper = "positive" if is_positive else "real", end if way > 0 else None, end if way < 0 else None
     added = Quantity(letter, dimension, said[0], kind, lower=lower, upper=upper)
     problem = replace(asked.problem, parameters=(*asked.problem.parameters, added))

@@ -65,7 +65,7 @@ def squeezed(value: Scalar, name: str, to: Scalar | None, given: Assumptions, si
     to M > m for M → 0."""
     own = of_symbol(name, given)
     ends = ((own.lower, 1), (own.upper, -1))
-    gaps = [end if to is None else (end - to) * way for end, way in ends[to is None :] if end is not None]
+    gaps = [end if to is None else (end - to) * way for end, way in ends[to is None:] if end is not None]
     if any(to is None or sign(gap, given).kind == "positive" for gap in gaps):
         return name
     for other in sorted(names_in(value) - {name}):

@@ -16,7 +16,9 @@ from rbpsym.present.forms import present
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 
-MEETS = re.compile(r"\b(until|when|where) (?:the )?(\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (?:the )?(\w+)$")
+MEETS = re.compile(
+    r"\b(until|when|where) (?:the )?(\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (?:the )?(\w+)$"
+)
 
 
 LENGTH = re.compile(

@@ -234,7 +234,7 @@ def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
         if not found:
             raise StatementError("no unstable equilibrium is known")
         if len(found) > 1:
-            raise StatementError(f"there are {len(found)} such equilibria", instead="write “where theta = …”.")
+            raise StatementError(f"there are {len(found)} such equilibria", instead='write “where theta = …”.')
         still = dict.fromkeys(study.system.independent, NOTHING)
         return Moment(asked.meant(place), ArrivalState(None, dict(found[0].at), still, found[0].valid), "rest")
 

@@ -62,26 +62,19 @@ ROWS: Rows = (
     (rf"where is (.+) {_BEST}", lambda w, phrase, best: through.extreme_for(w, None, phrase, best)),
     (rf"for which {_N} (?:is|does|do|has) (.+)", lambda w, name, text: ahead.which(w, None, name, _told_after(text))),
     (rf"(?:critical|limiting) (?:value of )?{_N} {_FOR} (.+)", lambda w, name, text: ahead.which(w, None, name, text)),
-    (
-        rf"{_N} {_FOR} (.+) is {_BEST}( (?:when|where|at|right|just) .+)?",
-        lambda w, name, phrase, best, there: through.extreme_for(w, name, phrase + (there or ""), best),
-    ),
+    (rf"{_N} {_FOR} (.+) is {_BEST}( (?:when|where|at|right|just) .+)?",
+     lambda w, name, phrase, best, there: through.extreme_for(w, name, phrase + (there or ""), best)),
     (rf"{_BEST} {_N} {_FOR} (.+)", ahead.which),
     (rf"{_BEST} (.+) {_FOR} (.+)", ahead.bounded),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: ahead.which(world, None, name, text)),
     (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
-    (
-        rf"{_NO_MODE}{_BEST} (.+?) (?:until|up to) (?:the )?([\w-]+)(?: begins)?",
-        lambda w, best, phrase, phase: through.extremum(w, best, phrase, None, None, None, until=phase),
-    ),
-    (
-        rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)",
-        lambda w, best, phrase, name, place: through.extremum(w, best, f"{phrase} {place}", name, None, None),
-    ),
+    (rf"{_NO_MODE}{_BEST} (.+?) (?:until|up to) (?:the )?([\w-]+)(?: begins)?",
+     lambda w, best, phrase, phase: through.extremum(w, best, phrase, None, None, None, until=phase)),
+    (rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)",
+     lambda w, best, phrase, name, place: through.extremum(w, best, f"{phrase} {place}", name, None, None)),
     (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
-
 
 def _extreme_is(world: AskedPhase, name: str, text: str, best: str, to: str) -> Finding:
     """SYMBOL for which a greatest or least value is a given one, or vanishes. Raises StatementError without one such value."""

@@ -93,15 +93,11 @@ OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"\b(translational|rotational) (kinetic energy(?: of (?:the system|[\w-]+))?)", r"\2, \1"),
     (r"\bafter (?:the |a )?time (?=\w+$)", "where t = "),
     (r"^(?:the )?change (?:of|in) (.+) (?:until|up to) (.+)", r"\1 from the start to \2"),
-    (
-        r"^(?:the )?change (?:of|in) (.+) (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
-        r"\1 in phase \2 from the start to the end of phase \2",
-    ),
+    (r"^(?:the )?change (?:of|in) (.+) (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
+     r"\1 in phase \2 from the start to the end of phase \2"),
     (r"^(?:the )?change (?:of|in) (.+ (?:from|between) .+)", r"\1"),
-    (
-        r"^(?:the )?(.*energy.*) lost (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
-        r"minus \1 in phase \2 from the start to the end of phase \2",
-    ),
+    (r"^(?:the )?(.*energy.*) lost (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
+     r"minus \1 in phase \2 from the start to the end of phase \2"),
     (r"^(?:the )?(.*energy.*) lost ((?:from|between) .+)", r"minus \1 \2"),
     (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) ([\w-]+)$", r"minus \1 from the start to when \2 begins"),  # in a blow too
     (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) (.+)", r"minus \1 from the start to \2"),
@@ -112,10 +108,8 @@ OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),
     (r"\bvertical (?=velocity|acceleration|force|net force|linear momentum)", "y component of "),
     (r"\bof ([\w-]+) about (?:its|the) (?:own )?cent(?:re|er)(?: of mass)?$", r"of \1 about \1.cm"),
-    (
-        r"\b(from|(?<!relative )to|and|about) (?:the |its )?(?:common )?cent(?:re|er) of mass(?: of (?:the )?(\w+))?(?=$| )",
-        lambda said: f"{said[1]} {said[2] or 'system'}.cm",
-    ),
+    (r"\b(from|(?<!relative )to|and|about) (?:the |its )?(?:common )?cent(?:re|er) of mass(?: of (?:the )?(\w+))?(?=$| )",
+     lambda said: f"{said[1]} {said[2] or 'system'}.cm"),
     (r"\bangular speed of\b", "magnitude of angular velocity of"),
     (r"\b(tension|normal force|friction|reaction|force) (?:of|in) (?!phase|equilibrium)(?=\w+\b)", r"\1 "),
     (r"\b(?:magnitude of )?(?:the )?(reaction|normal force|friction) at (?=[A-Z]\w*\b)", r"\1 "),

@@ -37,6 +37,7 @@ class Region(Frozen):
         """Whether it holds in the whole range."""
         return not (self.is_empty or self.cases or self.crossing) and self.lower is self.upper is None
 
+
     def within(self, name: str, given: Assumptions) -> Assumptions:
         """What is known with the range of the name cut to this."""
         lower, upper = given.range_of(name)
@@ -80,7 +81,6 @@ def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> R
         return Region()
     if not depends_on(value, along):
         return region(value, name, given.without(along))
-
     def is_plain(low: Extreme) -> bool:
         return not any(depends_on(demand.value, name) for demand in low.asked)
 
@@ -187,7 +187,6 @@ def alone(found: Region, regions: Sequence[Region | None], sense: int) -> tuple[
 
 def _outermost(found: list[Region], side: str, sense: int, given: Assumptions) -> Region | None:
     """The one that binds; one without bounds if there is none."""
-
     def is_beyond(one: Region, other: Region) -> bool:
         return settled_sign((getattr(one, side) - getattr(other, side)) * sense, given) in (0, 1)
 

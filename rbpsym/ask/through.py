@@ -19,15 +19,8 @@ from rbpsym.typeset.machine import to_machine
 
 
 def extremum(
-    world: AskedPhase,
-    superlative: str,
-    phrase: str,
-    over: str | None,
-    low: str | None,
-    high: str | None,
-    *,
-    by_place: bool = False,
-    until: str | None = None,
+    world: AskedPhase, superlative: str, phrase: str, over: str | None, low: str | None, high: str | None, *,
+    by_place: bool = False, until: str | None = None,
 ) -> Finding:
     """The same as `optima.extremum`, through all phases from the first that does not end at once, if none is named (`until` a
     phase: before that one)."""

@@ -268,7 +268,7 @@ def _named(letter: t.Node | None) -> PhraseRef:
 def _where(element: Element, by: str | None, normal: Vector) -> PhraseRef:
     """On a line or a circle, inside or outside, of another body or fixed."""
     if element.values.get("line") is not None:
-        return PhraseRef("kinematics.on.body", {"by": BodyRef(by)}) if by else PhraseRef(f"kinematics.on.{_slope(normal)}")
+        return (PhraseRef("kinematics.on.body", {"by": BodyRef(by)}) if by else PhraseRef(f"kinematics.on.{_slope(normal)}"))
     stated = element.values.get("side")  # a guide has none
     side = stated if stated in ("inside", "outside") else "body"
     return PhraseRef(f"kinematics.on.{side}", {"by": BodyRef(by) if by else PhraseRef("kinematics.circle")})

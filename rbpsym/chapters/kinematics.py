@@ -5,10 +5,16 @@ from __future__ import annotations
 from rbpsym.chapters import conditions
 from rbpsym.chapters.inertia import as_power, is_centred, turns_about
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, Space, depends_on, is_zero, symbol, tidy
+from rbpsym.field import Scalar, Space, depends_on, has_roots, is_zero, symbol, tidy
+from rbpsym.field.evaluate import scalar
+from rbpsym.field.poly import generator
+from rbpsym.mechanics.energy import stretched
 from rbpsym.mechanics.system import BodyState
 from rbpsym.proof.draft import Draft
+from rbpsym.proof.forms import LETTERED
 from rbpsym.proof.step import FULL, STANDARD, BodyRef
+
+LAWS_OF_DISTANCE = ("spring", "damper", "pull")
 
 
 def write(draft: Draft) -> None:
@@ -20,6 +26,19 @@ def write(draft: Draft) -> None:
         _circle(draft, name, state)
         _turning(draft, name, state)
         _velocity(draft, name, state)
+    _lengths(draft)
+
+
+def _lengths(draft: Draft) -> None:
+    """The distance of two points that a spring, a damper or a rope joins, where it is a root: a letter of its own."""
+    system = draft.study.system
+    joined = [one for one in system.problem.interactions if one.kind in LAWS_OF_DISTANCE]
+    roots = {one.name: value for one in joined if (value := stretched(system, one)).num in map(generator, value.atoms())}
+    pulls = {force.name for force in system.forces if has_roots(force.vector.x) or has_roots(force.vector.y)}
+    for name, value in ((name, value) for name, value in roots.items() if has_roots(value) and name in pulls):
+        slack = scalar(system.element(name).values.get("natural_length", t.ZERO))
+        root, letter = draft.show(value), draft.call(draft.free(f"s_{name}"), value, slack)
+        draft.add(f"length.{name}", "identity", t.equation(letter, root), LETTERED, force=t.Vec(name))
 
 
 def _position(draft: Draft, name: str, state: BodyState) -> None:

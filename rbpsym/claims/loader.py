@@ -113,7 +113,9 @@ def _adds(table: SourceTable) -> bool:
 
 def _symbols(table: SourceTable) -> dict[str, Meaning]:
     section = table.table("symbols", "symbols")
-    return {latex: Meaning(section.string(latex), section.source.value((*section.path, latex))) for latex in section.names()}
+    return {
+        latex: Meaning(section.string(latex), section.source.value((*section.path, latex))) for latex in section.names()
+    }
 
 
 def _many(table: SourceTable, key: str) -> tuple[Printed, ...]:
@@ -160,7 +162,9 @@ def _check_content(table: SourceTable, expect: str) -> None:
     if "right" in table and expect != "refuted":
         raise table.error("“right” belongs to a claim that is refuted", 'add expect = "refuted", or drop it.', "right")
     if "erratum" in table and expect not in ("refuted", "not computed"):
-        raise table.error("an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum")
+        raise table.error(
+            "an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum"
+        )
 
 
 def _setting_of(table: SourceTable, settings: Mapping[str, Setting]) -> Setting:

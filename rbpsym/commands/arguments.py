@@ -47,7 +47,9 @@ class ShelfName(click.ParamType):  # type: ignore[type-arg]  # generic in late v
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         """The names that begin so; files if there are none."""
         near = [e for e in shelf() if e.kind in self.kinds and e.name.startswith(incomplete)]
-        return [CompletionItem(entry.name, help=entry.title()) for entry in near] or [CompletionItem(incomplete, type="file")]
+        return [CompletionItem(entry.name, help=entry.title()) for entry in near] or [
+            CompletionItem(incomplete, type="file")
+        ]
 
 
 class Listed(click.ParamType):  # type: ignore[type-arg]

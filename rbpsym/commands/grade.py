@@ -25,9 +25,13 @@ from rbpsym.commands.arguments import FILE, FOLDER, ShelfName
 )
 @click.option("--seed", "secret", metavar="S", default="", help="The --seed with which the papers were made.")
 @click.option("--papers", metavar="DIR", type=FOLDER, help="Folder of the papers, if it is not near the answers.")
-@click.option("--lang", "language", metavar="LANGUAGE", default="", help="Language of the papers, if not that of the worksheet.")
+@click.option(
+    "--lang", "language", metavar="LANGUAGE", default="", help="Language of the papers, if not that of the worksheet."
+)
 @click.option("--executor", metavar="WHERE", default="", help="local, or dask://HOST:PORT.")
-@click.option("--jobs", "processes", type=click.IntRange(min=0), default=0, help="Processes on this machine (0: one a core).")
+@click.option(
+    "--jobs", "processes", type=click.IntRange(min=0), default=0, help="Processes on this machine (0: one a core)."
+)
 def command(worksheet: str, answers: Path, output: Path, feedback: Path | None, **wish: Any) -> int:
     """Grade the answers of a class: formulas, numbers with units, choices, orders, signs.
 

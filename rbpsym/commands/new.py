@@ -12,7 +12,9 @@ from rbpsym.errors import ReadError
 
 @click.command("new")
 @click.argument("name")
-@click.option("--template", metavar="PROBLEM", type=ShelfName(), help="Begin from a problem that ships; without: a pendulum.")
+@click.option(
+    "--template", metavar="PROBLEM", type=ShelfName(), help="Begin from a problem that ships; without: a pendulum."
+)
 @click.option("--course", "is_course", is_flag=True, help="A course: theory, problems and comparisons in their order.")
 @output_option(".", "Folder of the new file.")
 def command(name: str, template: str | None, is_course: bool, output: Path) -> None:

@@ -69,7 +69,9 @@ def totals(found: CheckRun) -> dict[str, int]:
 def summary(found: CheckRun) -> str:
     """The last line: counts, and whether all is as expected."""
     counts = totals(found)
-    told = [f"{count} {SHORT.get(Outcome(kind), kind)}" for kind, count in counts.items() if count and kind != "unexpected"]
+    told = [
+        f"{count} {SHORT.get(Outcome(kind), kind)}" for kind, count in counts.items() if count and kind != "unexpected"
+    ]
     whole = "all as expected" if found.is_decided else "NOT AS EXPECTED: nothing was decided"
     whole = f"{counts['unexpected']} NOT AS EXPECTED" if counts["unexpected"] else whole
     asked = [result.rocq == CERTIFIED for result in found.results if result.rocq]
@@ -99,7 +101,9 @@ def as_table(found: CheckRun, failures: bool = False) -> str:
 
     table = Table(box=None, pad_edge=False, header_style="bold")
     for column in ("No.", "Label", "Line", "Verdict", "How, witness, diagnosis"):
-        table.add_column(column, overflow="fold", no_wrap=column == "Line", justify="right" if column == "Line" else "left")
+        table.add_column(
+            column, overflow="fold", no_wrap=column == "Line", justify="right" if column == "Line" else "left"
+        )
     shown, last = [result for result in found.results if not (failures and result.expected)], ""
     several = len({source(result) for result in found.results if result.kind == "claim"}) > 1
     for result in shown:
@@ -158,10 +162,14 @@ def as_junit(found: CheckRun) -> str:
     )
     for result in found.results:
         where = shown(result.file) if result.file else source(result)
-        case = xml.SubElement(suite, "testcase", classname=where or "claims", name=result.id, time=f"{result.seconds:.4f}")
+        case = xml.SubElement(
+            suite, "testcase", classname=where or "claims", name=result.id, time=f"{result.seconds:.4f}"
+        )
         told = printable("\n".join(lines(result)))
         if not result.expected:
-            xml.SubElement(case, "failure", message=f"{word(result)}: {first(told)}").text = printable(f"{result.latex}\n{told}")
+            xml.SubElement(case, "failure", message=f"{word(result)}: {first(told)}").text = printable(
+                f"{result.latex}\n{told}"
+            )
         elif result.outcome is Outcome.NOT_COMPUTED:
             xml.SubElement(case, "skipped", message=told or "not a formula we compute")
     xml.indent(suite)

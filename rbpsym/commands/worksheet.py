@@ -26,8 +26,12 @@ MOST = 100_000
 @click.option("-o", "--output", metavar="DIR", type=FOLDER, default=".", show_default=True, help="Folder of the files.")
 @click.option("--students", metavar="CSV", type=FILE, help="The class: a column id and, if you like, name.")
 @click.option("--variants", metavar="N", type=click.IntRange(1, MOST), help="N different forms, for nobody by name.")
-@click.option("--from-code", "code", metavar="CODE", help="The form with this code (it stands at the foot of each paper).")
-@click.option("--seed", "secret", metavar="S", default="", help="A secret: with it, and only with it, the same forms come again.")
+@click.option(
+    "--from-code", "code", metavar="CODE", help="The form with this code (it stands at the foot of each paper)."
+)
+@click.option(
+    "--seed", "secret", metavar="S", default="", help="A secret: with it, and only with it, the same forms come again."
+)
 @click.option("--key", is_flag=True, help="Write keys too.")
 @click.option("--solution", is_flag=True, help="Write keys, and solutions with the whole derivation.")
 @click.option("--lang", "language", metavar="LANGUAGE", default="", help="Its code, as en; else that of the worksheet.")
@@ -35,7 +39,9 @@ MOST = 100_000
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--studio", metavar="ADDRESS", default="", help="A QR code on PDF and LaTeX papers leads to its tutor.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes (0: one a core).")
-@click.option("--executor", metavar="WHERE", default="", help="Who makes pdf, tex and html: local, or dask://HOST:PORT.")
+@click.option(
+    "--executor", metavar="WHERE", default="", help="Who makes pdf, tex and html: local, or dask://HOST:PORT."
+)
 def command(
     name: str | None, output: Path, students: Path | None, variants: int | None, code: str | None, jobs: int,
     executor: str, **wish: Any,

@@ -49,7 +49,6 @@ def root_of(value: Scalar, given: Assumptions) -> Scalar:
 
 def neat(value: Scalar, given: Assumptions) -> Scalar:
     """The value as it is told: one root in each product, which holds no squares."""
-
     def sense(part: Scalar) -> int:
         return sign(part, given).sense
 

@@ -263,6 +263,8 @@ def _gap_of_squares(parts: Mapping[int, Poly], arg: Scalar) -> Scalar:
     return Scalar(parts[0] * parts[0]) - Scalar(parts[1] * parts[1]) * arg
 
 
+
+
 def _by_factors(study: SignStudy, poly: Poly) -> int:
     """The product of the signs of irreducible factors."""
     if not study.factoring or len(poly) < 2 or all(sum(abs(exponent) for _, exponent in m) < 2 for m in poly.terms):

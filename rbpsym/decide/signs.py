@@ -34,7 +34,7 @@ class SignResult(Frozen):
 
     @property
     def kind(self) -> str | None:
-        """ "positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero" or None."""
+        """"positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero" or None."""
         return NAMES[self.mask]
 
     @property

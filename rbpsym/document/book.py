@@ -37,7 +37,9 @@ class Chapter(Frozen):
         return Words(language, problem).title(problem.title) or self.name
 
 
-def book(chapters: Sequence[Chapter], language: str = "en", detail: str = "standard", *, plots: bool = False) -> Document:
+def book(
+    chapters: Sequence[Chapter], language: str = "en", detail: str = "standard", *, plots: bool = False
+) -> Document:
     """The chapters in their order as one document, with contents, the checks of all steps, and an index."""
     sections: list[Section] = []
     place = 0
@@ -208,7 +210,10 @@ def link(chapter: Chapter, language: str) -> Link:
 
 def occurring(chapters: Sequence[Chapter], language: str) -> list[tuple[str, list[Link]]]:
     """The words of the index, each with links to the problems in which it occurs."""
-    return [(term, [link(chapters[place - 1], language) for place in places]) for term, places in occurrences(chapters, language)]
+    return [
+        (term, [link(chapters[place - 1], language) for place in places])
+        for term, places in occurrences(chapters, language)
+    ]
 
 
 def around(chapters: Sequence[Chapter], place: int, language: str) -> Around:

@@ -178,7 +178,8 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     teller = telling.Teller(said)
     if not is_still(derivation):
         yield from _intro("kinematics", derivation, said)
-    kinds = ("dependent", "tied_speed", "position", "velocity", "acceleration", "speed", "orbit", "turning", "spin_up", "centre")
+    kinds = ("dependent", "tied_speed", "position", "velocity", "acceleration", "speed", "orbit", "turning", "spin_up", "centre",
+             "length")  # fmt: skip
     found = [step for step in steps if step.phrase == "kinematics.turning.found"]
     others, *groups = telling.by_kind([step for step in steps if step not in found], [f"kinematics.{kind}" for kind in kinds])
     yield from teller.steps((*others, *found))

@@ -146,7 +146,9 @@ def _curves(derivation: Derivation, said: Words, level: int, told: Iterable[Told
     return plots_section(derivation, said, level, () if said.is_full else told)
 
 
-def phase_words(derivation: Derivation, detail: str, language: str) -> Callable[[Derivation, str], Words]:
+def phase_words(
+    derivation: Derivation, detail: str, language: str
+) -> Callable[[Derivation, str], Words]:
     """How notes speak of the later phases of a derivation: of what is new in each."""
     chapters = CHAPTERS if detail == "full" or reaches_beyond(derivation) else ("inertia",)
     told = shown_steps(derivation, detail)
@@ -171,7 +173,9 @@ def shown_steps(derivation: Derivation, detail: str, whole: Derivation | None = 
 CHECKS = "table.checks"
 
 
-def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "standard", *, plots: bool = False) -> Document:
+def course_notes(
+    derived: DerivedCourse, language: str = "en", detail: str = "standard", *, plots: bool = False
+) -> Document:
     """The notes of a course: theory, problems and comparisons in its order, with curves if `plots` are wanted."""
     course, sections, problems = derived.course, list[Section](), list[Live]()
     said = Words(language)

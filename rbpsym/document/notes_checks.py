@@ -58,7 +58,9 @@ def _remarked(about: Iterable[Step], speech: Words) -> Iterator[Block]:
         yield Paragraph(sentences(told))
 
 
-def with_remarks(sections: Iterable[Section], derivation: Derivation, phases: Iterable[Words], detail: str) -> Iterator[Section]:
+def with_remarks(
+    sections: Iterable[Section], derivation: Derivation, phases: Iterable[Words], detail: str
+) -> Iterator[Section]:
     """The sections of notes that have no list of results: what is to be said of a result stands behind its box."""
     told = zip(phases, remarks(derivation, detail), strict=True)
     about = {said.prefix + id: (found, said) for said, results in told for id, found in results.items()}
@@ -139,7 +141,9 @@ def checks_table(steps: Iterable[Step], said: Words) -> Table:
     steps = tuple(steps)
     counts = Counter(name for step in steps if step.certificate for name in step.certificate.checks)
     rows = tuple(
-        (said.say(f"checked.{name}"), words(str(count))) for name, count in counts.items() if said.has(f"checked.{name}")
+        (said.say(f"checked.{name}"), words(str(count)))
+        for name, count in counts.items()
+        if said.has(f"checked.{name}")
     )
     header = (said.say("header.check"), said.say("header.steps"))
     caption = said.say("caption.checks", ground=Said(steps=steps))

@@ -104,7 +104,9 @@ def course(values: Sequence[float], small: float) -> str:
             kept.append(value)
     ways = [after > before for before, after in pairwise(kept)]
     turns = [way for k, way in enumerate(ways) if k == 0 or way is not ways[k - 1]]
-    return {(True,): "rises", (False,): "falls", (True, False): "peak", (False, True): "dip"}.get(tuple(turns), "varies")
+    return {(True,): "rises", (False,): "falls", (True, False): "peak", (False, True): "dip"}.get(
+        tuple(turns), "varies"
+    )
 
 
 # ---

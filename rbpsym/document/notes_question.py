@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Set
+from contextlib import suppress
 from dataclasses import replace
 from itertools import groupby
 from typing import TypeGuard
@@ -16,6 +17,7 @@ from rbpsym.document.telling import Teller
 from rbpsym.document.translated import translated
 from rbpsym.document.used import leading, led_to
 from rbpsym.document.words import Words, capital, sentences
+from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import RELATION_SIGNS
 from rbpsym.field import is_zero, names_in, symbol
@@ -103,17 +105,21 @@ def _stated(found: Found, shown: Mapping[t.Node, OnPage]) -> Ref | None:
     """Where a step on the page states an answer as it is."""
     own = found.steps[-1] if _states(found) and len(found.nodes) == 1 and not _has_more(found) else None
     rows = [*(ends(step.statement) for step in _equal(found)), *(_by_name(own) if own else ())]
-    rows += [row for row in shown if own and _is_marked(row, ends(own.statement))]
+    if own and isinstance(found, Answer):
+        rows += [row for row in shown if _is_marked(row, ends(own.statement), found.study.problem.body_names)]
     return next((shown[row].marks[0] for row in rows if row in shown and shown[row].is_own), None)
 
 
-def _is_marked(row: t.Node, own: t.Node) -> bool:
-    """Is a row what an answer says, of its letter with a mark: the least μ as μ_min, the critical c as c_crit?"""
+def _is_marked(row: t.Node, own: t.Node, bodies: Collection[str]) -> bool:
+    """Is a row what an answer says, of its letter with a mark: the least μ as μ_min, the critical c as c_crit? One with a body's
+    name is that of the body."""
     if not isinstance(row, t.Chain) or not isinstance(own, t.Chain) or row.ops != ("=",) or own.ops != ("=",):
         return False
     marked, letter = row.items[0], own.items[0]
-    is_named = isinstance(marked, t.Sym) and isinstance(letter, t.Sym) and marked.name.startswith(f"{letter.name}_")
-    return is_named and row.items[1:] == own.items[1:]
+    if not isinstance(marked, t.Sym) or not isinstance(letter, t.Sym):
+        return False
+    stem, _, mark = marked.name.rpartition("_")
+    return stem == letter.name and mark not in bodies and row.items[1:] == own.items[1:]
 
 
 def _by_name(step: Step) -> Iterator[t.Node]:
@@ -227,7 +233,7 @@ def _road(found: Answer, shown: dict[t.Node, OnPage], said: Words) -> Iterator[B
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)
     inner = {id for step in before if step.id in known for id in step.reasons}
     needed = {id for step in new for id in step.reasons} & known.keys() or known.keys() - inner
-    marks = {mark for id in needed for mark in known[id].marks}
+    marks = {mark for id in needed for mark in known[id].marks} or {mark for step in last for mark in _says(step, shown)}
     if marks and (new or not last):
         in_order = dict.fromkeys(mark for one in shown.values() for mark in one.marks if mark in marks)
         is_all = bool(last) and new == [*last]
@@ -235,6 +241,17 @@ def _road(found: Answer, shown: dict[t.Node, OnPage], said: Words) -> Iterator[B
         new = [replace(step, phrase="") for step in new] if is_all else new
     yield from Teller(said).steps(new)
     shown |= {ends(step.statement): OnPage((Ref(said.prefix + step.id),), True) for step in new if step not in last}
+
+
+def _says(step: Step, shown: Mapping[t.Node, OnPage]) -> Iterator[Ref]:
+    """Where the page says what the quantity is that has a value at some moment."""
+    values = [(value, names_in(value)) for value in step.data.get("of", {}).values() if names_in(value)]
+    for row, on in shown.items():
+        if isinstance(row, t.Chain) and row.ops[-1] == "=" and on.is_own:
+            alike = [value for value, names in values if names == t.names(row.items[-1])]
+            with suppress(RbpsymError):
+                if any(is_zero(scalar(row.items[-1]) - value) for value in alike):
+                    yield from on.marks
 
 
 def _is_asked_so(step: Step, found: Answer) -> bool:

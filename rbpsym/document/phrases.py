@@ -39,7 +39,9 @@ def usual_notation(language: str) -> Notation:
     return replace(notation_for((), marks), functions=parts["functions"], words=parts["spoken"])
 
 
-def common_notation(problems: Iterable[Problem], language: str, said: Mapping[str, str] = MappingProxyType({})) -> Notation:
+def common_notation(
+    problems: Iterable[Problem], language: str, said: Mapping[str, str] = MappingProxyType({})
+) -> Notation:
     """The notation of several problems together, which should agree on names that they share; `said` overrides it."""
     problems = tuple(problems)
     own = {name for p in problems for name in letters_of(p).names}
@@ -297,7 +299,13 @@ def joined(items: list[d.Inlines], language: str) -> d.Inlines:
 
 def has_decimal_comma(item: d.Inlines) -> bool:
     """Is there a number in it with a decimal comma, which a comma behind would be taken for?"""
-    texts = (part.text for inline in item if isinstance(inline, d.Math) for part in walk(inline.node) if isinstance(part, Word))
+    texts = (
+        part.text
+        for inline in item
+        if isinstance(inline, d.Math)
+        for part in walk(inline.node)
+        if isinstance(part, Word)
+    )
     return any(DECIMAL_COMMA.search(text) for text in texts)
 
 

@@ -37,7 +37,7 @@ BEFORE = r"(?:^|(?<=^does )|(?<=^is )|(?<=which )|(?<=where )|(?<=when )|(?<=unt
 def _with_articles(text: str, said: Words) -> str:
     """“the speed of x when “rolling” begins” of “speed of x when rolling begins”."""
     nouns = plain("question.nouns").replace(", ", "|")
-    text = re.sub(rf"{BEFORE}(?={nouns})(?=\S+ )", "the ", text)
+    text = re.sub(rf"{BEFORE}(?={nouns})(?=\S+(?: |$))", "the ", text)
     names = "|".join(re.escape(phase.name) for phase in (said.problem.phases if said.problem else ()))
     text = re.sub(rf"\b({names}) begins", "“\\1” begins", text) if names else text
     return re.sub(r"^(\w+) (?=for which )", r"the \1 ", text)

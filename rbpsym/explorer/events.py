@@ -64,7 +64,9 @@ def _used_up(study: Study) -> Iterator[Event]:
         if element.kind != "string":
             continue
         for piece in (piece for run in runs(element["path"]) for piece in segments(run, geometry)):
-            if (piece.first.sense or piece.second.sense) and any(depends_on(piece.length, n) for n in study.system.coordinates):
+            if (piece.first.sense or piece.second.sense) and any(
+                depends_on(piece.length, n) for n in study.system.coordinates
+            ):
                 yield {"kind": "short", "name": element.name, "value": piece.length}
 
 

@@ -93,7 +93,9 @@ class Program:
         below += [whole(ratio.denominator)] if ratio.denominator != 1 else []
         sign = "-" if ratio < 0 else ""
         under = "*".join(below)
-        return sign + "*".join(above) + (f"/({under})" if len(below) > 1 or "*" in under else f"/{under}" if below else "")
+        return (
+            sign + "*".join(above) + (f"/({under})" if len(below) > 1 or "*" in under else f"/{under}" if below else "")
+        )
 
     def _power(self, index: int, exponent: int) -> str:
         base = self._atom(index)

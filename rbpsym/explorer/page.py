@@ -88,7 +88,9 @@ def model(problem: Problem, language: str) -> Model:
         "numbers": [_number(slider, notation, said) for slider in numbers],
         "coordinates": {c.name: _coordinate(c, notation, said) for c in problem.coordinates},
         "unknowns": {name: label(t.Sym(name), notation) for part in parts for name in part.study.system.unknowns},
-        "forces": {k: v for part in reversed(parts) for k, v in force_labels(part.study.system, notation, said).items()},
+        "forces": {
+            k: v for part in reversed(parts) for k, v in force_labels(part.study.system, notation, said).items()
+        },
         "bodies": {name: said.body(name) for name in problem.body_names},
         "origins": {name: label(t.Sym(name), notation) for name in study.origins},
         "phases": [
@@ -129,7 +131,9 @@ def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
     """The fixed lines that are touched in some phase: the floor is there also when nothing stands on it."""
     struck = (e for part in parts if part.began for e in part.began.phase.impulses)
     found = chain((e for part in parts for e in part.study.problem.constraints), struck)
-    return tuple(e for e in found if e.values.get("line") is not None and e.values.get("of") is None and not is_slot(e))
+    return tuple(
+        e for e in found if e.values.get("line") is not None and e.values.get("of") is None and not is_slot(e)
+    )
 
 
 def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:

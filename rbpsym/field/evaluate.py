@@ -272,7 +272,8 @@ def rate(node: t.Node, scope: Meanings) -> Scalar:
 def _holds_integral(node: t.Node, scope: Meanings) -> bool:
     """Whether a part is known by its rate only (changes, which have one, are counted in)."""
     return any(
-        isinstance(part, (t.Integral, t.PathIntegral, t.Delta)) or (isinstance(part, t.Sym) and part.name in scope.powers)
+        isinstance(part, (t.Integral, t.PathIntegral, t.Delta))
+        or (isinstance(part, t.Sym) and part.name in scope.powers)
         for part in t.walk(node)
     )
 

@@ -51,6 +51,7 @@ def named(id: str, said: SaidByStep) -> dict[str, Proposition]:
 def written(derivation: Derivation, ids: Iterable[str] | None = None) -> Written:
     """All steps of a derivation, or those of these ids and what they follow from."""
     found, needed = Written(ClaimSource(derivation)), {step.id for step in derivation.steps} if ids is None else set(ids)
+    derivation = found.source.derivation
     for step in reversed(derivation.steps):
         needed |= set(step.premises if step.id in needed else ())
     for step in (step for step in derivation.steps if step.id in needed):

@@ -15,13 +15,29 @@ from rbpsym.kernel.claim import AHEAD, TIME, Proposition, SaidByStep, letter, tr
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.system import Force
+from rbpsym.present.forms import present
+from rbpsym.proof.forms import lettered
 from rbpsym.proof.step import Derivation, Step
+
+
+def spelled_out(derivation: Derivation) -> Derivation:
+    """With the roots themselves where a derivation prints letters for them."""
+    roots = {name: present(derivation.letters.scalars[name]) for name in lettered(derivation.steps)}
+    return replace(derivation, steps=tuple(_spelled(step, roots) for step in derivation.steps)) if roots else derivation
+
+
+def _spelled(step: Step, roots: Mapping[str, t.Node]) -> Step:
+    verdict = step.certificate.verdict
+    duties = tuple(replace(duty, relation=t.renamed(duty.relation, roots)) for duty in verdict.obligations)
+    certificate = replace(step.certificate, verdict=replace(verdict, obligations=duties))
+    return replace(step, statement=t.renamed(step.statement, roots), certificate=certificate)
 
 
 class ClaimSource:
     """The claims of a derivation's steps and facts, by id."""
 
     def __init__(self, derivation: Derivation) -> None:
+        derivation = spelled_out(derivation)
         self.derivation, self.study, self.letters = derivation, derivation.study, derivation.letters
         self.system = self.study.system
         self.rates = self.system.scope.rates

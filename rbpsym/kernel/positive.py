@@ -151,3 +151,4 @@ def _squares(even: dict[Monomial, Coefficient], above: Collection[int], fair: Co
             even[first], even[monomial], even[second] = 0, 0, b - Fraction(k) * k / (4 * Fraction(a))
             yield UNITY * a, Scalar(u + v.scaled(factor))
             break
+

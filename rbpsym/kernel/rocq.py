@@ -189,7 +189,7 @@ class Writer(Frozen):
 
     def trial(self, item: Lemma) -> str:
         """The same, only tried: a proof that is not accepted says the name of the lemma."""
-        proof = f'first [solve [{self.script(item)}] | idtac "{REFUSED}{item.name}"]'
+        proof = f"first [solve [{self.script(item)}] | idtac \"{REFUSED}{item.name}\"]"
         return f"Lemma {item.name}'holds : {self.statement(item)}.\nProof. {proof}. Abort."
 
     def statement(self, item: Lemma) -> str:

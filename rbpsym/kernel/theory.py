@@ -19,21 +19,8 @@ PARTICLE = frozenset(("xi", "eta", "f_x", "f_y"))  # the place in the body, the 
 DENSITY = {"p_prime": "v_prime", "F_ext": "F_ext_i"}  # per mass
 CONSTANTS = ("M", "I_cm", "C_p_q")
 ANY = "any'body"
-BODY = (
-    "R_cm_x",
-    "R_cm_y",
-    "V_cm_x",
-    "V_cm_y",
-    "A_cm_x",
-    "A_cm_y",
-    "varphi",
-    "omega",
-    "alpha",
-    "r_x",
-    "r_y",
-    "F_ext_i_x",
-    "F_ext_i_y",
-)  # as `motion` has them; fmt: skip
+BODY = ("R_cm_x", "R_cm_y", "V_cm_x", "V_cm_y", "A_cm_x", "A_cm_y", "varphi", "omega", "alpha",
+        "r_x", "r_y", "F_ext_i_x", "F_ext_i_y")  # as `motion` has them; fmt: skip
 POINTS = {"s": "omega", "r_p": "omega", "r_q": "omega", "s_2": "omega_2"}  # of the body, and one of another
 OTHER = {"R_2_x": "V_2_x", "R_2_y": "V_2_y", "varphi_2": "omega_2"}  # how that moves
 STEADY = ("F_x", "F_y", *OTHER.values())

@@ -38,7 +38,8 @@ def _condition_of(element: Element, geometry: Geometry) -> list[ConstraintCondit
     wanted = joint.rates(element, geometry)
     forces = joint.forces(element, geometry) if wanted else ()
     return [
-        ConstraintCondition(element.name, short(factor * _power_of_unit(forces, name, geometry)), RATE) for name, factor in wanted
+        ConstraintCondition(element.name, short(factor * _power_of_unit(forces, name, geometry)), RATE)
+        for name, factor in wanted
     ]
 
 

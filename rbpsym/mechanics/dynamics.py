@@ -71,7 +71,8 @@ def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dic
     mass = tuple(tuple(lower[max(r, s)][min(r, s)] for s in range(len(lower))) for r in range(len(lower)))
     forcing, unknown = [], dict.fromkeys((f.name for f in system.forces if f.unknowns), True)
     still = {
-        name: (state.acceleration.substitute(resting), substitute(state.alpha, resting)) for name, state in system.bodies.items()
+        name: (state.acceleration.substitute(resting), substitute(state.alpha, resting))
+        for name, state in system.bodies.items()
     }
     for r in range(len(system.speeds)):
         forcing.append(short(_known(system, along, r) - _inertial(system, along, still, r)))

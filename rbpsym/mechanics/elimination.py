@@ -73,7 +73,7 @@ def _pivot(rows: list[Row], unknowns: Sequence[str], ranks: Ranks) -> tuple[int,
 
 
 def _size(part: Scalar) -> int:
-    return 10 * len(part.num) + sum(len(m) for m in part.num.terms) + (100 * len(part.den) if part.den is not ONE else 0)
+    return (10 * len(part.num) + sum(len(m) for m in part.num.terms) + (100 * len(part.den) if part.den is not ONE else 0))
 
 
 def _eliminated(row: Row, pivot: Row, name: str) -> Row:

@@ -160,3 +160,4 @@ def _check_solved(system: System, solution: Solution) -> None:
         raise indistinct(system, forces or solution.free)
     if any(not is_zero(value) for value in solution.left):
         raise contradictory(system)
+

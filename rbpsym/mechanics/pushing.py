@@ -169,16 +169,12 @@ def _wrong(element: Element, what: str, value: Scalar) -> StatementError:
     return StatementError(said.format_map(data), instead=instead, place=element.place)
 
 
-SLIP, BACK = (
-    "{kind} “{name}” has slip = “{slip}”, but ",
-    (
-        'take the other sense, slip = "auto" for a start with a speed, or static friction, type = "sticking" or "rolling", for what '
-        "does not slide."
-    ),
+SLIP, BACK = "{kind} “{name}” has slip = “{slip}”, but ", (
+    'take the other sense, slip = "auto" for a start with a speed, or static friction, type = "sticking" or "rolling", for what '
+    "does not slide."
 )
-RESISTED, OTHER = (
-    "the {kind} “{name}” is against a motion that is not the stated one: ",
-    ("take the other sense; where nothing begins to move, hold it by a constraint."),
+RESISTED, OTHER = "the {kind} “{name}” is against a motion that is not the stated one: ", (
+    "take the other sense; where nothing begins to move, hold it by a constraint."
 )
 WRONG = {
     "way": (
@@ -218,8 +214,7 @@ WRONG = {
         BACK,
     ),
     "slip.resisted": (
-        RESISTED + "at the start it moves the other way (in the sense that it resists, the speed is {size})",
-        OTHER,
+        RESISTED + "at the start it moves the other way (in the sense that it resists, the speed is {size})", OTHER
     ),
     "gain.resisted": (
         RESISTED + "from rest it does not begin to move that way (in the sense that it resists, the acceleration is {size})",

@@ -138,7 +138,6 @@ def courses(known: Given) -> Iterator[InTime]:
 def lasting(known: Given, one: InTime) -> InTime:
     """The course, valid as long as kinetic friction keeps its sense on it; of other coordinates the one course that each has."""
     from rbpsym.mechanics import slipping
-
     if not known.name or not slips(known.study.system):
         return one
     others = {name: given(known.study, name) for name in known.study.system.independent if name != known.name}

@@ -213,7 +213,8 @@ def _tied_speeds(system: System) -> list[Scalar]:
     """Time derivatives of the implicit conditions at the allowed speeds, and the conditions on speeds: each must vanish."""
     rates = {name: system.scope.rates[name] for name in system.coordinates}
     found = [
-        sum((derivative(c.value, name) * rate for name, rate in rates.items()), derivative(c.value, "t")) for c in system.implicit
+        sum((derivative(c.value, name) * rate for name, rate in rates.items()), derivative(c.value, "t"))
+        for c in system.implicit
     ]
     images = {f"{name}_dot": rate for name, rate in rates.items()}
     return found + [substitute(c.value, images) for c in system.speed_ties]

@@ -79,7 +79,6 @@ def turn(first: int, second: int) -> Condition:
 
 def difference(first: Condition, second: Condition) -> Condition:
     """The second less the first."""
-
     def row(where: State, speed: State) -> StateRow:
         a, b = first(where, speed), second(where, speed)
         return StateRow(b.value - a.value, b.entries + [(k, -entry) for k, entry in a.entries], b.bias - a.bias)

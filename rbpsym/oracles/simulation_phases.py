@@ -188,7 +188,9 @@ Strikes = tuple[np.ndarray | float, list[Parting]]
 STRUCK: KindParts[Callable[[Element, Bench, End], Strikes]] = KindParts(IMPULSES, "row", "struck")
 
 
-def struck(before: Bench, after: Bench, end: End, impulses: tuple[Element, ...]) -> tuple[np.ndarray, dict[str, float]]:
+def struck(
+    before: Bench, after: Bench, end: End, impulses: tuple[Element, ...]
+) -> tuple[np.ndarray, dict[str, float]]:
     """V after, and the impulses by the name of their force."""
     where, speed, size = end.where.tolist(), end.speed.tolist(), before.equations.size
     rows = [parting(kept, end, -kept.at(where, speed).drift) for kept in after.equations.kept]

@@ -104,7 +104,9 @@ class Placement:
 
     def slopes(self, known: Values) -> np.ndarray:
         """∂stated/∂q, a row a link."""
-        return np.array([known.row(link.stated.slopes) for link in self.links]).reshape(len(self.links), len(self.names))
+        return np.array([known.row(link.stated.slopes) for link in self.links]).reshape(
+            len(self.links), len(self.names)
+        )
 
     def coordinates(self, where: State, guess: State) -> np.ndarray:
         """q of a pose of the bodies, near the guess, by Gauss-Newton steps."""
@@ -244,7 +246,11 @@ def start_state(
 
 def idle_angles(mechanism: Mechanism) -> list[int]:
     """Columns of the angles of particles that nothing turns."""
-    welded = {ref.body for element in mechanism.problem.constraints if element.kind == "weld" for ref in element["points"]}
+    welded = {
+        ref.body for element in mechanism.problem.constraints if element.kind == "weld" for ref in element["points"]
+    }
     return [
-        3 * k + 2 for k, body in enumerate(mechanism.problem.bodies) if body.shape.kind == "particle" and body.name not in welded
+        3 * k + 2
+        for k, body in enumerate(mechanism.problem.bodies)
+        if body.shape.kind == "particle" and body.name not in welded
     ]

@@ -121,7 +121,9 @@ class DrawnPose(Frozen, eq=False):
 
 def shown_time(system: System, numbers: Mapping[str, float]) -> float:
     """A moment at which what is driven has turned by an angle that is seen."""
-    angles = [c.name for c in system.problem.coordinates if c.quantity.dimension == NUMBER and c.name in system.dependent]
+    angles = [
+        c.name for c in system.problem.coordinates if c.quantity.dimension == NUMBER and c.name in system.dependent
+    ]
     for name in angles:
         now, soon = (number(system.dependent[name], {**numbers, "t": t}) for t in (0.0, 1e-6))
         if abs(soon - now) > 1e-12:

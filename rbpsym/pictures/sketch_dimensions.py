@@ -164,7 +164,9 @@ def radii(pose: DrawnPose) -> Iterator[RadiusMark]:
     for name, _, size in _size_marks(pose, ("radius", "inner", "outer")):
         if size not in seen:
             seen.add(size)
-            yield RadiusMark(pose.point(pose.study.system.bodies[name].pose.origin), pose.node(size), size, _inside(pose, name))
+            yield RadiusMark(
+                pose.point(pose.study.system.bodies[name].pose.origin), pose.node(size), size, _inside(pose, name)
+            )
     for part, at, _ in _parts(pose):
         for size in (node for key, node in part.shape.sizes.items() if key in RADII and node not in seen):
             seen.add(size)
@@ -293,7 +295,9 @@ def _slopes(pose: DrawnPose) -> Iterator[AngleMark]:
     for line, other in zip(lines(pose), lines(other_numbers(pose)), strict=True):
         for name in parameters(pose, NUMBER):
             if name in seen or not (
-                _rise(line) and is_parameter(_rise(line), pose, name) and is_parameter(_rise(other), other_numbers(pose), name)
+                _rise(line)
+                and is_parameter(_rise(line), pose, name)
+                and is_parameter(_rise(other), other_numbers(pose), name)
             ):
                 continue
             seen.add(name)

@@ -80,7 +80,9 @@ def _anchors(pose: DrawnPose, *ends: PointRef) -> Iterator[sk.SketchPoint]:
     for ref, other in (ends, ends[::-1]):
         if ref.body is None:
             here, there = pose.ref(ref), pose.ref(other)
-            yield sk.SketchPoint("anchor", here, origin_label(here), (), math.atan2(here[1] - there[1], here[0] - there[0]))
+            yield sk.SketchPoint(
+                "anchor", here, origin_label(here), (), math.atan2(here[1] - there[1], here[0] - there[0])
+            )
 
 
 def _string_ends(pose: DrawnPose, path: tuple[Turn, ...]) -> Iterator[sk.SketchPoint]:
@@ -112,7 +114,9 @@ def lines(pose: DrawnPose) -> Iterator[sk.SketchLine]:
         met = meeting(element, geometry)
         x, y = pose.point(met.normal)
         at = pose.point(met.place)
-        yield sk.SketchLine(a, b, c, None, -1 if a * x + b * y > 0 else 1, at=at, end=_edge_of_table(pose, (a, b, c), at))
+        yield sk.SketchLine(
+            a, b, c, None, -1 if a * x + b * y > 0 else 1, at=at, end=_edge_of_table(pose, (a, b, c), at)
+        )
 
 
 def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: Point) -> Point | None:
@@ -292,7 +296,7 @@ def _value(pose: DrawnPose, value: Scalar, more: Mapping[str, float]) -> float:
 def _couples(pose: DrawnPose) -> Iterator[SketchArrow]:
     for element in drawn_as(pose.study.problem, "turn"):
         acting = pose.study.system.named(element.name)[0]
-        sense = math.copysign(1.0, next(filter(None, (value for (value,) in _acting(pose, acting.couple))), 1.0))
+        sense = math.copysign(1.0, next(filter(None, (value for value, in _acting(pose, acting.couple))), 1.0))
         letter = _sized(element.values.get("couple") or element["size"], element.name)
         yield SketchArrow("couple", pose.center(acting.on), (sense, 0.0), letter)
 

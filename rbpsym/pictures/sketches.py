@@ -97,7 +97,8 @@ def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
 def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:
     """How the ledger names each force on each body."""
     return {
-        (step.data["forces"][0].name, step.data["forces"][0].on): step.slots["force"] for step in derivation.chapter("forces")
+        (step.data["forces"][0].name, step.data["forces"][0].on): step.slots["force"]
+        for step in derivation.chapter("forces")
     }
 
 

@@ -276,8 +276,8 @@ def _powers(m: Monomial, style: Style) -> list[t.Node]:
 def atom_node(index: int, style: Style = PLAIN) -> t.Node:
     """One atom as a tree."""
     found = atoms.atom(index)
-    if found.kind == "symbol":
-        return t.Sym(found.arg)
+    if (letter := next((name for own, name, _ in style.called if own == index), "")) or found.kind == "symbol":
+        return t.Sym(letter or found.arg)
     if isinstance(found.arg, Poly):
         return t.Fn(found.kind, angle_node(found.arg, style))
     if found.kind == "root":

@@ -29,6 +29,7 @@ class Style(Frozen):
     pairs of parameters of which the first is known to be the greater one: R - a, never a - R.
     `sense` tells 1 of a sum that is surely not negative, -1 of one that is surely not positive, else 0: it is printed turned.
     With `tangents`, sin A / cos A is printed tan A. In a `gathered` sum, no factor is taken out of some of its terms.
+    A root that is `called` by a letter (its atom, the letter, the length at which the spring is slack) is printed so.
     """
 
     rank: Mapping[str, Key] = field(default_factory=dict)
@@ -39,10 +40,11 @@ class Style(Frozen):
     tangents: bool = True
     gathered: bool = False
     sense: Callable[[Poly], int] = _open
+    called: tuple[tuple[int, str, Scalar], ...] = ()
 
     @cached_property
     def _content(self) -> int:
-        ways = (self.whole, self.greater, self.tangents, self.gathered, self.sense)
+        ways = (self.whole, self.greater, self.tangents, self.gathered, self.sense, self.called)
         return hash((frozenset(self.rank.items()), self.moving, *ways))
 
     def __hash__(self) -> int:

@@ -10,9 +10,11 @@ from rbpsym.decide.equal import proofs_alone, scalars_equal
 from rbpsym.decide.rooted import Senses, neat
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, Space, Vector, apart, ask_for_more, at_most, has_roots, tidy
+from rbpsym.field.poly import generator
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
+from rbpsym.present.pulls import by_pulls
 from rbpsym.proof.assertions import settled, told
 from rbpsym.proof.context import Context
 from rbpsym.proof.facts import MOTION, facts_of
@@ -98,6 +100,7 @@ class Draft:
         self.steps: list[Step] = []
         self.skipped: list[Skipped] = []
         self.forms = Forms(before)
+        self.called: tuple[tuple[int, str, Scalar], ...] = ()  # letters of roots that stand in many formulas
         self.chapter = "statement"
 
     def add(
@@ -183,6 +186,8 @@ class Draft:
             style = replace(style, sense=Senses(assuming(given, met, tighter=True)))
         if not has_roots(value):
             return present(value, style, factor=factor)
+        if any(index in value.atoms() for index, *_ in self.called):
+            return by_pulls(value, replace(style, called=self.called))
         plain, shown = (present(form, style, factor=factor) for form in (value, neat(value, given)))
         return shown if shown == plain or self._is_proved(shown, value) else plain
 
@@ -203,6 +208,12 @@ class Draft:
         """Gives a scalar quantity its meaning and returns its symbol."""
         self.context.scalars[name] = value
         return t.Sym(name)
+
+    def call(self, name: str, root: Scalar, slack: Scalar) -> t.Sym:
+        """Gives a root, the length of a spring that is slack at another, its letter, by which it is printed from then on."""
+        self.called += tuple((index, name, slack) for index in root.atoms() if root.num == generator(index))
+        self.forms.meant[name] = root
+        return self.define(name, root)
 
     def define_vector(self, name: str, value: Vector, z: Scalar | None = None) -> t.Vec:
         """Gives a vector quantity its meaning and returns its symbol."""

@@ -37,7 +37,9 @@ Stated = dict[str, object]
 def problem(name: str, **sections: object) -> Problem:
     """The problem called `name`; `sections` are those of a file (see `assemble.SECTIONS`)."""
     if not isinstance(name, str):
-        raise StatementError(f"the name of a problem is a text, not {kind_of(name)}", instead='write problem("ladder", ...)')
+        raise StatementError(
+            f"the name of a problem is a text, not {kind_of(name)}", instead='write problem("ladder", ...)'
+        )
     table = SourceTable(Source(name), (), {"name": name, **sections})
     check_characters(table)
     return assemble(table, name)

@@ -130,7 +130,9 @@ def _ranges(problem: Problem, table: SourceTable) -> None:
 
 def _check_range(coordinate: Coordinate, section: SourceTable, given: Declared) -> None:
     if surely_above(coordinate.lower, coordinate.upper, given, or_equal=True):
-        raise section.value_error("range", f"the range of “{coordinate.name}” is empty", "write the smaller bound first.")
+        raise section.value_error(
+            "range", f"the range of “{coordinate.name}” is empty", "write the smaller bound first."
+        )
 
 
 def _check_start(coordinate: Coordinate, section: SourceTable, given: Declared) -> None:

@@ -95,7 +95,11 @@ def circle_size(element: Element, scope: Scope, bodies: Bodies) -> Element:
     own = round_size(bodies[circle.body]) if circle.body and circle.point in ("center", "cm") else None
     if element["radius"] is None and own is None:
         raise element.error(f"does not say how large the circle about “{circle.label}” is", 'add radius = "R"')
-    if element["radius"] is not None and "rim" not in element.values and sign_of(element["radius"], scope.given) == "zero":
+    if (
+        element["radius"] is not None
+        and "rim" not in element.values
+        and sign_of(element["radius"], scope.given) == "zero"
+    ):
         cure = "to hold it at that place, write a pivot; for a corner that touches a round body, name the corner as "
         raise element.error("touches a circle of radius 0", cure + 'its point and circle = "wheel.center".')
     return element if element["radius"] is not None else element.with_values(radius=own)
@@ -119,7 +123,9 @@ def rim_size(element: Element, scope: Scope, bodies: Bodies) -> Element:
         )
         raise element.error(f"needs a round body, but “{body.name}” ({body.shape.kind}) has no radius", cure)
     if "center" not in body.points:
-        raise element.error(f"needs a body with a center, but “{body.name}” has none", "add points = { center = [...] }.")
+        raise element.error(
+            f"needs a body with a center, but “{body.name}” has none", "add points = { center = [...] }."
+        )
     if body.shape.kind == "particle":
         raise element.error(f"can't turn “{body.name}”, a particle", "give it the shape disk, ring or ball.")
     return element if element["rim"] is not None else element.with_values(rim=own)
@@ -140,7 +146,9 @@ def room(element: Element, scope: Scope, bodies: Bodies) -> None:
     if element.values.get("circle") is None or element["side"] != "inside":
         return
     if surely_above(element["rim"], element["radius"], scope.given, or_equal=True):
-        raise element.error("has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.')
+        raise element.error(
+            "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.'
+        )
 
 
 def slides(element: Element, scope: Scope, bodies: Bodies) -> None:
@@ -154,7 +162,9 @@ def string_path(element: Element, scope: Scope, bodies: Bodies) -> None:
     path = element["path"]
     for first, second in zip(path, path[1:], strict=False):
         if first.body == second.body and (first.body is not None or first.center == second.center):
-            raise element.error(f"runs from “{first.center.label}” to itself", "name the next body or point on its way.")
+            raise element.error(
+                f"runs from “{first.center.label}” to itself", "name the next body or point on its way."
+            )
     if all(turn.body is None for turn in path):
         raise element.error("joins only fixed places", "let it end at a point of a body.")
     if tied := next((turn.center.label for turn in path[1:-1] if turn.body is None and turn.grips), ""):
@@ -164,7 +174,9 @@ def string_path(element: Element, scope: Scope, bodies: Bodies) -> None:
         raise element.error("has a length, but is no straight piece between two points", "remove the length.")
     for turn in runs(path)[0][:1] + runs(path)[-1][-1:]:
         if not turn.grips:
-            raise element.error(f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum.")
+            raise element.error(
+                f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum."
+            )
 
 
 def as_touching(element: Element, problem: Problem) -> str:

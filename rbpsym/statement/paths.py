@@ -82,7 +82,9 @@ def _round(
     if _is_body(name, bodies):
         size = radius or round_size(bodies[name])
         if size is None:
-            raise item.error(f"{what}: “{name}” is no round body", f'give the radius: {{ around = "{name}", radius = "r", ... }}')
+            raise item.error(
+                f"{what}: “{name}” is no round body", f'give the radius: {{ around = "{name}", radius = "r", ... }}'
+            )
         return Turn(PointRef(f"{name}.center", name, "center"), size, sense)
     if radius is None:
         raise item.error(f"{what}: there is no round body “{name}”", did_you_mean(str(name), bodies, "bodies"))

@@ -285,7 +285,9 @@ def _is_number(node: t.Node) -> bool:
 
 
 def _is_numeric_fraction(node: t.Node) -> bool:
-    return plain_fraction(node) and (isinstance(node, t.Num) or (isinstance(node, t.Div) and starts_with_digit(node.num)))
+    return plain_fraction(node) and (
+        isinstance(node, t.Num) or (isinstance(node, t.Div) and starts_with_digit(node.num))
+    )
 
 
 def _is_wordy(node: t.Node, style: LayoutStyle) -> bool:

@@ -64,7 +64,8 @@ def nary(box: b.Box, body: str) -> str:
     hidden = "".join(f'<m:{n}Hide m:val="1"/>' for n, part in (("sub", script.sub), ("sup", script.sup)) if not part)
     settings = f'<m:naryPr><m:chr m:val="{script.base.sign}"/><m:limLoc m:val="{place}"/>{hidden}</m:naryPr>'
     ends = "".join(
-        f"<m:{name}>{render(part) if part else ''}</m:{name}>" for name, part in (("sub", script.sub), ("sup", script.sup))
+        f"<m:{name}>{render(part) if part else ''}</m:{name}>"
+        for name, part in (("sub", script.sub), ("sup", script.sup))
     )
     return f"<m:nary>{settings}{ends}<m:e>{body}</m:e></m:nary>"
 

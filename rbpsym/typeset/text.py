@@ -41,7 +41,9 @@ def _needs_gap(items: tuple[b.Box, ...], texts: list[str], position: int) -> boo
         return isinstance(items[before], b.Applied)
     wide = (b.Applied, b.Radical, b.Under)
     parts = (items[before], items[after])
-    return any(isinstance(part, wide) for part in parts) or any(set("_^ ∫") & set(texts[place]) for place in (before, after))
+    return any(isinstance(part, wide) for part in parts) or any(
+        set("_^ ∫") & set(texts[place]) for place in (before, after)
+    )
 
 
 ARROW = "\u20d7"

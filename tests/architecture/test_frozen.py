@@ -57,12 +57,7 @@ def shown(call: Callable[[Any, Any], Any], one: Any, two: Any) -> str:
 
 CALLS: tuple[Callable[[Any, Any], Any], ...] = (
     lambda one, two: [one(1), one(1, "a", [2]), one(x=1, span=4), two(1, y=5), two(1, "a", [], 6)],
-    lambda one, two: [
-        one(1) == one(1, "other"),
-        one(1) == one(2),
-        one(1) == two(1),
-        one(1) == 1,
-    ],
+    lambda one, two: [one(1) == one(1, "other"), one(1) == one(2), one(1) == two(1), one(1) == 1,],
     lambda one, two: [one(1, span=2) == one(1), one(1, marks=[1]) == one(1)],
     lambda one, two: [hash(one(1)) == hash(one(1, "other")), hash(two(1))],
     lambda one, two: [one(1).marks is one(1).marks, two(1).twice, two.__match_args__],

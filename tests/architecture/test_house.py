@@ -21,7 +21,6 @@ VAGUE = {"utils", "util", "helper", "helpers", "manager", "managers", "base", "m
 SHIPPED = sorted(problem_files())
 TEMPLATES = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
 
-
 @of_every_module
 def test_files_are_short(module: Module) -> None:
     assert module.text.count("\n") <= LONGEST

@@ -25,11 +25,8 @@ ANSWERS = (
     ("planet-led-by-sun", "angular velocity of arm", "Omega*R/(2*(R+r))"),
     ("planet-led-by-sun", "number of turns of planet until t = 2*pi/Omega", "R/(2*r)"),
     ("spring-off-wall", "largest elongation in phase free", "d*sqrt(m_1/(m_1+m_2))"),
-    (
-        "hoop-with-backspin",
-        "ratio of kinetic energy at the start to kinetic energy where x comes to rest",
-        "(v_0**2 + R**2*w_0**2)/(R*w_0 - v_0)**2",
-    ),
+    ("hoop-with-backspin", "ratio of kinetic energy at the start to kinetic energy where x comes to rest",
+     "(v_0**2 + R**2*w_0**2)/(R*w_0 - v_0)**2"),
     ("hoop-with-backspin", "number of turns where rolling begins", "sqrt((3*R*w_0 - v_0)**2)*(R*w_0 + v_0)/(16*pi*mu*g*R)"),
     ("pulled-plank", "largest F for which it does not slip with mu = 1/2", "g/2*(m + 3*M)"),
     ("bullet-into-rod", "d for which impulse of F vanishes", "2*ell/3"),
@@ -70,11 +67,8 @@ ANSWERS = (
     ("struck-rod", "greatest F_y", "m*g + m*L/2*9*J**2/(m**2*L**2)"),
     ("wound-rod", "largest k for which theta reaches pi/2", "4/pi**2*(m*L**2*omega_0**2/3 - m*g*L)"),
     ("double-pendulum", "lowest frequency of theta_1 for M >> m", "sqrt(g/(2*ell))"),
-    (
-        "two-pucks",
-        "x as a function of t",
-        "m_1*v*t/(m_1+m_2) + m_2*v/(m_1+m_2)*sqrt(m_1*m_2/(k*(m_1+m_2)))*sin(sqrt(k*(m_1+m_2)/(m_1*m_2))*t)",
-    ),
+    ("two-pucks", "x as a function of t",
+     "m_1*v*t/(m_1+m_2) + m_2*v/(m_1+m_2)*sqrt(m_1*m_2/(k*(m_1+m_2)))*sin(sqrt(k*(m_1+m_2)/(m_1*m_2))*t)"),
     ("two-pucks", "largest speed of two over s between D - v*sqrt(m_1*m_2/(k*(m_1+m_2))) and D", "2*m_1*v/(m_1+m_2)"),
     ("three-springs-free", "equilibrium of x_1", "0"),
     ("dropped-on-spring", "y where speed of block is greatest", "l - m*g/k"),
@@ -84,11 +78,8 @@ ANSWERS = (
     ("puck-drawn-in", "angular momentum of puck about O", "m*v_0*r_0"),
     ("sled-in-drag", "work of D on sled until speed of x = v_0/2", "-3*m*v_0**2/8"),
     ("sled-in-drag", "work of D until x = L", "-m*v_0**2/2*(1-exp(-2*k*L/m))"),
-    (
-        "absorber",
-        "x as a function of t in the steady state",
-        "A*(K-M*Omega**2)*cos(Omega*t)/((k+K-m*Omega**2)*(K-M*Omega**2)-K**2)",
-    ),
+    ("absorber", "x as a function of t in the steady state",
+     "A*(K-M*Omega**2)*cos(Omega*t)/((k+K-m*Omega**2)*(K-M*Omega**2)-K**2)"),
     ("ball-and-spring-block", "time until X comes to rest", "d/v + pi/2*sqrt(M/k)"),
     ("ball-and-spring-block", "greatest X", "2*m*v/(m+M)*sqrt(M/k)"),
     ("clutch", "time until speed of alpha = speed of beta", "omega_0*I_1*I_2/(tau*(I_1+I_2))"),
@@ -98,11 +89,8 @@ ANSWERS = (
     ("ball-in-track", "smallest v_0 for which theta reaches pi", "sqrt(27*g*R/7)"),
     ("cut", "ratio of F_y right after cut to F_y at the start", "1/2"),
     ("clutch", "time until speed of alpha = speed of beta for I_1 = I_2", "I_2*omega_0/(2*tau)"),
-    (
-        "bead-drawn-in-groove",
-        "kinetic energy where r = r_0/2",
-        "(omega_0*(M*R**2/2+m*r_0**2))**2/(2*(M*R**2/2+m*r_0**2/4)) + m*u**2/2",
-    ),
+    ("bead-drawn-in-groove", "kinetic energy where r = r_0/2",
+     "(omega_0*(M*R**2/2+m*r_0**2))**2/(2*(M*R**2/2+m*r_0**2/4)) + m*u**2/2"),
     ("flywheel-with-drag", "number of turns of wheel until phi comes to rest", "I_0/(4*pi*k)*ln(1+k*omega_0**2/M_f)"),
     ("shell-in-valley", "smallest mu for which it does not slip", "2/5*tan(theta_0)"),
     ("rod-with-clamped-bob", "d for which the period does not depend on m", "2*L/3"),
@@ -193,7 +181,6 @@ circle = "O"
 radius = "R"
 """
 
-
 def test_a_statement_that_cannot_be_meant_says_what_can() -> None:
     with pytest.raises(StatementError, match="would have to pull as soon as it moves"):
         ask(load_text(GROOVE), "acceleration of theta at the start")
@@ -224,13 +211,8 @@ def test_a_torque_is_no_energy(capsys) -> None:
     from rbpsym import cli
 
     numbers = "M = 5 kg, m = 4 kg, I = 2 kg m^2, R = 0.4 m, tau = 8 N m, g = 9.81 m/s^2, h = 10 m"
-    asking = [
-        "ask",
-        str(HERE / "lift-with-drum.toml"),
-        "tau for which the cabin rises steadily",
-        "work of C after 1 s",
-        "y after a time of 1 s",
-    ]
+    asking = ["ask", str(HERE / "lift-with-drum.toml"), "tau for which the cabin rises steadily", "work of C after 1 s",
+              "y after a time of 1 s"]
     cli.exit_code(lambda: cli.main([*asking, "--with", numbers], standalone_mode=False))
     told = capsys.readouterr().out
     assert "3.92 N·m" in told and " J" in told and "q_1 = 1 s" in told
@@ -257,9 +239,8 @@ def test_a_letter_for_a_coordinate_has_its_number(capsys) -> None:
 
     numbers = "M = 1, m = 2, L = 1, R = 0.2, x_0 = 0.25, v = 0.3, g = 9.81, x = 0.45"
     file = str(HERE / "rod-over-drum.toml")
-    cli.exit_code(
-        lambda: cli.main(["ask", file, "angular velocity of rod as a function of x", "--with", numbers], standalone_mode=False)
-    )
+    cli.exit_code(lambda: cli.main(["ask", file, "angular velocity of rod as a function of x", "--with", numbers],
+                                   standalone_mode=False))
     told = capsys.readouterr().out
     assert "x_1 = x" in told and "0.331 rad/s" in told
 

@@ -405,7 +405,6 @@ def test_what_is_integrated_goes_through_the_phases() -> None:
     start, gone = 2 * 7 / (7 * 0.2 * 9.8), 12 * 7**2 / (49 * 0.2 * 9.8)
     assert abs(speed - 5) < 1e-6 and abs(late - (start + (20 - gone) / 5)) < 1e-6
 
-
 SPRUNG = """
 [parameters]
 m = "mass"
@@ -431,6 +430,7 @@ def test_what_turns_round_comes_to_the_other_side_of_its_start_too() -> None:
     [found] = ask(load_text(SPRUNG), "largest v_0 for which x stays positive")
     assert "every" not in found.says
     assert found.text == "b*sqrt(k/m)"
+
 
 
 HOPS = "omega_0 for which N where theta = pi vanishes"

@@ -41,16 +41,10 @@ ASKED = (
     ("bullet-in-a-rod", "energy lost in the collision", None),
     ("elastic-pendulum", "spring force at the start - force of S at the start", "0"),
     ("bullet-in-a-rod", "d for which impulse of F_x when embedded begins = 0", "2*ell/3"),
-    (
-        "bullet-in-a-rod",
-        "v_0 for which theta where theta comes to rest = pi/3",
-        "sqrt(g*(M*ell + 2*m*d)*(M*ell**2 + 3*m*d**2)/6)/(m*d)",
-    ),
-    (
-        "bullet-in-a-rod",
-        "v_0 for which theta comes to rest where theta = pi/3",
-        "sqrt(g*(M*ell + 2*m*d)*(M*ell**2 + 3*m*d**2)/6)/(m*d)",
-    ),
+    ("bullet-in-a-rod", "v_0 for which theta where theta comes to rest = pi/3",
+     "sqrt(g*(M*ell + 2*m*d)*(M*ell**2 + 3*m*d**2)/6)/(m*d)"),
+    ("bullet-in-a-rod", "v_0 for which theta comes to rest where theta = pi/3",
+     "sqrt(g*(M*ell + 2*m*d)*(M*ell**2 + 3*m*d**2)/6)/(m*d)"),
 )
 
 

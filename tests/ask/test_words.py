@@ -25,8 +25,7 @@ from tests.library.derived import problem
 FALSE = {
     ("rod-pendulum", "does the period of theta depend on M"): ("yes: “the period” depends on M", "no: “it” depends on M"),
     ("rod-pendulum", "does the period of theta depend on g"): (
-        "no: “the period” does not depend on g",
-        "yes: “the period” depends on M",
+        "no: “the period” does not depend on g", "yes: “the period” depends on M",
     ),
     ("rod-pendulum", "is theta = 0 stable"): ("no",),
     ("rod-pendulum", "is theta = pi unstable"): ("no", "yes where this is met"),
@@ -106,7 +105,7 @@ type = "gravity"
 type = "KIND"
 KEYS
 """
-ROD, STRING = ('"link"', 'points = ["O", "bob.center"]'), ('"string"', 'path = ["O", "bob.center"]')
+ROD, STRING = ('"link"', "points = [\"O\", \"bob.center\"]"), ('"string"', "path = [\"O\", \"bob.center\"]")
 
 
 def swung(by: tuple[str, str]) -> str:

@@ -3,7 +3,7 @@
 The answers were written down from the sources before the engine was asked.
 """
 
-HEAD = """
+HEAD = '''
 [parameters]
 m = "mass: mass"
 M = "mass: another mass"
@@ -12,9 +12,9 @@ R = "length: radius"
 d = "length: distance"
 g = "acceleration: gravity"
 {more}
-"""
+'''
 
-SWING = """
+SWING = '''
 [coordinates.theta]
 meaning = "angle from the downward vertical"
 start = "0"
@@ -22,12 +22,12 @@ speed = "{speed}"
 range = ["-pi", "2*pi"]
 [interactions.W]
 type = "gravity"
-"""
+'''
 
 BOB = (
     HEAD.format(more='v_0 = "speed: speed at the lowest place"')
     + SWING.format(speed="v_0/L")
-    + """
+    + '''
 [bodies.bob]
 shape = "particle"
 mass = "m"
@@ -37,7 +37,7 @@ P = ["0", "0"]
 [constraints.T]
 type = "{kind}"
 {joins}
-"""
+'''
 )
 ON_STRING = BOB.format(kind="string", joins='path = ["P", "bob.center"]')
 ON_ROD = BOB.format(kind="guide", joins='point = "bob.center"\ncircle = "O"\nradius = "L"')
@@ -45,7 +45,7 @@ ON_ROD = BOB.format(kind="guide", joins='point = "bob.center"\ncircle = "O"\nrad
 HANGING_ROD = (
     HEAD.format(more='omega_0 = "angular speed: at the lowest place"')
     + SWING.format(speed="omega_0")
-    + """
+    + '''
 [bodies.rod]
 shape = "rod"
 mass = "m"
@@ -55,10 +55,10 @@ angle = "theta - pi/2"
 [constraints.F]
 type = "pivot"
 point = "rod.start"
-"""
+'''
 )
 
-ROD_OFF_CENTER = """
+ROD_OFF_CENTER = '''
 [parameters]
 m = "mass: mass"
 L = "length: length"
@@ -81,11 +81,11 @@ type = "gravity"
 [constraints.F]
 type = "pivot"
 point = "rod.pin"
-"""
+'''
 
 OFF_SPHERE = (
     HEAD.format(more='v_0 = "speed: speed at the top"')
-    + """
+    + '''
 [coordinates.theta]
 meaning = "angle from the upward vertical"
 start = "0"
@@ -103,13 +103,13 @@ point = "bead.center"
 circle = "O"
 radius = "R"
 side = "outside"
-"""
+'''
 )
 
 LOOP = (
     HEAD.format(more='h = "length: height of the start above the lowest place"')
     + SWING.format(speed="sqrt(2*g*h)/R")
-    + """
+    + '''
 [bodies.car]
 shape = "particle"
 mass = "m"
@@ -120,10 +120,10 @@ point = "car.center"
 circle = "O"
 radius = "R"
 side = "inside"
-"""
+'''
 )
 
-PULLED_BLOCK = """
+PULLED_BLOCK = '''
 [parameters]
 m = "mass: mass"
 P = "force: pull"
@@ -146,9 +146,9 @@ point = "block.center"
 line = "y = 0"
 limit = "mu"
 friction = "f"
-"""
+'''
 
-TALL_BOX = """
+TALL_BOX = '''
 [parameters]
 m = "mass: mass"
 b = "length: width"
@@ -175,9 +175,9 @@ friction = "f"
 type = "contact"
 point = "box.bottom_left"
 line = "y = -x*tan(beta)"
-"""
+'''
 
-INCLINE = """
+INCLINE = '''
 [parameters]
 m = "mass: mass"
 beta = "angle, acute: slope"
@@ -195,9 +195,9 @@ point = "block.center"
 line = "y = -x*tan(beta)"
 limit = "mu"
 friction = "f"
-"""
+'''
 
-HANGING_MASS = """
+HANGING_MASS = '''
 [parameters]
 M = "mass: mass on the slope"
 m = "mass: hanging mass"
@@ -226,9 +226,9 @@ point = "block.center"
 line = "y = x*tan(beta)"
 limit = "mu"
 friction = "f"
-"""
+'''
 
-UPRIGHT = """
+UPRIGHT = '''
 [parameters]
 m = "mass: mass"
 L = "length: length"
@@ -254,9 +254,9 @@ rest_angle = "pi/2"
 [constraints.F]
 type = "pivot"
 point = "rod.start"
-"""
+'''
 
-TURNING_HOOP = """
+TURNING_HOOP = '''
 [parameters]
 m = "mass: mass of the bead"
 R = "length: radius of the hoop"
@@ -282,9 +282,9 @@ type = "guide"
 point = "bead.center"
 circle = "O"
 radius = "R"
-"""
+'''
 
-ROLLING = """
+ROLLING = '''
 [parameters]
 m = "mass: mass"
 R = "length: radius"
@@ -314,9 +314,9 @@ rim = "R"
 line = "y = -x*tan(beta)"
 friction = "f"
 limit = "mu"
-"""
+'''
 
-VIBRATING_PLANK = """
+VIBRATING_PLANK = '''
 [parameters]
 m = "mass: mass of the block"
 A = "length: amplitude"
@@ -338,9 +338,9 @@ type = "prescribed"
 point = "block.center"
 distance = "A*sin(w*t)"
 along = ["0", "1"]
-"""
+'''
 
-PULLED_CYLINDER = """
+PULLED_CYLINDER = '''
 [parameters]
 m = "mass: mass"
 R = "length: radius"
@@ -377,7 +377,7 @@ body = "roller"
 line = "y = 0"
 friction = "f"
 limit = "mu"
-"""
+'''
 
 # problem, question, published answer (None: the sentence must hold this word instead), source
 QUESTIONS = (

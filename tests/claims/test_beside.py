@@ -330,10 +330,8 @@ def test_a_chapter_has_the_macros_of_its_document(folder, capsys):
 def test_what_typst_defines_and_imports_is_read(folder, capsys):
     (folder / "own").mkdir()
     (folder / "own" / "setup.typ").write_text("#let sq(body) = $body^2$\n#let om = $omega$\n$ 1 = 2 $\n")
-    text = (
-        f'#import "own/setup.typ": *\n#let lsq(#NO) = 3\n#let half = $1/2$\n{TYP}\n// rbpsym: claim\n'
-        "$ half sq(V) = sq(ell) sq(om)/2 $"
-    )
+    text = f'#import "own/setup.typ": *\n#let lsq(#NO) = 3\n#let half = $1/2$\n{TYP}\n// rbpsym: claim\n' \
+           "$ half sq(V) = sq(ell) sq(om)/2 $"
     code, found = checked(folder, capsys, "a.typ", text)
     assert (code, [one["outcome"] for one in found]) == (0, ["PROVED"]), found
 
@@ -353,15 +351,8 @@ def test_macros_of_packages_beside_the_text_are_those_of_the_text(folder, capsys
 
 @pytest.mark.parametrize(
     ("wrong", "right"),
-    [
-        (r"V^2 = \ell^2\omgea^2", RIGHT),
-        (r"V^2 = \el^2\omega^2", RIGHT),
-        (r"V^2 = \ell^2v^2", RIGHT),
-        (r"V^2 = \frac{}{1}", ""),
-        (r"^2 = \ell^2\omega^2", rf"\vec {RIGHT}"),
-        (r"V^2 = \ell^2\omega^22", RIGHT),
-        ("\f\nV^2 = \\ell^2v^2", RIGHT),
-    ],
+    [(r"V^2 = \ell^2\omgea^2", RIGHT), (r"V^2 = \el^2\omega^2", RIGHT), (r"V^2 = \ell^2v^2", RIGHT), (r"V^2 = \frac{}{1}", ""),
+     (r"^2 = \ell^2\omega^2", rf"\vec {RIGHT}"), (r"V^2 = \ell^2\omega^22", RIGHT), ("\f\nV^2 = \\ell^2v^2", RIGHT)],
 )
 def test_a_name_that_is_unknown_or_lost_is_repaired(folder, capsys, wrong, right):
     code, [row] = checked(folder, capsys, "a.tex", f"{TEX}\n% rbpsym: claim\n\\[{wrong}\\]")

@@ -92,7 +92,9 @@ def test_what_is_not_there_is_said(folder, names):
     assert caught.value.exit_code == 2
 
 
-@pytest.mark.parametrize("names", [["text.tex"], ["claims.toml", "--problems", "claims.toml"], ["claims.toml", "--only", "x"]])
+@pytest.mark.parametrize(
+    "names", [["text.tex"], ["claims.toml", "--problems", "claims.toml"], ["claims.toml", "--only", "x"]]
+)
 def test_arguments_that_do_not_fit_are_said(folder, names):
     with pytest.raises(click.UsageError):
         run(*names)

@@ -158,7 +158,9 @@ def test_a_claim_may_ask_for_more(latex, depth, wanted):
 def test_what_one_claim_defines_the_next_may_use():
     checker = Checker(WORLDS)
     setting = Setting("ladder", "sliding-ladder", symbols={key: Meaning(value) for key, value in LADDER.items()})
-    first, second = (Claim("a", setting, Printed(latex)) for latex in (r"z=2\ell\cos\theta", r"z^2=4\ell^2-4\ell^2\sin^2\theta"))
+    first, second = (
+        Claim("a", setting, Printed(latex)) for latex in (r"z=2\ell\cos\theta", r"z^2=4\ell^2-4\ell^2\sin^2\theta")
+    )
     assert [checker.check(claim).outcome for claim in (first, second)] == [DEFINITION, PROVED]
 
 

@@ -38,7 +38,9 @@ ROWS = [
 @pytest.mark.parametrize(("name", "latex", "words"), ROWS, ids=[f"{row[0]}: {row[2]}" for row in ROWS])
 def test_a_near_miss_is_named(name, latex, words):
     claim = CLAIMS[name]
-    found = CHECKER.check(claim if claim.right is None else type(claim)(claim.id, claim.setting, claim.printed), Printed(latex))
+    found = CHECKER.check(
+        claim if claim.right is None else type(claim)(claim.id, claim.setting, claim.printed), Printed(latex)
+    )
     assert found.outcome is Outcome.REFUTED
     assert words in found.diagnosis
 
@@ -75,13 +77,10 @@ def test_what_is_far_off_is_told_what_it_is():
         ("disk-with-spring", "energy", r"E = \frac{3}{4} m v^2", "term kx²/2 is missing"),  # whatever the constant
         ("disk-with-spring", "energy", r"E = \frac{1}{4} m v^2 + \frac{1}{2} k x^2", "3 in place of 1"),
         ("bead-on-rotating-rod", "jacobi-integral", r"\frac{1}{2}m(\dot r^2 - r^2\omega) = C_0", "exponent of ω"),
-        (
-            "cart-pulled-over-pulley",
-            "kinetic-energy",
-            r"K = P \left(\sqrt{x_1^2 + h^2} - \sqrt{x_2^2}\right)",
-            "term h² is missing",
-        ),
-        ("planet-wheel", "energy", r"K = \frac{1}{2}\left(\frac{M}{3}+\frac{3m}{2}\right)(R+r)\omega^2", "of R + r"),
+        ("cart-pulled-over-pulley", "kinetic-energy",
+         r"K = P \left(\sqrt{x_1^2 + h^2} - \sqrt{x_2^2}\right)", "term h² is missing"),
+        ("planet-wheel", "energy",
+         r"K = \frac{1}{2}\left(\frac{M}{3}+\frac{3m}{2}\right)(R+r)\omega^2", "of R + r"),
         ("metronome", "frequency", r"\omega_0^2 = \frac{(m_2a-m_2b)g}{m_1a^2+m_2b^2}", "m₁ in place of m₂"),
     ],
 )

@@ -118,9 +118,7 @@ def test_two_runs_are_compared(folder, capsys, option):
     path.write_text(PART.replace(WRONG, RIGHT.replace("^2", "^5")))
     run("worse.json")
     tell = lambda *names: (  # noqa: E731
-        main.main(["check", "--compare", *names], standalone_mode=False),
-        capsys.readouterr().out,
-    )
+        main.main(["check", "--compare", *names], standalone_mode=False), capsys.readouterr().out)
     code, told = tell("old.json", "better.json")
     assert code == 0 and "REFUTED -> -" in told and "- -> REFUTED" not in told
     assert tell("old.json", "worse.json")[0] == 1

@@ -13,7 +13,9 @@ from rbpsym.cli import main
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = [
     " ".join(found.split())
-    for found in re.findall(r"(?<=rbpsym )check notes\.tex [^\n]*(?:\n +--[^\n]*)?", (ROOT / "docs" / "ci.md").read_text())
+    for found in re.findall(
+        r"(?<=rbpsym )check notes\.tex [^\n]*(?:\n +--[^\n]*)?", (ROOT / "docs" / "ci.md").read_text()
+    )
 ]
 
 

@@ -13,7 +13,9 @@ PROVED, REFUTED, UNDECIDED = Outcome.PROVED, Outcome.REFUTED, Outcome.UNDECIDED
 
 
 def result(latex, problem, symbols=None, given=()):
-    setting = Setting("s", problem, symbols={k: Meaning(v) for k, v in (symbols or {}).items()}, given=tuple(map(Printed, given)))
+    setting = Setting(
+        "s", problem, symbols={k: Meaning(v) for k, v in (symbols or {}).items()}, given=tuple(map(Printed, given))
+    )
     return Checker(Worlds()).check_safely(Claim("c", setting, Printed(latex)))
 
 

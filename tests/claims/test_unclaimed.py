@@ -65,7 +65,9 @@ def test_it_may_be_expected(folder, capsys):
     assert code == 0 and rows["e"]["outcome"] == "NOT A FORMULA WE COMPUTE"
 
 
-@pytest.mark.parametrize("text", ["Only $a=b$ in a sentence.", r"\begin{equation} \theta \end{equation}", "No formula."])
+@pytest.mark.parametrize(
+    "text", ["Only $a=b$ in a sentence.", r"\begin{equation} \theta \end{equation}", "No formula."]
+)
 def test_nothing_decided_is_no_success(folder, capsys, text):
     assert checked(folder, capsys, {"a.tex": text}, [LADDER])[0] == 1
     (folder / "claims0.toml").write_text(LADDER)
@@ -74,7 +76,9 @@ def test_nothing_decided_is_no_success(folder, capsys, text):
 
 
 def test_settings_without_claims_are_no_problem_file(folder, capsys):
-    several = f"[settings.a]\n{LADDER.replace('[symbols]', '[settings.a.symbols]')}[settings.b]\nproblem = 'rod-pendulum'\n"
+    several = (
+        f"[settings.a]\n{LADDER.replace('[symbols]', '[settings.a.symbols]')}[settings.b]\nproblem = 'rod-pendulum'\n"
+    )
     code, rows = checked(folder, capsys, {"a.tex": TRUE}, [several])
     assert code == 1 and "several settings" in rows["1"]["detail"]
     with pytest.raises(RbpsymError, match="without claims"):

@@ -1,5 +1,6 @@
 r"""A LaTeX text is walked: environments, numbers, labels, macros, files put in; and hostile ones refused."""
 
+
 import pytest
 
 from rbpsym.claims.papers.check import printed
@@ -156,7 +157,9 @@ def test_arguments_of_macros(paper, latex, wanted):
 def test_input_beside_the_text(tmp_path):
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "a.tex").write_text("\n$$ x=1 $$\n")
-    (tmp_path / "main.tex").write_text("\\begin{equation}a=b\\end{equation}\n\\input{parts/a}\n$$ y=2 $$ % \\input{no}\n")
+    (tmp_path / "main.tex").write_text(
+        "\\begin{equation}a=b\\end{equation}\n\\input{parts/a}\n$$ y=2 $$ % \\input{no}\n"
+    )
     found = read_paper(tmp_path / "main.tex").displayed
     assert [(formula.latex.strip(), formula.file.split("/")[-1], formula.line) for formula in found] == [
         ("a=b", "main.tex", 1),

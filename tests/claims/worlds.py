@@ -81,7 +81,11 @@ def _incline():
             "s": rb.coordinate(dimension="length", start="0", speed="0"),
             "phi": rb.coordinate(start="0"),
         },
-        bodies={"disk": rb.disk("R", mass="M", center=("s*cos(beta) + R*sin(beta)", "R*cos(beta) - s*sin(beta)"), angle="-phi")},
+        bodies={
+            "disk": rb.disk(
+                "R", mass="M", center=("s*cos(beta) + R*sin(beta)", "R*cos(beta) - s*sin(beta)"), angle="-phi"
+            )
+        },
         constraints={"N": rb.rolling("disk", line="y = -x*tan(beta)", friction="f", limit="mu")},
     )
 

@@ -78,7 +78,9 @@ def test_a_course_derives_only_the_problem_that_changed() -> None:
 
 def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsys, monkeypatch) -> None:
     monkeypatch.setattr(watching, "PAUSE", 0.005)
-    edits = iter([("half the length", "half of it"), ("[parameters]", "[parametres]"), ("[parametres]", "[parameters]")])
+    edits = iter(
+        [("half the length", "half of it"), ("[parameters]", "[parametres]"), ("[parametres]", "[parameters]")]
+    )
     kept, written = KeptDerivations(False), []
 
     def write() -> list[Path]:

@@ -84,7 +84,7 @@ def test_both_backends_enclose_the_same_number(name: str) -> None:
     pytest.importorskip("flint")
     source = random.Random(name)
     for _ in range(25):
-        x = Fraction(source.randint(-(10**6), 10**6), source.randint(1, 10 ** source.randint(1, 30)))
+        x = Fraction(source.randint(-10**6, 10**6), source.randint(1, 10 ** source.randint(1, 30)))
         x = abs(x) + TINY if name == "log" else min(x, 1 - 1 / (2 + x * x)) if name == "elliptic_k" else x % 3000
         (a, near), (b, close) = (backend.enclosed(name, x, e.BITS) for backend in (flint_ring, sympy_bridge))
         assert abs(a - b) <= near + close

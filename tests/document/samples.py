@@ -254,7 +254,11 @@ def sample(notation: Notation | None = None, language: str = "en") -> Document:
             Callout(
                 "why",
                 words("Why about the pivot?"),
-                (Paragraph((Text("The force "), Math(s("N_x")), Text(" has no torque about "), Math(s("O")), Text("."))),),
+                (
+                    Paragraph(
+                        (Text("The force "), Math(s("N_x")), Text(" has no torque about "), Math(s("O")), Text("."))
+                    ),
+                ),
             ),
             ItemList(
                 (

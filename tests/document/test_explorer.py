@@ -50,7 +50,9 @@ def test_the_script_agrees_with_the_derivation(name: str) -> None:
     parts, _ = known_stages(problem)
     for moment in explored.run(found):
         assert moment["end"]["kind"] not in ("numbers", "singular"), moment["end"]
-        assert moment["unfit"] in (None, "slack"), "the example's numbers fit the statement (a string may be a light rod)"
+        assert moment["unfit"] in (None, "slack"), (
+            "the example's numbers fit the statement (a string may be a light rod)"
+        )
         assert moment["end"]["kind"] != "holds" or moment["end"]["time"] > moment["began"], "friction opposes the slip"
         told = explored.told(moment)
         size = max(abs(value) for value in told.values())

@@ -86,7 +86,9 @@ def test_every_shape_of_a_statement_has_an_outline() -> None:
 
 @pytest.mark.parametrize("kind", {**OUTLINES, **OWN})
 def test_outlines_use_known_styles(kind: str) -> None:
-    sizes = dict.fromkeys(("length", "radius", "inner", "outer", "width", "height", "base", "offset", "right", "top"), 0.5)
+    sizes = dict.fromkeys(
+        ("length", "radius", "inner", "outer", "width", "height", "base", "offset", "right", "top"), 0.5
+    )
     sizes |= {"left": -0.5, "bottom": -0.5, "opening": 1.0, "half_width": 0.5, "half_height": 0.3}
     sizes |= {"x_1": 0.0, "y_1": 0.0, "x_2": 1.0, "y_2": 0.0, "x_3": 0.0, "y_3": 1.0}
     body = SketchBody("b", kind, sizes, (1, 1), 0.3)

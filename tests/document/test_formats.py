@@ -346,7 +346,9 @@ def test_letters_of_all_scripts_and_pictures_are_set_or_told(engine: str, tmp_pa
     document = hostile(SCRIPTS)
     content = compiled(write_slides(document)) if engine == "beamer" else write_pdf(document, engine)
     (tmp_path / "x.pdf").write_bytes(content)
-    text = subprocess.run(["pdftotext", str(tmp_path / "x.pdf"), "-"], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run(
+        ["pdftotext", str(tmp_path / "x.pdf"), "-"], capture_output=True, text=True, check=True
+    ).stdout
     assert text.count("rocket") >= 5
     assert "½" in text
 
@@ -387,7 +389,9 @@ def test_no_markup_is_left_on_a_printed_page(name: str, tmp_path: Path) -> None:
     document = rbpsym.notes(ladder(), plots=True)
     content = compiled(write_slides(document)) if name == "beamer" else write_pdf(document, name)
     (tmp_path / "x.pdf").write_bytes(content)
-    text = subprocess.run(["pdftotext", str(tmp_path / "x.pdf"), "-"], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run(
+        ["pdftotext", str(tmp_path / "x.pdf"), "-"], capture_output=True, text=True, check=True
+    ).stdout
     assert len(text) > 3000
     assert not MARKUP.search(text), MARKUP.search(text)
     assert "??" not in text

@@ -105,7 +105,9 @@ def test_and_before_the_sound_i() -> None:
     assert plain("part.annulus", "es", inner="x", outer=["aro", "hielo"]).endswith("aro y hielo")
 
 
-@pytest.mark.parametrize("other", ["centro de masas", "centros de masas", "barra delgada", "“", "”", " de el ", " a el ", "  "])
+@pytest.mark.parametrize(
+    "other", ["centro de masas", "centros de masas", "barra delgada", "“", "”", " de el ", " a el ", "  "]
+)
 def test_one_word_for_each_thing(other: str) -> None:
     tables = {**SPANISH, **{key: text for key, text in phrases("es", "worksheets").items() if not key.startswith("sentence.")}}
     assert not [key for key, text in tables.items() if other in text.strip()]

@@ -75,7 +75,8 @@ def test_no_label_collides(name: str, share: float | None) -> None:
         assert collisions(done) == [], what
         left, bottom, right, top = done.bounds
         assert all(
-            left <= one.box[0] and bottom <= one.box[1] and one.box[2] <= right and one.box[3] <= top for one in done.labels
+            left <= one.box[0] and bottom <= one.box[1] and one.box[2] <= right and one.box[3] <= top
+            for one in done.labels
         )
         assert right - left < 14
         assert top - bottom < 12
@@ -98,7 +99,9 @@ def test_every_part_of_the_statement_is_seen(name: str) -> None:
     assert len({circle.at for circle in sketch.circles}) >= len(fixed)
     ground = {e["line"].label for e in held if e.values.get("line") is not None and not e["of"]}
     assert len(sketch.lines) == len(ground)
-    text = describe(sketch, "en", problem_notation(problem)) + "".join(describe_free_body(sketch, b.name) for b in sketch.bodies)
+    text = describe(sketch, "en", problem_notation(problem)) + "".join(
+        describe_free_body(sketch, b.name) for b in sketch.bodies
+    )
     assert all(body.name in text for body in sketch.bodies)
     for scene in drawn.values():
         assert "nan" not in to_svg(scene).lower()

@@ -52,7 +52,9 @@ def test_no_label_collides(name: str) -> None:
     notation = notation_of(moving.derivation)
     for panel in (panel for panels in groups for panel in panels):
         drawing = placed(scene(panel, notation), notation)
-        found = [(one.content, other.content if isinstance(other, Label) else other) for one, other in collisions(drawing)]
+        found = [
+            (one.content, other.content if isinstance(other, Label) else other) for one, other in collisions(drawing)
+        ]
         assert not found
         assert drawing.bounds[2] - drawing.bounds[0] < 11.5
 

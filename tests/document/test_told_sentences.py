@@ -65,6 +65,8 @@ def test_each_is_translated(file, language):
     assert not [text for text in told(file) if translated(text, language) == text]
 
 
+
+
 def written_out(pattern: str) -> Iterator[str]:
     """The texts of a pattern of alternatives and optional parts."""
     part = re.search(r"\(([^()]*)\)(\??)", pattern)

@@ -1,6 +1,6 @@
 """What every format makes of the sample formulas, as it was when it was last looked at.
 
-python -m tests.expr.printed     # writes printed.json anew, after what changed has been looked at
+    python -m tests.expr.printed     # writes printed.json anew, after what changed has been looked at
 """
 
 from __future__ import annotations

@@ -160,7 +160,8 @@ FORMAL = {  # read whole, without a value
     r"g_k(t - t_k)^2 = q^i e^{\frac{a}{b}(x)}": "raised(value(gₖ, t − tₖ), 2) = raised(q, i) exp(value(a/b, x))",
     r"\phi([X, Y]) = \frac{\partial f}{\partial x}(a)": "value(ϕ, brackets(X, Y)) = value(∂f/∂x, a)",
     r"\forall x, y \in M, x^{-1} y = f(0) e^0": "     ∀(x, ∈(y, M))\nx⁻¹y = value(f, 0) e⁰",
-    r"\{ \begin{pmatrix} a \\ b \end{pmatrix}, c \} = A_{i;j} \to^{P} (a, b)": "braces(matrix(row(a), row(b)), c) = A_isemicolonj → list(a, b)",
+    r"\{ \begin{pmatrix} a \\ b \end{pmatrix}, c \} = A_{i;j} \to^{P} (a, b)":
+        "braces(matrix(row(a), row(b)), c) = A_isemicolonj → list(a, b)",
     r"a = b = ": "a = b = unfinished",
     r"a = b \quad \text{ruotato di } x \text{ nel piano}": "a = b\n  condition(ruotato di x nel piano)",
     r"a = \sum_{i\in A} m_i + f_{j\ne k}": "a = sum(mᵢ, ∈(i, A)) + fⱼₙₑₖ",

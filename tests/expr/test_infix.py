@@ -1,5 +1,6 @@
 """What people type, what it means, and what is refused with a sentence."""
 
+
 import pytest
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError

@@ -16,7 +16,9 @@ from rbpsym.typeset.omml import to_omml
 from rbpsym.typeset.text import to_text
 from rbpsym.typeset.typst import to_typst
 
-SPANISH = Notation(functions={"sin": "sen", "asin": "arcsen"}, names={"rod": "varilla", "rod_1": "péndulo_1"}, decimal=",")
+SPANISH = Notation(
+    functions={"sin": "sen", "asin": "arcsen"}, names={"rod": "varilla", "rod_1": "péndulo_1"}, decimal=","
+)
 THETA = t.Sym("theta")
 FORMULA = t.Mul((t.Sym("W_rod_1"), t.Pow(t.Fn("sin", THETA), t.TWO), t.Fn("asin", t.Sym("I_rod"))))
 

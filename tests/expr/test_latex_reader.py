@@ -1,5 +1,6 @@
 """What papers write, and what the LaTeX reader refuses."""
 
+
 import pytest
 
 from rbpsym.errors import RbpsymError

@@ -13,7 +13,7 @@ NAMES = {
 }  # fmt: skip
 ROWS = [
     ("omega^2 = (3 g)/(2 ell) (sin theta - sin x)", r"\omega^2 = \frac{3g}{2\ell}(\sin\theta - \sin x)"),
-    ('1/2 m v_"cm"^2 <= x', r"\frac12 m v_{\text{cm}}^2 \le x"),
+    ("1/2 m v_\"cm\"^2 <= x", r"\frac12 m v_{\text{cm}}^2 \le x"),
     ("sqrt(x)/2 != root(3, x)", r"\frac{\sqrt x}{2} \ne \sqrt[3]{x}"),
     ("x/g/m = e^(-x/g)", r"\frac{\frac{x}{g}}{m} = e^{-\frac{x}{g}}"),
     ("dot.double(theta) = -abs(x) cos(theta)/ell", r"\ddot\theta = -|x| \frac{\cos(\theta)}{\ell}"),
@@ -24,10 +24,10 @@ PACKAGES = [  # what physica adds, and what only forms the page
     ("pdv(f, x) = dv(f, x, 2)", r"\frac{\partial f}{\partial x} = \frac{d^2 f}{dx^2}"),
     ("diaer(theta) = dv(,t) (omega)", r"\ddot\theta = \frac{d}{dt}(\omega)"),
     ("integral_0^x m dd(x) = difference(x)", r"\int_0^x m\,dx = \Delta x"),
-    ('m = underbrace(x + g, "known") #h(2em) (3.1)', r"m = x + g"),
+    ("m = underbrace(x + g, \"known\") #h(2em) (3.1)", r"m = x + g"),
     ("m = integral_0^theta_1 f dif x + theta_1^2", r"m = \int_0^{\theta_1} f dx + \theta_1^2"),
     ("x = g ==> m = g", r"x = g \Rightarrow m = g"),
-    ('mat(delim: "[", x, m; g, f) = x', r"\begin{bmatrix} x & m \\ g & f \end{bmatrix} = x"),
+    ("mat(delim: \"[\", x, m; g, f) = x", r"\begin{bmatrix} x & m \\ g & f \end{bmatrix} = x"),
 ]
 
 

@@ -28,11 +28,9 @@ _NAMES = {
     "momentum": "p p_x",
     "impulse": "J_0",
 }
-DIMENSION_OF: dict[str, Dimension] = {name: DIMENSIONS[kind] for kind, names in _NAMES.items() for name in names.split()} | {
-    "x_ddot": DIMENSIONS["acceleration"],
-    "y_ddot": DIMENSIONS["acceleration"],
-    "r_ddot": DIMENSIONS["acceleration"],
-}
+DIMENSION_OF: dict[str, Dimension] = {
+    name: DIMENSIONS[kind] for kind, names in _NAMES.items() for name in names.split()
+} | {"x_ddot": DIMENSIONS["acceleration"], "y_ddot": DIMENSIONS["acceleration"], "r_ddot": DIMENSIONS["acceleration"]}
 NAMES = set(DIMENSION_OF)
 
 ROWS = [

@@ -9,7 +9,9 @@ from rbpsym.expr import tree as t
 NAMES = ("m", "M", "g", "ell", "theta", "theta_0", "omega", "theta_1_dot", "I_cm", "W_T_N_w", "load", "pi",
          "r_prime", "Delta_x", "cal_w_c", "x_hat", "e", "E", "beta")  # fmt: skip
 
-numbers = st.one_of(st.integers(-3, 12), st.fractions(-3, 3, max_denominator=12), st.just(Fraction(981, 100))).map(t.Num)
+numbers = st.one_of(st.integers(-3, 12), st.fractions(-3, 3, max_denominator=12), st.just(Fraction(981, 100))).map(
+    t.Num
+)
 symbols = st.sampled_from(NAMES).map(t.Sym)
 exponents = st.one_of(st.integers(-3, 4), st.just(Fraction(3, 2)), st.just(Fraction(-1, 2))).map(t.Num)
 functions = st.sampled_from(["sin", "cos", "tan", "asin", "atan", "exp", "ln", "cot", "sec", "csc", "acos"])

@@ -107,7 +107,9 @@ def _written(content: Mapping[str, Any]) -> str:
     """JSON with a line for each key of each record."""
     records = []
     for name, record in content.items():
-        rows = (f"  {json.dumps(k, ensure_ascii=False)}: {json.dumps(v, ensure_ascii=False)}" for k, v in record.items())
+        rows = (
+            f"  {json.dumps(k, ensure_ascii=False)}: {json.dumps(v, ensure_ascii=False)}" for k, v in record.items()
+        )
         records.append(f"{json.dumps(name)}: {{\n" + ",\n".join(rows) + "\n}")
     return "{\n" + ",\n".join(records) + "\n}\n"
 

@@ -60,7 +60,9 @@ def things_of(problem: Problem) -> list[str]:
     elements = [*problem.interactions, *problem.constraints]
     for phase in problem.phases:
         elements += [*phase.problem.constraints, *phase.impulses]
-    return [*dict.fromkeys((*problem.body_names, *(p for p in problem.points if p != "O"), *(e.name for e in elements)))]
+    return [
+        *dict.fromkeys((*problem.body_names, *(p for p in problem.points if p != "O"), *(e.name for e in elements)))
+    ]
 
 
 def renamed(name: str, names: Names) -> Problem:
@@ -81,7 +83,9 @@ def _section(key: str, value: object, names: Names) -> object:
         if key in ("notation", "example"):
             return {k: part for k, (_, part) in found.items()}
         if key == "interactions":  # what is left out is written with letters of its own
-            found = {k: (old, {"g": "g"} | part if part["type"] == "gravity" else part) for k, (old, part) in found.items()}
+            found = {
+                k: (old, {"g": "g"} | part if part["type"] == "gravity" else part) for k, (old, part) in found.items()
+            }
         if key == "parameters":
             return {k: _parameter(part, names) for k, (_, part) in found.items()}
         return {k: _value("", part, names) for k, (_, part) in found.items()}

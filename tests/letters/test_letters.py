@@ -102,7 +102,9 @@ def compared(name: str, names: Names, found: dict, derivation: Derivation) -> It
     """Where the answer differs from that to the problem with its own names."""
     words = dictionary(original(name), derivation.study.problem)
     given = derivation.study.assumptions
-    yield from differences(answer(name), found, lambda old, new: is_same(old, new, words, given), Tables(words, names.things))
+    yield from differences(
+        answer(name), found, lambda old, new: is_same(old, new, words, given), Tables(words, names.things)
+    )
 
 
 def is_refusal_of_a_name(error: RbpsymError) -> bool:

@@ -49,13 +49,17 @@ line = "y = 0"
 """
 
 
-@pytest.mark.parametrize(("phi", "place"), [("", NOTHING), ('range = ["-1", "1"]', NOTHING), ('range = ["1", "4"]', PI)])
+@pytest.mark.parametrize(
+    ("phi", "place"), [("", NOTHING), ('range = ["-1", "1"]', NOTHING), ('range = ["1", "4"]', PI)]
+)
 def test_two_contacts_hold_the_angle(phi: str, place) -> None:
     """w sin φ = 0: the zero in the range, the one nearest to 0 if there are several."""
     study = Study(load_text(CART.format(phi=phi)))
     assert study.system.independent == ("x",)
     assert study.system.dependent["phi"] == place
-    assert str(study.dynamics.accelerations["x_ddot"]) == str(study.dynamics.forcing[0] / study.dynamics.mass_matrix[0][0])
+    assert str(study.dynamics.accelerations["x_ddot"]) == str(
+        study.dynamics.forcing[0] / study.dynamics.mass_matrix[0][0]
+    )
 
 
 def test_normal_forces_of_the_cart() -> None:

@@ -30,7 +30,10 @@ type = "pivot"
 point = "rod.start"
 """
 BOB = '\n[bodies.bob]\nshape = "particle"\nmass = "M"\n'
-DISK = '\n[bodies.disk]\nshape = "disk"\nmass = "M"\nradius = "L"\nangle = "theta"\ncenter = ["L*sin(theta)", "-L*cos(theta)"]\n'
+DISK = (
+    '\n[bodies.disk]\nshape = "disk"\nmass = "M"\nradius = "L"\nangle = "theta"\n'
+    'center = ["L*sin(theta)", "-L*cos(theta)"]\n'
+)
 
 
 def constraint(name: str, **keys: str) -> str:

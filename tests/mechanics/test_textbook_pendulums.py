@@ -49,7 +49,9 @@ SYSTEMS = [
     ),
     Textbook(
         "rod hung beside its centre",
-        pendulum("L a", 'shape = "rod"\nmass = "M"\nlength = "L"\npoints = { nail = ["-a", "0"] }', "nail", "theta - pi/2"),
+        pendulum(
+            "L a", 'shape = "rod"\nmass = "M"\nlength = "L"\npoints = { nail = ["-a", "0"] }', "nail", "theta - pi/2"
+        ),
         {"accelerations/theta": "-12*g*a*sin(theta)/(L**2 + 12*a**2)"},
         (True, False),
     ),
@@ -71,7 +73,9 @@ SYSTEMS = [
     ),
     Textbook(
         "annulus on a knife edge",
-        pendulum("a b", 'shape = "annulus"\nmass = "M"\ninner = "a"\nouter = "b"\npoints = { edge = ["0", "a"] }', "edge"),
+        pendulum(
+            "a b", 'shape = "annulus"\nmass = "M"\ninner = "a"\nouter = "b"\npoints = { edge = ["0", "a"] }', "edge"
+        ),
         {
             "moments_of_inertia/body": "M*(a**2 + b**2)/2",
             "accelerations/theta": "-2*g*a*sin(theta)/(3*a**2 + b**2)",
@@ -206,7 +210,9 @@ def test_pendulum(system: Textbook) -> None:
 def test_katers_pendulum() -> None:
     """A rod swings as fast about its end as about its centre of oscillation, two thirds down."""
     rod = 'shape = "rod"\nmass = "M"\nlength = "L"\npoints = { other = ["L/6", "0"] }'
-    first = Textbook("end", pendulum("L", rod, "start", "theta - pi/2"), {"accelerations/theta": "-3*g/(2*L)*sin(theta)"})
+    first = Textbook(
+        "end", pendulum("L", rod, "start", "theta - pi/2"), {"accelerations/theta": "-3*g/(2*L)*sin(theta)"}
+    )
     second = Textbook("two thirds", pendulum("L", rod, "other", "theta + pi/2"), first.results)
     assert not differences(first)
     assert not differences(second)

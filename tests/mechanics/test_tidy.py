@@ -1,5 +1,6 @@
 """Values keep their value when they are tidied; bodies without mass; searches that end."""
 
+
 import pytest
 
 from rbpsym.field.calculus import root

@@ -202,7 +202,9 @@ def test_two_wheels_that_rub_touch_from_outside_and_share_their_momentum() -> No
         (SPRINGS, "nothing exerts the force along x"),
         (WHEELS.replace('"-P", "0"', '"P", "0"'), "would have to pull"),
         (
-            BALL.replace('"link"\npoints', '"string"\npath').replace('start = "theta_0"\nrange = ["0", "pi/2"]', 'start = "pi"'),
+            BALL.replace('"link"\npoints', '"string"\npath').replace(
+                'start = "theta_0"\nrange = ["0", "pi/2"]', 'start = "pi"'
+            ),
             "would have to push",
         ),
     ],
@@ -244,7 +246,10 @@ def _train(count: int) -> str:
     lines += [f'[coordinates.{name}]\ndimension = "length"\nstart = "0"' for name in ("x", *(f"u_{i}" for i in blocks))]
     lines += ['[bodies.cart]\nshape = "particle"\nmass = "M"\ncenter = ["x", "0"]']
     lines += [f'[bodies.b{i}]\nshape = "particle"\nmass = "m"\ncenter = ["x + u_{i}", "0"]' for i in blocks]
-    lines += [f'[interactions.S_{i}]\ntype = "spring"\nbetween = ["cart.center", "b{i}.center"]\nstiffness = "k"' for i in blocks]
+    lines += [
+        f'[interactions.S_{i}]\ntype = "spring"\nbetween = ["cart.center", "b{i}.center"]\nstiffness = "k"'
+        for i in blocks
+    ]
     return "\n".join([*lines, '[interactions.Q]\ntype = "force"\non = "cart.center"\nforce = ["F", "0"]\n'])
 
 

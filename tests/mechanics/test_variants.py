@@ -88,7 +88,9 @@ def test_ladder_on_the_other_wall(name: str) -> None:
         )
         if answer(original)["conditions"] or not p.startswith("conditions")
     }
-    paths |= {f"angular_momentum/O/ladder/{half}": (f"angular_momentum/O/ladder/{half}", -1) for half in ("orbital", "spin")}
+    paths |= {
+        f"angular_momentum/O/ladder/{half}": (f"angular_momentum/O/ladder/{half}", -1) for half in ("orbital", "spin")
+    }
     if [c["vanishes"] for c in answer(original)["conditions"]] != [c["vanishes"] for c in answer(variant)["conditions"]]:
         paths.pop("conditions/0/vanishes", None)
     assert not changed(original, variant, {}, paths)
@@ -185,7 +187,9 @@ def _keep(original: str) -> dict[str, tuple[str, int]]:
 @pytest.mark.parametrize("name", LADDERS)
 def test_ladder_in_three_coordinates(name: str) -> None:
     original = shipped(name)
-    variant = edited(original, (r"^center = .*", 'center = ["x", "y"]'), (r"^\[bodies\.ladder\]", MORE + "[bodies.ladder]"))
+    variant = edited(
+        original, (r"^center = .*", 'center = ["x", "y"]'), (r"^\[bodies\.ladder\]", MORE + "[bodies.ladder]")
+    )
     found = answer(variant)
     assert found["degrees_of_freedom"] == 1
     assert same(read(variant, found["dependent_coordinates"]["x"]), read(variant, "ell*cos(theta)"))

@@ -45,7 +45,6 @@ def renamed(text: str, names: Mapping[str, str]) -> str:
             lines.append(pattern.sub(lambda m: names[m[1]], line))
     return "\n".join(lines)
 
-
 WORDS = ("complete", "reason", "stability", "state")
 
 
@@ -66,7 +65,9 @@ def image(text: str, expression: str, images: Mapping[str, Scalar]) -> Scalar:
     return substitute(read(text, expression), images)
 
 
-def changed(original: str, variant: str, images: Mapping[str, Scalar], paths: Mapping[str, tuple[str, int]]) -> list[str]:
+def changed(
+    original: str, variant: str, images: Mapping[str, Scalar], paths: Mapping[str, tuple[str, int]]
+) -> list[str]:
     """Results that are not what the original's become.
 
     `paths`: of the original's result, that of the variant's and the sign between them.

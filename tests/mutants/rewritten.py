@@ -72,7 +72,9 @@ def _inside(relation: t.Chain, ground: Ground) -> Iterator[t.Chain]:
         if not _is_special(node, ground):
             for k in MULTIPLIERS:
                 yield put(relation, (("items", place),), t.Div(t.Mul((k, t.Group(node))), k))
-                yield put(relation, (("items", place),), t.Add((t.mul(k, node), t.neg(t.mul(t.Num(k.value - 1), node)))))
+                yield put(
+                    relation, (("items", place),), t.Add((t.mul(k, node), t.neg(t.mul(t.Num(k.value - 1), node))))
+                )
 
 
 def _turned_product(node: t.Mul) -> Iterator[t.Node]:

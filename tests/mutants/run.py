@@ -59,7 +59,10 @@ def trials(path: Path, wanted: int = WANTED) -> Iterator[Trial]:
 
 def _of_claim(claim: Claim, links: list[t.Chain], ground: Ground, wanted: int) -> Iterator[Trial]:
     different = (
-        other for link in links for other in mutants(_equation(link), ground) if is_different(other, ground, claim.holds)
+        other
+        for link in links
+        for other in mutants(_equation(link), ground)
+        if is_different(other, ground, claim.holds)
     )
     equal = (other for others in _in_turn([rewrites(link, ground) for link in links]) for other in others)
     yield from _decided(claim, islice(different, wanted), ground, Outcome.REFUTED)

@@ -129,7 +129,9 @@ def _own(study: Study, numbers: Numbers) -> Numbers:
 def _bench(study: Study, numbers: Numbers) -> Bench:
     along = study.reactions_along_motion or {}
     works = known_works(study.works)
-    derived = Derived(study.system, study.dynamics, study.first_integral, study.squares, along, works, angular_momenta(study))
+    derived = Derived(
+        study.system, study.dynamics, study.first_integral, study.squares, along, works, angular_momenta(study)
+    )
     try:
         return Bench(derived, _own(study, numbers))
     except (ValueError, ZeroDivisionError) as error:

@@ -39,7 +39,9 @@ ROUND = ("disk", "ring", "ball", "shell")
 
 def table(name: str, **entries: str) -> str:
     """A table of TOML; lists are given as they are written."""
-    rows = (f"{key} = {value}" if value.startswith(("[", "{")) else f'{key} = "{value}"' for key, value in entries.items())
+    rows = (
+        f"{key} = {value}" if value.startswith(("[", "{")) else f'{key} = "{value}"' for key, value in entries.items()
+    )
     return f"[{name}]\n" + "\n".join(rows) + "\n"
 
 
@@ -133,7 +135,9 @@ def chain(choose: Choose) -> str:
     names = [f"q{k}" for k in range(1, count + 1)]
     text, long, last = "".join(angle(choose, name) for name in names), [], "O"
     if cart:
-        text += table("coordinates.x", dimension="length", **choose(({}, {"start": "0"}, {"start": "0", "speed": "v_0"})))
+        text += table(
+            "coordinates.x", dimension="length", **choose(({}, {"start": "0"}, {"start": "0", "speed": "v_0"}))
+        )
         text += table("bodies.cart", shape="particle", mass="n", center='["x", "0"]')
         text += table("constraints.N", type=choose(("contact", "guide")), point="cart.center", line="y = 0")
         last = "cart.center"
@@ -162,7 +166,9 @@ def _bob(choose: Choose, at: str) -> str:
         return table("bodies.bob", shape="particle", mass="n") + table(
             "constraints.E", type="pin", points=f'["{at}", "bob.center"]'
         )
-    wheel = table("bodies.bob", shape=choose(ROUND), mass="n", radius="R", **({"angle": "psi"} if kind == "pinned" else {}))
+    wheel = table(
+        "bodies.bob", shape=choose(ROUND), mass="n", radius="R", **({"angle": "psi"} if kind == "pinned" else {})
+    )
     joint = table("constraints.E", type="pin" if kind == "pinned" else "weld", points=f'["{at}", "bob.center"]')
     return (angle(choose, "psi") if kind == "pinned" else "") + wheel + joint
 
@@ -226,9 +232,13 @@ def bowl(choose: Choose) -> str:
         text += table("constraints.N", type="contact", point="b.center", circle="O", radius="L", side=side)
     else:
         text += table("coordinates.phi", meaning="angle")
-        text += table("bodies.b", shape=choose(ROUND), mass="m", radius="R", center=where, angle=choose(("phi", "-phi")))
+        text += table(
+            "bodies.b", shape=choose(ROUND), mass="m", radius="R", center=where, angle=choose(("phi", "-phi"))
+        )
         text += table("constraints.N", type="rolling", body="b", circle="O", radius="L", side=side)
-    return text + choose(("", table("interactions.S", type="spring", between='["H", "b.center"]', stiffness="k")))
+    return text + choose(
+        ("", table("interactions.S", type="spring", between='["H", "b.center"]', stiffness="k"))
+    )
 
 
 def pulley(choose: Choose) -> str:
@@ -258,7 +268,9 @@ def loop(choose: Choose) -> str:
     """Crank, link and piston; or two cranks and a link."""
     text = angle(choose, "q") + table("bodies.crank", shape="rod", mass="m", length="ell", angle="q")
     text += table("constraints.A", type="pivot", point="crank.start", at="O")
-    text += table("coordinates.p", meaning="angle") + table("bodies.link", shape="rod", mass="M", length="3*ell", angle="p")
+    text += table("coordinates.p", meaning="angle") + table(
+        "bodies.link", shape="rod", mass="M", length="3*ell", angle="p"
+    )
     text += table("constraints.B", type="pin", points='["crank.end", "link.start"]')
     if choose((True, False)):
         text += table("coordinates.x", dimension="length") + table(
@@ -276,7 +288,9 @@ def skid(choose: Choose) -> str:
     text = table("coordinates.x", dimension="length", start="0", speed="v_0") + GRAVITY
     spin = choose(({}, {"speed": "omega_0"}, {"speed": "-omega_0"}))
     text += table("coordinates.phi", meaning="angle", start="0", **spin)
-    text += table("bodies.b", shape=choose(ROUND), mass="m", radius="R", center='["x", "R"]', angle=choose(("phi", "-phi")))
+    text += table(
+        "bodies.b", shape=choose(ROUND), mass="m", radius="R", center='["x", "R"]', angle=choose(("phi", "-phi"))
+    )
     text += table("constraints.N", type="touch", body="b", line="y = 0", coefficient="mu")
     text += '[[phases]]\nname = "rolling"\nevent = "no slip"\nof = "N"\nconstraints = { N = { type = "rolling" } }\n'
     return text

@@ -173,7 +173,9 @@ def _agrees(study: Study, name: str, numbers: dict[str, float]) -> bool:
     gain = number(study.dynamics.accelerations[f"{name}_ddot"], known)
     sense = math.copysign(1.0, speed or gain or 1.0)
     forces = {n: study.reactions_along_motion[n] for e in study.problem.constraints for n in pushes(e)}
-    told_at = [(x.force, number(x.at[name], numbers)) for x in study.losses if x.at and holds(x.valid, numbers)]
+    told_at = [
+        (x.force, number(x.at[name], numbers)) for x in study.losses if x.at and holds(x.valid, numbers)
+    ]
     first = None
     for k in range(1, STEPS * 10):
         here = start + sense * 2 * math.pi * k / STEPS / 5

@@ -35,7 +35,9 @@ def scaled(values: dict[str, Scalar], name: str, factor) -> dict[str, Scalar]:
 @pytest.mark.parametrize("name", NAMES)
 def test_simulation_agrees(name: str) -> None:
     it = study(name)
-    report = simulate(Derived(it.system, it.dynamics, it.first_integral, it.squares, it.reactions_along_motion or {}))
+    report = simulate(
+        Derived(it.system, it.dynamics, it.first_integral, it.squares, it.reactions_along_motion or {})
+    )
     assert report.max_relative_error <= 1e-8
     assert report.drift is None or report.drift <= 1e-8
     assert {error.split()[0] for error in report.errors} >= {"acceleration", "force"}

@@ -154,7 +154,7 @@ def text_of(name: str, **changes: str) -> str:
     return said_in(derive(load_problem(found), simulation=False))
 
 
-AT_THE_BOTTOM = {'"theta_0"': '"0"', "theta_0 =": "#"}
+AT_THE_BOTTOM = {'"theta_0"': '"0"', 'theta_0 =': '#'}
 SAID = [  # a problem, changes of its text, what is not said of it, what is said instead
     ("sliding-ladder-with-spring", {}, "and it is the opposite", "together do the opposite rotational work"),
     ("sliding-ladder", {}, "of the other forces the rotational work", "and it is the opposite"),

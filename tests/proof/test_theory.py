@@ -20,7 +20,9 @@ def test_every_step_of_the_theory_is_proved_twice(name):
     lesson = THEORIES[name]()
     assert [s.id for s in lesson.steps if not s.certificate.verdict.is_proved] == []
     assert all("by_particles" in s.certificate.checks for s in lesson.steps)
-    assert {"angular_momentum", "torque", "energy", "fixed_torque", "work_energy", "ideal_pivot"} <= {s.id for s in lesson.steps}
+    assert {"angular_momentum", "torque", "energy", "fixed_torque", "work_energy", "ideal_pivot"} <= {
+        s.id for s in lesson.steps
+    }
 
 
 BOXED = {  # the theorems; what leads to them and what follows from them at once has no box

@@ -31,7 +31,9 @@ ROWS = [
     Broken("radius of a rod", 'length = "ell"', 'length = "ell"\n«radius» = "R"', "unknown key “radius”", "keys here"),
     Broken("unknown key of a coordinate", 'start   = "pi/3"', '«strat»   = "pi/3"', "unknown key “strat”", "“start”"),
     Broken("unknown key of an interaction", 'stiffness = "k"\n', '«stifness» = "k"\n', "unknown key “stifness”"),
-    Broken("unknown key of a constraint", 'line  = "y', '«lines»  = "y', "unknown key “lines” in contact “L”", "“line”"),
+    Broken(
+        "unknown key of a constraint", 'line  = "y', '«lines»  = "y', "unknown key “lines” in contact “L”", "“line”"
+    ),
     Broken("unknown key of a parameter", 'sign = "real"', '«signum» = "real"', "unknown key “signum”", "“sign”"),
     Broken("missing size", 'radius = "R"\n', "", "the body “disk” has no “radius”"),
     Broken("missing mass", 'mass  = "m"\n', "", "the body “bob” has no “mass”", 'add mass = "M"'),
@@ -42,10 +44,14 @@ ROWS = [
     Broken("missing dimension", 'dimension = "force", ', "", "the parameter “F” has no “dimension”"),
     # --- kinds
     Broken("unknown shape", 'shape  = "disk"', 'shape  = «"dsik"»', "unknown shape “dsik”", "did you mean “disk”?"),
-    Broken("unknown interaction", 'type = "gravity"', 'type = «"gravitation"»', "unknown type “gravitation”", "“gravity”"),
+    Broken(
+        "unknown interaction", 'type = "gravity"', 'type = «"gravitation"»', "unknown type “gravitation”", "“gravity”"
+    ),
     Broken("unknown constraint", 'type  = "pivot"', 'type  = «"pivott"»', "unknown type “pivott”", "“pivot”"),
     Broken("constraint among interactions", 'type = "gravity"', 'type = «"weld"»', "unknown type “weld”", "types"),
-    Broken("unknown dimension", '"mass: mass of the rod"', '"«mas»: mass of the rod"', "unknown dimension “mas”", "“mass”"),
+    Broken(
+        "unknown dimension", '"mass: mass of the rod"', '"«mas»: mass of the rod"', "unknown dimension “mas”", "“mass”"
+    ),
     Broken("unknown sign", '"mass, nonnegative', '"mass, «nonegative»', "unknown sign “nonegative”", "“nonnegative”"),
     Broken("unknown choice", 'line  = "y', 'side  = «"left"»\nline  = "y', "must be one of auto, positive, negative"),
     # --- values of the wrong sort
@@ -72,7 +78,9 @@ ROWS = [
     Broken("origins is a text", 'origins = ["O", "disk.cm"]', 'origins = «"O"»', "a list of points"),
     # --- references
     Broken("unknown body", '"rod.end"\nline', '"«rdo».end"\nline', "there is no body “rdo”", "did you mean “rod”?"),
-    Broken("unknown point", '"rod.end"\nline', '"rod.«tip»"\nline', "“rod” has no point “tip”", "its points: center, start"),
+    Broken(
+        "unknown point", '"rod.end"\nline', '"rod.«tip»"\nline', "“rod” has no point “tip”", "its points: center, start"
+    ),
     Broken("body for a point", '"rod.end"\nline', '«"rod"»\nline', "“rod” is a body, not a point", "rod.end"),
     Broken("unknown fixed point", '"rod.knot", "Q"', '"rod.knot", «"P1"»', "there is no point “P1”"),
     Broken("unknown origin", '"disk.cm"]', '"disk.«cmm»"]', "no point “cmm”", "did you mean “cm”?"),
@@ -84,7 +92,9 @@ ROWS = [
         "“Ground” is not a body",
         "“ground”",
     ),
-    Broken("spring with one end", 'between   = ["rod.knot", "Q"]', 'between   = «["Q"]»', "must name two points, not 1"),
+    Broken(
+        "spring with one end", 'between   = ["rod.knot", "Q"]', 'between   = «["Q"]»', "must name two points, not 1"
+    ),
     Broken(
         "gravity on an unknown body",
         'type = "gravity"',
@@ -96,7 +106,9 @@ ROWS = [
     Broken("unknown symbol in a list of lines", '"-ell*cos(theta)",', '"-ell*cos(«thta»)",', "“thta”", "theta"),
     Broken("unknown symbol in a line", '"y = x*tan(beta)"', '"y = x*tan(«bta»)"', "“bta”", "beta"),
     Broken("gravity without g", 'g   = "acceleration: gravity"\n', "", "“g”"),
-    Broken("coordinate in a length", 'length = "ell"', 'length = "ell*«theta»"', "must not depend on “theta”, a coordinate"),
+    Broken(
+        "coordinate in a length", 'length = "ell"', 'length = "ell*«theta»"', "must not depend on “theta”, a coordinate"
+    ),
     Broken("speed in a pose", 'angle  = "phi"', 'angle  = "«phi_dot»"', "must not depend on “phi_dot”, a speed"),
     Broken("coordinate in a line", '"y = x*tan(beta)"', '"y = x*tan(«phi»)"', "must not depend on “phi”"),
     Broken("open parenthesis", '"-ell*cos(theta)",', '"-ell*cos«(»theta",', "", ""),
@@ -185,7 +197,9 @@ ROWS = [
     Broken("curve for a line", '"y = x*tan(beta)"', '«"y = x**2/ell"»', "is not a straight line"),
     Broken("line without x and y", '"y = x*tan(beta)"', '«"ell = R"»', "is not a straight line"),
     Broken("line that is everywhere", '"y = x*tan(beta)"', '«"x = x"»', "is not a straight line"),
-    Broken("pin of one body", '["rod.end", "disk.center"]', '["rod.end", "rod.start"]', "joins the body “rod” to itself"),
+    Broken(
+        "pin of one body", '["rod.end", "disk.center"]', '["rod.end", "rod.start"]', "joins the body “rod” to itself"
+    ),
     Broken("pin to a place", '["rod.end", "disk.center"]', '["rod.end", "O"]', "a fixed place", "pivot"),
     Broken("pivot of a place", 'point = "rod.start"', 'point = "O"', "“O”, a fixed place"),
     Broken("spring of one body", '"rod.knot", "Q"', '"rod.knot", "rod.end"', "two points of one body"),
@@ -193,8 +207,12 @@ ROWS = [
     Broken("torsion spring of one body", '"ground", "rod"', '"rod", "rod"', "joins “rod” to itself"),
     Broken("torsion spring on a particle", '"ground", "rod"', '"ground", "bob"', "a particle, which has no angle"),
     Broken("couple on a particle", 'on     = "disk"', 'on     = "bob"', "a particle, which has no angle"),
-    Broken("coordinate that nothing uses", 'angle  = "phi"', 'angle  = "0"', "no body's pose uses the coordinate “phi”"),
-    Broken("pivot of an unplaced point", 'start  = ["0", "0"]\n', "", "does not say where “rod.start” is held", "at = "),
+    Broken(
+        "coordinate that nothing uses", 'angle  = "phi"', 'angle  = "0"', "no body's pose uses the coordinate “phi”"
+    ),
+    Broken(
+        "pivot of an unplaced point", 'start  = ["0", "0"]\n', "", "does not say where “rod.start” is held", "at = "
+    ),
     Broken("pivot that moves", 'start  = ["0", "0"]', 'start  = ["ell*cos(phi)", "0"]', "lets it move with “phi”"),
     Broken("no direction", 'type = "gravity"', 'type = "gravity"\ndirection = ["0", "0"]', "no unit vector"),
     Broken(

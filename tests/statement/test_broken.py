@@ -51,7 +51,8 @@ def test_every_row_is_another_fault() -> None:
     [
         ("", "no bodies"),
         (
-            "[bodies.a]\nshape = 'particle'\nmass = '0'\n[interactions.F]\ntype = 'force'\non = 'a.center'\nforce = ['0', '0']",
+            "[bodies.a]\nshape = 'particle'\nmass = '0'\n"
+            "[interactions.F]\ntype = 'force'\non = 'a.center'\nforce = ['0', '0']",
             "no coordinates",
         ),
         ("a = " + "[" * 5000 + "]" * 5000, "nested"),

@@ -119,7 +119,9 @@ def test_defaults(section: str, kind: ElementKind) -> None:
     assert set(element.values) == {field.name for field in kind.fields}
 
 
-AT = {"pivot": {"at": ["0", "0"]}} | {name: {"line": "x = ell", **OWN[name]} for name in OWN if not name.startswith("prescribed")}
+AT = {"pivot": {"at": ["0", "0"]}} | {
+    name: {"line": "x = ell", **OWN[name]} for name in OWN if not name.startswith("prescribed")
+}
 
 
 @pytest.mark.parametrize(("section", "kind", "field"), FIELDS, ids=lambda x: getattr(x, "name", ""))

@@ -37,7 +37,9 @@ def test_library(path) -> None:
 
 
 def test_paper_cases_are_there() -> None:
-    assert {"rod-and-disk-fixed", "rod-and-disk-free", "sliding-ladder", "sliding-ladder-with-spring"} <= {*problem_files()}
+    assert {"rod-and-disk-fixed", "rod-and-disk-free", "sliding-ladder", "sliding-ladder-with-spring"} <= {
+        *problem_files()
+    }
 
 
 def test_implicit_constants() -> None:
@@ -72,7 +74,7 @@ def test_gravity_acts_on_all() -> None:
 
 def test_keys_in_other_words() -> None:
     """Where the kind has no key of that name: the bodies on which gravity acts, the coefficient of friction."""
-    told = load(lambda text: text.replace("[interactions.W]\n", '[interactions.W]\non = "disk"\n'))
+    told = load(lambda text: text.replace('[interactions.W]\n', '[interactions.W]\non = "disk"\n'))
     assert next(e for e in told.interactions if e.name == "W")["bodies"] == ("disk",)
 
 

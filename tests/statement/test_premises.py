@@ -114,7 +114,10 @@ def test_refused_at_its_place(old: str, new: str, says: str) -> None:
     assert says in found.value.what
     assert found.value.instead
     place = found.value.place
-    assert text.split("\n")[place.line - 1][place.column - 1 :][: place.width] == new[new.index("«") + 1 : new.index("»")]
+    assert (
+        text.split("\n")[place.line - 1][place.column - 1 :][: place.width] == new[new.index("«") + 1 : new.index("»")]
+    )
+
 
 
 SIZES = {f.name for table in (SHAPES, INTERACTIONS, CONSTRAINTS) for kind in table.values() for f in kind.fields if f.sign}

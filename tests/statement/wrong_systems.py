@@ -188,7 +188,7 @@ def phase(name: str, old: str, new: str, says: str, cure: str = "") -> Wrong:
     return Wrong(name, BALL, old, new, says, cure)
 
 
-BOUNCE = """
+BOUNCE = '''
 [parameters]
 M = "mass: mass"
 R = "length: radius"
@@ -212,7 +212,7 @@ angle = "phi"
 [[phases]]
 name = "bounced"
 impulses = { J = { type = "bounce", body = "ball", line = "y = 0", restitution = "e", coefficient = "mu", slip = "none" } }
-"""
+'''
 
 
 def bounce(name: str, old: str, new: str, says: str, then: str = "", other: str = "") -> Wrong:
@@ -230,7 +230,9 @@ def wheel(name: str, old: str, new: str, says: str, cure: str = "") -> Wrong:
 
 ROWS = [
     # --- bounds of parameters
-    wheel("bound of another dimension", '"length: another', '"length > M: another', "must be a length, but this is a mass"),
+    wheel(
+        "bound of another dimension", '"length: another', '"length > M: another', "must be a length, but this is a mass"
+    ),
     wheel("bound of nobody's name", '"length: another', '"length > q: another', "unknown symbol “q”"),
     wheel("bound that moves", '"length: another', '"length > s: another', "unknown symbol “s”"),
     wheel("bound by itself", '"length: another', '"length > r: another', "its own bound"),
@@ -251,7 +253,9 @@ ROWS = [
         "does not touch the curve",
         "place",
     ),
-    wheel("wheel that rolls on its hub in the air", 'limit    = "mu"', 'rim = "r"', "does not touch the curve", "place"),
+    wheel(
+        "wheel that rolls on its hub in the air", 'limit    = "mu"', 'rim = "r"', "does not touch the curve", "place"
+    ),
     wheel("wheel without a place or a line", LINE, "", "touches nothing", "line ="),
     wheel("wheel beside its circle", LINE, 'circle = "O"\nradius = "r"', "does not touch the curve", "place"),
     wheel("line upright and slanted", LINE, 'line = "x = x"', "is not a straight line"),
@@ -313,11 +317,15 @@ ROWS = [
         'type = "prescribed"\npoint = "wheel.center"\ndistance = "R"\nalong = ["1", "0"]\n\n[constraints.N]',
         "contradict",
     ),
-    impact("ball without a place", 'center = ["x", "y - b"]\n', "", "no body's pose uses the coordinate “x”", "in a place"),
+    impact(
+        "ball without a place", 'center = ["x", "y - b"]\n', "", "no body's pose uses the coordinate “x”", "in a place"
+    ),
     # --- phases
     phase("event of nobody", EVENT, 'event = "no slip"\nof = "P"', "there is no constraint “P”", "N"),
     phase("event unknown", EVENT, 'event = "rolls"', "unknown event “rolls”", "no slip"),
-    phase("value without a coordinate", EVENT, 'event = "reaches"\nof = "N"\nat = "h"', "there is no coordinate “N”", "x"),
+    phase(
+        "value without a coordinate", EVENT, 'event = "reaches"\nof = "N"\nat = "h"', "there is no coordinate “N”", "x"
+    ),
     phase("coordinate without a value", EVENT, 'event = "reaches"\nof = "x"', "has no “at”", "reaches"),
     phase(
         "value of another dimension",
@@ -334,9 +342,13 @@ ROWS = [
         "no slip",
     ),
     phase("value of an event that has none", EVENT, EVENT + '\nat = "h"', "asks for no “at”", "leave it out"),
-    phase("subject of an event that has none", EVENT, 'event = "at once"\nof = "N"', "asks for no “of”", "leave it out"),
+    phase(
+        "subject of an event that has none", EVENT, 'event = "at once"\nof = "N"', "asks for no “of”", "leave it out"
+    ),
     phase("rolling lost by a pivot", EVENT, 'event = "slips"\nof = "N"', "static friction has no limit", "limit ="),
-    impact("pivot that is lost", 'name = "bounced"', 'name = "bounced"\nevent = "lost"\nof = "F"', "holds to both sides"),
+    impact(
+        "pivot that is lost", 'name = "bounced"', 'name = "bounced"\nevent = "lost"\nof = "F"', "holds to both sides"
+    ),
     impact(
         "no slip of what has no friction",
         'name = "bounced"',
@@ -352,7 +364,9 @@ ROWS = [
         "N",
     ),
     phase("without a list", "constraints = { N", 'without = "N"\nconstraints = { N', "list"),
-    phase("phase with an unknown key", "constraints = { N", "constraint = { N", "unknown key “constraint”", "constraints"),
+    phase(
+        "phase with an unknown key", "constraints = { N", "constraint = { N", "unknown key “constraint”", "constraints"
+    ),
     phase(
         "two phases of one name",
         ROLLING,
@@ -407,7 +421,9 @@ ROWS = [
         "two bodies",
     ),
     impact("collision of three", '"ball.center", "rod.spot"', '"ball.center", "rod.spot", "rod.end"', "two"),
-    impact("collision with a point that is not there", '"ball.center", "rod.spot"', '"ball.center", "rod.mark"', "mark"),
+    impact(
+        "collision with a point that is not there", '"ball.center", "rod.spot"', '"ball.center", "rod.mark"', "mark"
+    ),
     impact(
         "blow on nobody",
         COLLISION,
@@ -435,52 +451,25 @@ ROWS = [
         "collision",
     ),
     # --- bounces and what begins
-    *(
-        bounce(*case)
-        for case in (
-            ("bounce of nobody", 'body = "ball", ', "", "must say what meets"),
-            ("bounce from nothing", 'line = "y = 0", ', "", "touches nothing"),
-            ("bounce in the air", 'start = "R"', 'start = "2*R"', "does not meet"),
-            ("bounce of what flies off", 'speed = "-u"', 'speed = "u"', "does not approach"),
-            ("bounce on the other side", 'line = "y = 0", ', 'line = "y = 0", side = "negative", ', "does not meet"),
-            ("bounce that gains energy", 'restitution = "e"', 'restitution = "3/2"', "between 0 and 1"),
-            (
-                "bounce with a negative tangential restitution",
-                'slip = "none"',
-                'slip = "none", tangential = "-1/3"',
-                "between 0 and 1",
-            ),
-            (
-                "bounce that slips and turns round",
-                'slip = "none"',
-                'slip = "forward", tangential = "1"',
-                "slips, and has a tangential",
-            ),
-            ("bounce with a sense but no friction", 'coefficient = "mu", slip = "none"', 'slip = "forward"', "has no friction"),
-            ("bounce that slips the wrong way", 'slip = "none"', 'slip = "backward"', "slip the other way"),
-            (
-                "bounce where nothing slips before",
-                'speed = "v" }',
-                'speed = "0" }',
-                "nothing slips there",
-                'slip = "none"',
-                'slip = "auto"',
-            ),
-            (
-                "bounce on a string without a length",
-                'body = "ball", line = "y = 0", ',
-                'path = ["O", "ball.center"], ',
-                "how long",
-            ),
-            (
-                "a beginning of what is not there",
-                "[[phases]]",
-                '[[phases]]\nevent = "begins"\nof = "K"',
-                "no constraint or bounce",
-            ),
-            ("a beginning of what never comes", "[[phases]]", '[[phases]]\nevent = "begins"\nof = "J"', "does not begin"),
-        )
-    ),
+    *(bounce(*case) for case in (
+        ("bounce of nobody", 'body = "ball", ', "", "must say what meets"),
+        ("bounce from nothing", 'line = "y = 0", ', "", "touches nothing"),
+        ("bounce in the air", 'start = "R"', 'start = "2*R"', "does not meet"),
+        ("bounce of what flies off", 'speed = "-u"', 'speed = "u"', "does not approach"),
+        ("bounce on the other side", 'line = "y = 0", ', 'line = "y = 0", side = "negative", ', "does not meet"),
+        ("bounce that gains energy", 'restitution = "e"', 'restitution = "3/2"', "between 0 and 1"),
+        ("bounce with a negative tangential restitution", 'slip = "none"', 'slip = "none", tangential = "-1/3"',
+         "between 0 and 1"),
+        ("bounce that slips and turns round", 'slip = "none"', 'slip = "forward", tangential = "1"',
+         "slips, and has a tangential"),
+        ("bounce with a sense but no friction", 'coefficient = "mu", slip = "none"', 'slip = "forward"', "has no friction"),
+        ("bounce that slips the wrong way", 'slip = "none"', 'slip = "backward"', "slip the other way"),
+        ("bounce where nothing slips before", 'speed = "v" }', 'speed = "0" }', "nothing slips there",
+         'slip = "none"', 'slip = "auto"'),
+        ("bounce on a string without a length", 'body = "ball", line = "y = 0", ', 'path = ["O", "ball.center"], ', "how long"),
+        ("a beginning of what is not there", '[[phases]]', '[[phases]]\nevent = "begins"\nof = "K"', "no constraint or bounce"),
+        ("a beginning of what never comes", '[[phases]]', '[[phases]]\nevent = "begins"\nof = "J"', "does not begin"),
+    )),
     impact("impulse called like a parameter", "[phases.impulses.K]", "[phases.impulses.J]", "“J”"),
     # --- a quantity and a force of one name
     Wrong(
@@ -504,7 +493,8 @@ ROWS = [
         "damper of no length",
         IMPACT,
         "[constraints.F]",
-        '[interactions.S]\ntype = "damper"\ncoefficient = "M*v_0/b"\nbetween = ["O", "rod.start"]\n\n[constraints.F]',
+        '[interactions.S]\ntype = "damper"\ncoefficient = "M*v_0/b"\n'
+        'between = ["O", "rod.start"]\n\n[constraints.F]',
         "always in one place",
         "points that are apart",
     ),

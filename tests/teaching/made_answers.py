@@ -222,7 +222,9 @@ def once(e: Expr, rules: tuple, r: random.Random) -> Expr:
     """One of the rules applied at one place."""
     for _ in range(60):
         rule, way = r.choice(rules), r.choice(list(places(e)))
-        found = changed(e, way, lambda part, rule=rule: rule(part, r) if isinstance(part, tuple) or rule in MUTATIONS else None)
+        found = changed(
+            e, way, lambda part, rule=rule: rule(part, r) if isinstance(part, tuple) or rule in MUTATIONS else None
+        )
         if found is not None:
             return found
     return e
@@ -239,14 +241,18 @@ def number(e: Expr, at: dict[str, float]) -> float:
     if op == "f":
         return getattr(math, parts[0])(number(parts[1], at))
     values = [number(part, at) for part in parts]
-    return {"+": sum, "*": math.prod, "-": lambda v: -v[0], "/": lambda v: v[0] / v[1], "^": lambda v: v[0] ** v[1]}[op](values)
+    return {"+": sum, "*": math.prod, "-": lambda v: -v[0], "/": lambda v: v[0] / v[1], "^": lambda v: v[0] ** v[1]}[
+        op
+    ](values)
 
 
 def gap(a: Expr, b: Expr, seed: int) -> float:
     """The greatest relative difference at random points that satisfy the signs; infinite where one has no value."""
     r, worst, seen = random.Random(seed), 0.0, 0
     for _ in range(40):
-        at = {name: r.uniform(0.2, 1.4) * (1 if sign == "positive" else r.choice([1, -1])) for name, sign in SIGNS.items()}
+        at = {
+            name: r.uniform(0.2, 1.4) * (1 if sign == "positive" else r.choice([1, -1])) for name, sign in SIGNS.items()
+        }
         try:
             x, y = number(a, at), number(b, at)
         except (ValueError, ZeroDivisionError, OverflowError):
@@ -316,13 +322,19 @@ def _typed(e: tuple, d: Dialect) -> str:
     if op == "/":
         bounds = (0, 0) if is_latex else (2, 3)
         return d.over(typed(parts[0], d, bounds[0]), typed(parts[1], d, bounds[1]))
-    return d.power(typed(parts[0], d, 4 if parts[0][0] != "f" or is_latex else 3), typed(parts[1], d, 4 if not is_latex else 0))
+    return d.power(
+        typed(parts[0], d, 4 if parts[0][0] != "f" or is_latex else 3), typed(parts[1], d, 4 if not is_latex else 0)
+    )
 
 
 def _factor(part: Expr, d: Dialect) -> str:
     text = typed(part, d, 2)
     needs = (part[0] == "/" and not d.over("a", "b").startswith(("\\", "("))) or (
-        isinstance(part, str) and part[:1].isdigit() and "*" not in d.times and "·" not in d.times and "cdot" not in d.times
+        isinstance(part, str)
+        and part[:1].isdigit()
+        and "*" not in d.times
+        and "·" not in d.times
+        and "cdot" not in d.times
     )
     return f"({text})" if needs and not text.startswith("(") else text
 

@@ -50,7 +50,9 @@ console.log(JSON.stringify(parse(text)));
 def by_gift_pegjs(path: Path) -> list[dict]:
     """The questions that gift-pegjs reads."""
     need(shutil.which("node") and (MODULES / "gift-pegjs").is_dir(), "gift-pegjs")
-    done = subprocess.run(["node", "-e", GIFT, str(MODULES), str(path)], capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(
+        ["node", "-e", GIFT, str(MODULES), str(path)], capture_output=True, text=True, timeout=60, check=False
+    )
     assert done.returncode == 0, done.stderr[-2000:]
     return json.loads(done.stdout)
 
@@ -59,7 +61,9 @@ def by_maxima(lines: list[str]) -> list[str]:
     """What Maxima prints for each line."""
     need(shutil.which("maxima"), "maxima")
     text = "display2d:false$\n" + "".join(f'{line}$\nprint("=>", %)$\n' for line in lines)
-    done = subprocess.run(["maxima", "--very-quiet"], input=text, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(
+        ["maxima", "--very-quiet"], input=text, capture_output=True, text=True, timeout=120, check=False
+    )
     return [line.split("=>", 1)[1].strip() for line in done.stdout.splitlines() if "=>" in line]
 
 

@@ -350,7 +350,9 @@ def test_prairielearn_servers_hold_data_only(exported: dict[str, Exported]) -> N
             page = Fields()
             page.feed(files[path.replace("server.py", "question.html")])
             asked = {
-                a["answers-name"] for tag, a in page.seen if tag in ("pl-symbolic-input", "pl-number-input", "pl-units-input")
+                a["answers-name"]
+                for tag, a in page.seen
+                if tag in ("pl-symbolic-input", "pl-number-input", "pl-units-input")
             }
             assert set(answers_of(text)) == asked
 
@@ -424,7 +426,9 @@ def test_references_are_resolved_or_told() -> None:
     from rbpsym.teaching.exports.bench import ExportDesk
 
     figure = replace(SHEETS[0].parts[0].statement[1], label="fig")
-    text = ExportDesk(SHEETS[0]).html((Paragraph((Text("See Figure "), Ref("fig"), Text(" and "), Ref("step.7"))), figure))
+    text = ExportDesk(SHEETS[0]).html(
+        (Paragraph((Text("See Figure "), Ref("fig"), Text(" and "), Ref("step.7"))), figure)
+    )
     assert "See Figure 1 and a step of the derivation" in text and "Figure 1. " in text
 
 

@@ -119,7 +119,9 @@ def right_answer(item: Item, sheet: Worksheet, printed) -> str:
         case SlipKey(wrong=wrong):
             return str(wrong + 1)
         case SignsKey(rows=rows):
-            letters = {name: "abcdefgh"[k] for k, name in enumerate(dict.fromkeys(row.cancels for row in rows if row.cancels))}
+            letters = {
+                name: "abcdefgh"[k] for k, name in enumerate(dict.fromkeys(row.cancels for row in rows if row.cancels))
+            }
             return "; ".join(f"{row.translational} {row.rotational} {letters.get(row.cancels, '')}" for row in rows)
         case BlanksKey(blanks=blanks):
             return " ; ".join(printed(blank.value, sheet.notation) for blank in blanks)
@@ -255,7 +257,9 @@ def test_names_of_pages_differ() -> None:
 
 
 def test_pages_run_nothing() -> None:
-    answers = {item.id: f"<script>alert({item.id})</script><img src=x onerror=alert(1)>\u202e&#60;" for item in SHEET.items}
+    answers = {
+        item.id: f"<script>alert({item.id})</script><img src=x onerror=alert(1)>\u202e&#60;" for item in SHEET.items
+    }
     page = feedback_page(SHEET, grade_worksheet(SHEET, answers, DESK), "<b>ana</b>")
     assert "<script" not in page and "<img" not in page and "<b>" not in page and "\u202e" not in page
     assert "⟨U+202E⟩" in page
@@ -334,7 +338,9 @@ def test_an_exchanged_paper_is_marked_by_itself() -> None:
 def test_rows_that_cancel_may_be_marked_together_or_apart() -> None:
     from rbpsym.teaching.grading.choices import _cancel, _groups
 
-    assert _cancel(_groups(["a", "b", ""]), _groups(["N", "F", ""])) and _cancel(_groups(["a", "a", ""]), _groups(["N", "F", ""]))
+    assert _cancel(_groups(["a", "b", ""]), _groups(["N", "F", ""])) and _cancel(
+        _groups(["a", "a", ""]), _groups(["N", "F", ""])
+    )
     assert not _cancel(_groups(["a", "b", ""]), _groups(["N", "N", ""]))
     assert not _cancel(_groups(["a", "a", "a"]), _groups(["N", "N", ""])) and not _cancel(
         _groups(["a", "", ""]), _groups(["N", "F", ""])

@@ -18,7 +18,9 @@ def test_names_that_every_engine_sets(name: str) -> None:
     assert has_letters(name, "typst") and has_letters(name, "pdflatex")
 
 
-@pytest.mark.parametrize(("name", "by_typst"), [("李 小龙", False), ("💥", False), ("Ελένη", True), ("Nguyễn Thị", True)])
+@pytest.mark.parametrize(
+    ("name", "by_typst"), [("李 小龙", False), ("💥", False), ("Ελένη", True), ("Nguyễn Thị", True)]
+)
 def test_names_that_some_set(name: str, by_typst: bool) -> None:
     assert has_letters(name, "typst") == by_typst and not has_letters(name, "pdflatex")
     assert bool(without_letters([Student("1", name)], "typst")) != by_typst

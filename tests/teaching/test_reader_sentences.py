@@ -83,7 +83,9 @@ def remarks(answer: str, language: str) -> str:
     return plain_text(comment(found, language, say_slip), usual_notation(language), language)
 
 
-@pytest.mark.parametrize("answer", ["m*(g", "m*", "foo", "m*/g", "\\frac{m}{", "m]", "m g\u200b", "m ≤ g", "m" * 4000, ""])
+@pytest.mark.parametrize(
+    "answer", ["m*(g", "m*", "foo", "m*/g", "\\frac{m}{", "m]", "m g\u200b", "m ≤ g", "m" * 4000, ""]
+)
 def test_feedback_is_in_the_language_of_the_worksheet(answer: str) -> None:
     text = remarks(answer, "es")
     assert not re.search(r"\b(the|is|this|at most|write|are|here)\b", text, re.IGNORECASE), text

@@ -117,7 +117,9 @@ def answers_of_class(count: int = 90) -> tuple[list[str], list[dict[str, str]]]:
             wrong = (number + int(item.id)) % 3 == 0
             match item.key:
                 case FormulaKey(value=value, anticipated=known):
-                    row[item.id] = to_text(known[0].formula if wrong and known and known[0].formula else value, sheet.notation)
+                    row[item.id] = to_text(
+                        known[0].formula if wrong and known and known[0].formula else value, sheet.notation
+                    )
                 case NumberKey(measure=measure, anticipated=known):
                     row[item.id] = measure_text(known[0].number if wrong and known and known[0].number else measure)
                 case ChoiceKey(right=right):
@@ -166,9 +168,14 @@ def test_an_interrupted_command_goes_on(processes: str, tmp_path: Path) -> None:
         pytest.skip("it was done before it could be interrupted")
     assert first.returncode == 130 and "goes on from there" in told and "Traceback" not in told
     assert not marks.exists() and journal.exists()
-    done = subprocess.run(command(str(path), "-o", str(marks)), cwd=ROOT, capture_output=True, text=True, timeout=120, check=True)
+    done = subprocess.run(
+        command(str(path), "-o", str(marks)), cwd=ROOT, capture_output=True, text=True, timeout=120, check=True
+    )
     assert "90 students" in done.stdout and not journal.exists()
-    assert marks.read_text(encoding="utf-8-sig").replace("\n", "\r\n") == grade(NAME, path, secret=SECRET, processes=1).marks
+    assert (
+        marks.read_text(encoding="utf-8-sig").replace("\n", "\r\n")
+        == grade(NAME, path, secret=SECRET, processes=1).marks
+    )
 
 
 CLUSTER = """
@@ -185,7 +192,9 @@ def cluster(folder: Path) -> Iterator[str]:
     """A local cluster of two processes with two threads each: its address."""
     script = folder / "cluster.py"
     script.write_text(CLUSTER)
-    server = subprocess.Popen([sys.executable, str(script)], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    server = subprocess.Popen(
+        [sys.executable, str(script)], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
     try:
         yield server.stdout.readline().strip().removeprefix("tcp://")
     finally:

@@ -182,7 +182,9 @@ def test_a_slip_is_one_wrong_line_carried_through(name: str) -> None:
         key = item.key
         shown = [piece.statement for piece in key.lines]
         forms = ([brief(by_id[piece.id], rules).statement for piece in key.lines] for rules in (SHORT, SHORT | SPLITS))
-        right = next(form for form in forms if shown[: key.wrong] == form[: key.wrong] and form[key.wrong] == key.corrected)
+        right = next(
+            form for form in forms if shown[: key.wrong] == form[: key.wrong] and form[key.wrong] == key.corrected
+        )
         assert shown[key.wrong] != right[key.wrong] and shown[-1] != right[-1]
 
 
@@ -253,7 +255,6 @@ def test_sentences_speak_of_no_equation_without_a_number(name: str) -> None:
     items = plan(name).worksheet(Student("s1"), "secret").parts[0].items
     assert {"fill-in", "explain"} <= {item.kind for item in items}
     assert "found before" not in repr(items)
-
 
 def test_a_weld_is_compared_with_a_bearing_only_where_that_leaves_the_spin_alone() -> None:
     """The friction of a plank would turn a free cylinder, and a chimney's upper part would swing: other systems than those."""

@@ -119,7 +119,11 @@ def test_letters_that_look_alike_are_read_as_meant() -> None:
 def papers(name: str) -> dict[str, bytes | str]:
     sheet = plan(name).worksheet(ANA, "secret")
     options = Options(key=True, solution=True, derivations=plan(name).derivations)
-    return {path: content for fmt in ("pdf", "tex", "html") for path, content in exporter(fmt)((sheet,), options).files.items()}
+    return {
+        path: content
+        for fmt in ("pdf", "tex", "html")
+        for path, content in exporter(fmt)((sheet,), options).files.items()
+    }
 
 
 @pytest.mark.parametrize("name", [*worksheet_files()])
@@ -382,7 +386,9 @@ def test_the_command_writes_papers_for_a_class(tmp_path: Path) -> None:
     roster = tmp_path / "class.csv"
     roster.write_text("id,name\na1,Ana\nb2,Ben\n", encoding="utf-8")
     out = tmp_path / "papers"
-    done = run("works-that-cancel", "--students", str(roster), "--seed", "s", "--key", "--format", "tex,html", "-o", str(out))
+    done = run(
+        "works-that-cancel", "--students", str(roster), "--seed", "s", "--key", "--format", "tex,html", "-o", str(out)
+    )
     assert done.exit_code == 0, done.output
     assert {p.relative_to(out).as_posix() for p in out.rglob("*.*")} == {
         f"{folder}works-that-cancel-{student}{end}"

@@ -24,7 +24,9 @@ def rows(table: str = "answers.txt") -> list[Row]:
     found, symbols = [], ()
     for line in (Path(__file__).parent / table).read_text(encoding="utf-8").splitlines():
         if line.startswith("["):
-            symbols = tuple((name.rstrip("+"), "positive" if name.endswith("+") else "real") for name in line[1:-1].split())
+            symbols = tuple(
+                (name.rstrip("+"), "positive" if name.endswith("+") else "real") for name in line[1:-1].split()
+            )
         elif line and not line.startswith("#"):
             key, sign, answer = re.fullmatch(r"(.*?) (==|!=|\?\?|~~) (.*)", line).groups()
             found.append(Row(key, answer, EXPECTED[sign], symbols))

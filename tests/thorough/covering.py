@@ -95,7 +95,7 @@ class Covering:
     def _name(self, code) -> str | None:
         if code not in self.names:
             own = code.co_filename.startswith(HOME)
-            self.names[code] = f"{code.co_filename[len(HOME) :]}::{code.co_qualname}" if own else None
+            self.names[code] = f"{code.co_filename[len(HOME):]}::{code.co_qualname}" if own else None
         return self.names[code]
 
     def pytest_sessionfinish(self) -> None:

@@ -41,14 +41,16 @@ EQUIVALENT: dict[str, str] = {
     "mechanics/numbers.py _parameter: 3 -> 4": SAMPLE,
     "mechanics/numbers.py _side: given < 0 -> given <= 0": "0 is on neither side",
     "present/grouping.py _nearer: a > 0 -> a >= 0": "no exponent of a monomial is 0",
-    'chapters/methods/known_works.py steady: start[f"{q}_dot"] ** 2 -> (start[f"{q}_dot"]) * (2)': "what is constant drops out",
-    "decide/constants.py _order: Fraction(1, 2) - turns -> (Fraction(1, 2)) + (turns)": "the two differ by a half turn: the orders by a factor 2 where one is odd, which the totient does not see",
+    "chapters/methods/known_works.py steady: start[f\"{q}_dot\"] ** 2 -> (start[f\"{q}_dot\"]) * (2)":
+    "what is constant drops out",
+    "decide/constants.py _order: Fraction(1, 2) - turns -> (Fraction(1, 2)) + (turns)":
+    "the two differ by a half turn: the orders by a factor 2 where one is odd, which the totient does not see",
     "mechanics/roots.py _principal: -Fraction(number) + 1 -> (-Fraction(number)) - (1)": "the two are the same modulo 2",
     "ask/numbers.py _digits: 1 -> 2": "the least number of figures that are told is 3",
     "decide/factoring.py _factor_list: 1 / rational -> (1) * (rational)": "factors have no content but their sign",
     "mechanics/events.py _changes_sign: way.sense > 0 -> way.sense >= 0": "a sense is 1 or -1",
     "proof/checks/places.py _beyond: wave(high) * sense -> (wave(high)) / (sense)": SIGN,
     "mechanics/numbers.py _parameter: place % 3 -> (place) * (3)": SAMPLE,
-    'field/modular.py _random: int.from_bytes(blake2b(label.encode(), digest_size=8).digest(), "big") % (PRIME - 2) -> '
-    '(int.from_bytes(blake2b(label.encode(), digest_size=8).digest(), "big")) * (PRIME - 2)': SAMPLE,
+    "field/modular.py _random: int.from_bytes(blake2b(label.encode(), digest_size=8).digest(), \"big\") % (PRIME - 2) -> "
+    "(int.from_bytes(blake2b(label.encode(), digest_size=8).digest(), \"big\")) * (PRIME - 2)": SAMPLE,
 }

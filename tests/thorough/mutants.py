@@ -99,7 +99,7 @@ def copied() -> Path:
 
 
 def outcome(scratch: Path, site: Site, tests: list[str]) -> tuple[str, str]:
-    """ "killed", "survived", "time" (killed by it) or "no tests", and the test that failed; it passes without the mutant."""
+    """"killed", "survived", "time" (killed by it) or "no tests", and the test that failed; it passes without the mutant."""
     while tests:
         found, failed = _mutated(scratch, site, tests)
         if found != "killed" or not failed or _in_a_child(scratch, [failed])[0] == "survived":

@@ -106,7 +106,8 @@ def _translation(draft: Draft, these: Together, work: t.Sym) -> list[str]:
 
 def _slots(draft: Draft, these: Together, work: t.Sym) -> dict[str, Any]:
     return {
-        "premises": [f"work.{i.force}.{i.on}" for i in draft.study.works] + [f"workless.{i.force}" for i in these.ideal],
+        "premises": [f"work.{i.force}.{i.on}" for i in draft.study.works]
+        + [f"workless.{i.force}" for i in these.ideal],
         "work": work,
         "body": BodyRef(these.name),
         "ideal": [force_node(draft, force) for force in _forces(draft, these.ideal)],

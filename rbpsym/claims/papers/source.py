@@ -253,7 +253,9 @@ class _Files:
 
 def _check_inside(target: Path, folder: Path, name: str, place: Place) -> None:
     if not target.is_relative_to(folder):
-        raise ReadError(f"“{name[:60]}” is outside the folder of the text", instead="only files beside it are read.", place=place)
+        raise ReadError(
+            f"“{name[:60]}” is outside the folder of the text", instead="only files beside it are read.", place=place
+        )
 
 
 def told_at(error: RbpsymError, text: PaperText, offset: int) -> RbpsymError:
@@ -261,4 +263,6 @@ def told_at(error: RbpsymError, text: PaperText, offset: int) -> RbpsymError:
     file, line = text.origin(offset)
     inner = error.place or Place(column=1)
     below = max(inner.line, 1) - 1
-    return type(error)(error.what, instead=error.instead, place=Place(file, line + below, inner.column, inner.text, inner.width))
+    return type(error)(
+        error.what, instead=error.instead, place=Place(file, line + below, inner.column, inner.text, inner.width)
+    )

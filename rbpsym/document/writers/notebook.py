@@ -100,7 +100,9 @@ def checking(page: MarkdownPage) -> Iterator[NotebookCell]:
     told = page.word("notebook.proved", **counts)
     yield NotebookCell(page.word("notebook.check"))
     yield NotebookCell(
-        f'summary = derivation.summary()\nassert summary["refuted"] == 0 and summary["methods_agree"]\nf{told!r}',
+        "summary = derivation.summary()\n"
+        'assert summary["refuted"] == 0 and summary["methods_agree"]\n'
+        f"f{told!r}",
         True,
     )
 

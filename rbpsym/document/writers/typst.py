@@ -108,7 +108,9 @@ def table(block: d.Table, page: Page) -> str:
     rows = ",\n  ".join(cells(row, page) for row in block.rows)
     caption = f"[{page.inlines(block.caption)}]" if block.caption else "none"
     name = typst_string(page.word("block.table", number=block.number)) if block.number else "none"
-    return f"#notes-table(({columns},), ({align},), {name}, {caption},\n  ({header},),\n  {rows},\n){anchor(block.label)}"
+    return (
+        f"#notes-table(({columns},), ({align},), {name}, {caption},\n  ({header},),\n  {rows},\n){anchor(block.label)}"
+    )
 
 
 def column(block: d.Table, place: int, page: Page) -> str:
@@ -137,7 +139,10 @@ def figure(block: d.FigureBlock, page: Page) -> str:
     """Scenes side by side with their caption and alt text."""
     scenes = ",\n".join(to_typst_drawing(scene, page.notation) for scene in block.scenes)
     name = typst_string(page.word("block.figure", number=block.number))
-    return f"#notes-figure({name}, [{page.inlines(block.caption)}], {typst_string(block.alt)},\n{scenes},\n){anchor(block.label)}"
+    return (
+        f"#notes-figure({name}, [{page.inlines(block.caption)}], {typst_string(block.alt)},\n"
+        f"{scenes},\n){anchor(block.label)}"
+    )
 
 
 def item_list(block: d.ItemList, page: Page) -> str:

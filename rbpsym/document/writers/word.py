@@ -184,7 +184,10 @@ def display(block: d.Display, page: Page) -> str:
 def table(block: d.Table, page: Page) -> str:
     """A native table with three rules; its header is repeated on each page."""
     columns = widths(block, page)
-    header = [Cell(cell(c, letter, page, "<w:b/>", STAYS), UNDER) for c, letter in zip(block.header, block.columns, strict=True)]
+    header = [
+        Cell(cell(c, letter, page, "<w:b/>", STAYS), UNDER)
+        for c, letter in zip(block.header, block.columns, strict=True)
+    ]
     last = len(block.rows) - 1
     stays = [STAYS if last < LONG and place < last else "" for place in range(last + 1)]
     rows = [

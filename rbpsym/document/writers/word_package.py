@@ -110,7 +110,9 @@ def set_language(file: Any, language: str) -> None:
 
 def put_pictures(file: Any, document: Document) -> dict[str, str]:
     """The drawings of all figures in the package, and the XML that shows each, by number."""
-    return {number: shown(file, picture, place) for place, (number, picture) in enumerate(pictures(document).items(), 1)}
+    return {
+        number: shown(file, picture, place) for place, (number, picture) in enumerate(pictures(document).items(), 1)
+    }
 
 
 def shown(file: Any, picture: Picture, place: int) -> str:

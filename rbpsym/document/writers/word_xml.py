@@ -96,7 +96,8 @@ def row(cells: Sequence[Cell], columns: Sequence[int], *, header: bool = False) 
     """A row that stays on one page."""
     repeated = "<w:tblHeader/>" if header else ""
     inner = "".join(
-        f'<w:tc><w:tcPr><w:tcW w:w="{width}" w:type="dxa"/>{cell.look}<w:vAlign w:val="center"/></w:tcPr>{cell.content}</w:tc>'
+        f'<w:tc><w:tcPr><w:tcW w:w="{width}" w:type="dxa"/>{cell.look}<w:vAlign w:val="center"/></w:tcPr>'
+        f"{cell.content}</w:tc>"
         for cell, width in zip(cells, columns, strict=True)
     )
     return f"<w:tr><w:trPr><w:cantSplit/>{repeated}</w:trPr>{inner}</w:tr>"

@@ -91,7 +91,9 @@ def _tree(reading: Reading) -> t.Node:
     return node
 
 
-def _reading(source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]) -> Reading:
+def _reading(
+    source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
+) -> Reading:
     reader = LatexReader(source, tokens, table=table, script=script)
     node, error = None, None
     try:

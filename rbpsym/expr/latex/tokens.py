@@ -369,3 +369,4 @@ def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
         what = f"the environment “{name[:40]}” can't be read"
         raise source.error(what, start, end, "Use aligned, or write one formula.")
     return Token("begin", rf"\{text[1:].partition('{')[0].strip()}{{{name}}}", start, end)
+

@@ -22,7 +22,9 @@ def spring(start: s.Point, end: s.Point) -> Items:
     length = math.dist(start, end)
     turns = max(4, min(12, round(length / 0.22)))
     lead = min(0.25, 0.15 * length) / (length or 1.0)
-    inner = [between(start, end, lead + (1 - 2 * lead) * (n + 0.5) / (2 * turns), 0.13 * (-1) ** n) for n in range(2 * turns)]
+    inner = [
+        between(start, end, lead + (1 - 2 * lead) * (n + 0.5) / (2 * turns), 0.13 * (-1) ** n) for n in range(2 * turns)
+    ]
     ends = between(start, end, lead), between(start, end, 1 - lead)
     return (s.Polyline((start, ends[0], *inner, ends[1], end), "spring"),)
 
@@ -60,7 +62,9 @@ def hatching(start: s.Point, end: s.Point, depth: float = 0.22) -> Items:
     """A solid edge: the line, and short strokes on its right-hand side."""
     length = math.dist(start, end)
     count = max(2, round(length / 0.2))
-    strokes = tuple((between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth)) for n in range(1, count + 1))
+    strokes = tuple(
+        (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth)) for n in range(1, count + 1)
+    )
     return s.Strokes(strokes), s.Polyline((start, end), "line")
 
 
@@ -122,7 +126,9 @@ def dimension(start: s.Point, end: s.Point, aside: float) -> Items:
     """A line with two heads beside the length it measures, and thin lines that lead to it."""
     a, b = between(start, end, 0, aside), between(start, end, 1, aside)
     reach = aside + math.copysign(0.1, aside)
-    leads = tuple(s.Polyline((between(start, end, n, 0.3 * aside), between(start, end, n, reach)), "dimension") for n in (0, 1))
+    leads = tuple(
+        s.Polyline((between(start, end, n, 0.3 * aside), between(start, end, n, reach)), "dimension") for n in (0, 1)
+    )
     return (*leads, s.Polyline((a, b), "dimension", heads="both"))
 
 

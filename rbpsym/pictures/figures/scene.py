@@ -302,7 +302,9 @@ def candidates(label: s.Label) -> Iterator[tuple[float, s.Point]]:
     start = math.pi / 4 if label.toward is None else label.toward
     weight = 0.02 if label.toward is None else 0.12
     found = [
-        (weight * abs(turn) + 1.2 * step, around(label, start + turn * math.pi / 8, step)) for step in STEPS for turn in TURNS
+        (weight * abs(turn) + 1.2 * step, around(label, start + turn * math.pi / 8, step))
+        for step in STEPS
+        for turn in TURNS
     ]
     return iter(sorted(found))
 

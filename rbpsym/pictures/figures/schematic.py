@@ -66,7 +66,11 @@ def extent(sketch: sk.Sketch) -> tuple[float, float, float, float]:
     found = [p for body in sketch.bodies for item in body_outline(body) for p in s.points_of(item)]
     marked: list[Any] = [*sketch.points, *sketch.coils, *sketch.angles]
     found += [mark.at for mark in marked]
-    found += [s.polar(c.at, c.radius, n * dimensions.UP) for c in sketch.circles for n in range(2 if c.kind == "bowl" else 0, 5)]
+    found += [
+        s.polar(c.at, c.radius, n * dimensions.UP)
+        for c in sketch.circles
+        for n in range(2 if c.kind == "bowl" else 0, 5)
+    ]
     found += [point for cord in sketch.cords for point in cord.points]
     spans: list[Any] = [*sketch.links, *sketch.lengths]
     found += [end for link in spans for end in (link.start, link.end)]

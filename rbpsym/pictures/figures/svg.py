@@ -116,4 +116,7 @@ def color_rules() -> str:
 
 def color_rule(name: str, color: str) -> str:
     """The rules of one colour."""
-    return f".scene .ink-{name}{{stroke:{color}}}.scene .fill-{name}{{fill:{color}}}.scene .label.ink-{name}{{color:{color}}}"
+    return (
+        f".scene .ink-{name}{{stroke:{color}}}.scene .fill-{name}{{fill:{color}}}"
+        f".scene .label.ink-{name}{{color:{color}}}"
+    )

@@ -54,7 +54,9 @@ def line_typst(item: s.Polyline, origin: Origin) -> str:
 
 def strokes_typst(item: s.Strokes, origin: Origin) -> str:
     """All strokes in one curve."""
-    steps = ", ".join(f"curve.move({pair(start, origin)}), curve.line({pair(end, origin)})" for start, end in item.pieces)
+    steps = ", ".join(
+        f"curve.move({pair(start, origin)}), curve.line({pair(end, origin)})" for start, end in item.pieces
+    )
     return f"place(curve({look(item.style)}, {steps}))"
 
 
@@ -78,7 +80,9 @@ def heads_typst(item: s.Polyline | s.Arc, origin: Origin) -> str:
     """Arrow heads as filled polygons."""
     style = s.STYLES[item.style]
     heads = (s.head_shape(tip, angle, style.width) for tip, angle in s.heads_of(item))
-    return "".join(f"; place(polygon(fill: {color(style.stroke)}, {', '.join(pair(p, origin) for p in head)}))" for head in heads)
+    return "".join(
+        f"; place(polygon(fill: {color(style.stroke)}, {', '.join(pair(p, origin) for p in head)}))" for head in heads
+    )
 
 
 PRINT: Mapping[type, Callable[..., str]] = {

@@ -138,7 +138,9 @@ def places(
     return found
 
 
-def best(pieces: Pieces, size: Point, own: np.ndarray, rest: np.ndarray, others: np.ndarray, within: Box) -> Point | None:
+def best(
+    pieces: Pieces, size: Point, own: np.ndarray, rest: np.ndarray, others: np.ndarray, within: Box
+) -> Point | None:
     """The most liked place that is free; among equals the one nearest to three quarters of the way."""
     if not pieces:
         return None

@@ -16,7 +16,9 @@ from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quant
 from rbpsym.statement.model import Problem
 from rbpsym.statement.units import unit_of, unit_text
 
-CLOCKS = tuple(DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force"))
+CLOCKS = tuple(
+    DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force")
+)
 DEGREE = math.pi / 180
 
 

@@ -124,7 +124,9 @@ def _first(context: Context, step: Step, end: Scalar) -> Verdict:
     return weakest(chain(goes, (compare(low, high, where, strict=strict) for low, high, where, strict in ordered)))
 
 
-def way_to(context: Context, name: str, end: Scalar, printed: Sequence[Demand] = ()) -> tuple[Iterator[Verdict], Assumptions]:
+def way_to(
+    context: Context, name: str, end: Scalar, printed: Sequence[Demand] = ()
+) -> tuple[Iterator[Verdict], Assumptions]:
     """Whether the motion sets out for a place and comes there without a halt, one verdict after another, and what holds on the
     way; where the square of its speed rises or falls all the way, it is enough that this is not negative at the end, as is
     `printed`."""

@@ -40,7 +40,9 @@ def test_bead_on_a_turning_hoop():
         "m: mass, M: mass, R: length, g: acceleration",
         coordinates={"phi": rb.coordinate(start="phi_0"), "theta": rb.coordinate(start="theta_0")},
         bodies={
-            "hoop": rb.ring("R", mass="M", center=("R*sin(phi)", "-R*cos(phi)"), angle="phi", points={"top": ("0", "R")}),
+            "hoop": rb.ring(
+                "R", mass="M", center=("R*sin(phi)", "-R*cos(phi)"), angle="phi", points={"top": ("0", "R")}
+            ),
             "bead": rb.particle(mass="m", center=("R*sin(phi) + R*sin(theta)", "-R*cos(phi) - R*cos(theta)")),
         },
         constraints={"P": rb.pivot("hoop.top"), "N": rb.guide("bead.center", circle="hoop.center")},

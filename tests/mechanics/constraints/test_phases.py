@@ -249,7 +249,9 @@ def test_static_friction_reaches_its_limit():
             "s": rb.coordinate(dimension="length", start="0"),
         },
         bodies={"rod": rb.rod("ell", mass="M", center=("(b + s)*cos(theta)", "-(b + s)*sin(theta)"), angle="-theta")},
-        constraints={"N": {"type": "sticking", "point": "O", "of": "rod", "line": "y = 0", "side": "negative", "limit": "mu"}},
+        constraints={
+            "N": {"type": "sticking", "point": "O", "of": "rod", "line": "y = 0", "side": "negative", "limit": "mu"}
+        },
         phases=[
             {
                 "name": "slipping",
@@ -384,7 +386,9 @@ def test_the_answer_says_which_phase_has_no_closed_form():
         "m: mass, a: length, R: length, mu: number, g: acceleration, omega_0: angular speed",
         coordinates={"theta": rb.coordinate(start="0", speed="omega_0", range=("0", "pi/2")), "phi": {}},
         bodies={"ball": rb.ball("a", mass="m", center=("(R + a)*sin(theta)", "(R + a)*cos(theta)"), angle="-phi")},
-        constraints={"N": {"type": "rolling", "body": "ball", "circle": "O", "radius": "R", "side": "outside", "limit": "mu"}},
+        constraints={
+            "N": {"type": "rolling", "body": "ball", "circle": "O", "radius": "R", "side": "outside", "limit": "mu"}
+        },
         phases=[
             {
                 "name": "slipping",

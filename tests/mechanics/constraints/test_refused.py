@@ -64,15 +64,9 @@ ROWS = [
     ),
     row("must lead a point of a body that has an angle", "contact", rb.slider("bob.center", "y = 0"), {"bob": BOB}),
     row("nothing says how the body “disk” is turned", "let it roll", rb.touch("disk", "y = 0")),
-    row(
-        "nothing says where the body “rod” is",
-        "the place of one of its points",
-        rb.touch("disk", "y = 0"),
-        {
-            "disk": TURNED,
-            "rod": rb.rod("R", mass="M", angle="x/R"),
-        },
-    ),
+    row("nothing says where the body “rod” is", "the place of one of its points", rb.touch("disk", "y = 0"), {
+        "disk": TURNED, "rod": rb.rod("R", mass="M", angle="x/R"),
+    }),
     row("in which sense does the string run round “disk”", "cw disk", rb.string(["O", "disk"])),
     row("there is no round body “wheel”", "disk", rb.string(["O", "cw wheel"])),
     row("“bob” is no round body", "give the radius", rb.string(["O", "cw bob"]), {"bob": BOB}),

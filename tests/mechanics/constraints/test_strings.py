@@ -98,7 +98,9 @@ def test_block_incline_pulley_and_bob():
         "m: mass, M: mass, I: moment of inertia, R: length, b: length, beta: angle, mu: number, g: acceleration",
         coordinates={"s": rb.coordinate(dimension="length", start="0", speed="v_0")},
         bodies={
-            "block": rb.particle(mass="M", center=("-(b - s)*cos(beta) - R*sin(beta)", "-(b - s)*sin(beta) + R*cos(beta)")),
+            "block": rb.particle(
+                mass="M", center=("-(b - s)*cos(beta) - R*sin(beta)", "-(b - s)*sin(beta) + R*cos(beta)")
+            ),
             "pulley": {"shape": "given", "mass": "M", "moment": "I", "center": "O"},
             "bob": rb.particle(mass="m", center=("R", "-b - s")),
         },

@@ -31,6 +31,7 @@ KIND = element(
     drawn="weld",
     told=_told,
     points="points: the two points that coincide; one may be a fixed place",
-    angle="angle, optional: angle of the second body minus that of the first; absent: as in the poses if they have both, else 0",
+    angle="angle, optional: angle of the second body minus that of the first; absent: as in the poses if they have both, "
+    "else 0",
     **COUPLE_NAME,
 )
