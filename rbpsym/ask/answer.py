@@ -131,7 +131,7 @@ def _then(asked: Asked, question: Question, when: When) -> Found:
         need = next(one for one in asked.study(place).friction_needs if one.constraint == said[2])
         what = "" if said[1] == "ratio" else "magnitude of "
         question = replace(question, quantity=f"{what}{need.friction}/({' + '.join(need.normals)})")
-    if not re.search(r"\b(?:work|time integral|displacement|number)\b", question.quantity):
+    if not re.search(r"\b(?:work|time integral|displacement|number|turned)\b", question.quantity):
         ends = [moment_of(asked, end, question) for end in (when, question.since) if end]
         return _since(*(_at_moment(asked, question, end) for end in ends))
     return _work(asked, question, when)
@@ -154,8 +154,8 @@ def _work(asked: Asked, question: Question, when: When) -> Found:
     if question.quantity.startswith("number"):
         first = max(first, min(asked.lasting, found.then.place))  # what ends at once turns nothing
     between = asked.names[first : found.then.place]
-    if between and question.quantity.startswith("number"):
-        raise StatementError("turns are counted in one phase", instead="name it: “… in phase PHASE”.")
+    if SIZE.search(question.quantity) and (between or before):
+        raise StatementError("sizes of parts are not added: in between it may go back", instead="name one phase, or ask without.")
     ends = [moment_of(asked, When("end", (name,)), question) for name in between]
     words, blows = set(re.findall(r"\w+", question.quantity)), [asked.began(end.place + 1) for end in ends]
     struck = {name for blow in blows if blow.is_blow for name, size in blow.impulses.items() if not is_zero(size)}
@@ -167,6 +167,7 @@ def _work(asked: Asked, question: Question, when: When) -> Found:
     return _since(found, *before, done=[_at_moment(asked, question, end) for end in ends if named <= acting[end.place]])
 
 
+SIZE = re.compile(r"\b(?:magnitude|number) of ")  # of a sum no sum of those of its parts
 DONE_BEFORE = {"begins": "until"}  # what is done when a phase begins was done before
 BACKWARDS = "the first of both moments comes after the second"
 

@@ -89,17 +89,31 @@ def driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tupl
 
 def least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
     """The least values of a function of a coordinate on its way to some places (None: on the whole motion). Raises Undecided."""
-    from rbpsym.ask.seen import to_and_fro, way_to
+    from rbpsym.ask.seen import to_and_fro
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
     world, given = ProblemWorld(study), study.assumptions
     try:
         led = None if name in study.squares else driven(study, name, places)
-        ways = [led or way_to(world, name, places[name], given)] if places else to_and_fro(world, name, given)
-        found = [Demand(way.ahead(places[name])) for way, _ in ways if places]
+        ways = [led] if led else _ways(world, name, places[name]) if places else to_and_fro(world, name, given)
+        found = [Demand(way.ahead(places[name])) for way, _ in ways[-1:] if places and places[name] != way.start]
         for way, within in ways:
             found += least_values(Wanted((demand.value,), within, name, asked=way.asked))
     except RbpsymError as error:
         raise Undecided(error.what) from None
     return found
+
+
+def _ways(world: ProblemWorld, name: str, place: Scalar) -> list[tuple[Way, Assumptions]]:
+    """The way of a coordinate to a place; to one at or behind its start the way there and back, from where it turns round."""
+    from rbpsym.ask.seen import NeverThere, to_and_fro, way_to
+
+    begin, given = world.study.system.scope.start.get(name, NOTHING), world.study.assumptions
+    with suppress(NeverThere):
+        if not is_zero(place - begin):
+            return [way_to(world, name, place, given)]
+    there, *back = to_and_fro(world, name, given)
+    if not back:
+        raise Undecided(f"whether “{name}” comes back is not known")
+    return [there] if is_zero(place - begin) else [there, *((way, way.until(place, within)) for way, within in back)]

@@ -96,7 +96,6 @@ def _subject(
     greatest or least value of another one, which it is. Raises StatementError for what has no extremum of one name."""
     if nested := NESTED.fullmatch(phrase):
         inner = extremum(world, nested[1], nested[2], None, None, None)
-    phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
     phrase, value = (phrase, _only(inner, phrase)) if nested else sized(world, phrase)
     free = moving(world, (value,))
     is_nested = over is not None and over not in ("t", *world.coordinates) and depends_on(value, over)
@@ -216,7 +215,8 @@ HIGH = re.compile("height of ")
 
 
 def sized(world: AskedPhase, phrase: str) -> tuple[str, Scalar]:
-    """A quantity with its value; of a vector its magnitude."""
+    """A quantity with its value; of a vector, and of a speed, its magnitude."""
+    phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
     count = len(world.used)
     if len(values := parts_seen(world, phrase)) == 1:
         return phrase, values[0]

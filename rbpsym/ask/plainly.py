@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from contextlib import suppress
 
 from rbpsym.ask.asked import Asked
+from rbpsym.ask.forms import sense_stated
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, derivative, is_zero, names_in, short
+from rbpsym.field import NOTHING, names_in, short
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import stops
 from rbpsym.present.forms import present
 from rbpsym.quantities import LENGTH, NUMBER, TIME
+from rbpsym.quantity.path import first_push, sense
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.paths import tensions
 from rbpsym.typeset.machine import to_machine
@@ -23,7 +26,7 @@ _VALUE = r"\w+ ?= ?[^\s,=]+"
 TURNED_ROUND = re.compile(
     r"\b(after|until|for) (?:it has made |the first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?(?=$|,? with )"
 )
-TO_THE_END = re.compile(r"(?:the )?total (?:way|angle|change) of (?:the )?(\w+)(?=$|,? with )")  # until friction has stopped it
+TO_THE_END = re.compile(r"(?:the )?total (way|angle|change) of (?:the )?(\w+)(?=$|,? with )")  # until friction has stopped it
 WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) (?:the )?\w+|(?:for|in the limit) .+)")
 
 
@@ -31,14 +34,18 @@ VANISHES = r"(\b(?:where|when|until|once) (?:the )?(?:[\w ]+ )?of [\w. ]+?) (?:v
 AT_PLACE = r" as (?:a )?functions? of (?:the )?(\w+),? (?:with|where|at) \1 ?= ?"  # a function, and where: its value there
 HEIGHT = re.compile(r" (?:at|in) (?:the|its) (lowest|highest) (?:point|place)(?: of (?:the|its) (?:path|swing))?(?=$|,? with )")
 DISTANCE = (  # up to the first rest, to which it goes one way
-    r"^(?:the )?(?:(?:stopping|braking|sliding) distance|distance (?:travelled|covered|moved)(?: by (\w+))?)"
+    r"^(?:the )?(?:(?:stopping|braking|sliding) distance(?: of (\w+))?|distance (?:travelled|covered|moved)(?: by (\w+))?)"
     r"(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with )"
 )
 STAYS = r"\bfor which (?:it|\w+) (?:(?:stays|remains) at rest|is (?:in equilibrium|balanced))(?=$|,? with )"
 BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
+DRIVES = ("couple", "force", "pull", "prescribed", "prescribed-angle")
 OF_GRAMMAR = ("system", "rest", "start", "equilibrium", "time", "turning")
 TURNED = r"^(?:the )?angle (?:through|by) which (?:the )?(\w+) (?:turns|rotates|has turned|has rotated)\b"
-STOPS = re.compile(r"\b((?:it|(?:the )?\w+) (?:stops|comes to rest)) (?:after|in|within) (.+?)(?=$|,? with )")
+STOPS = re.compile(r"\b((?:it|(?:the )?\w+) (?:stops|comes to rest)) (after|in|within) (.+?)(?=$|,? with )")
+HEAT = re.compile(
+    r"(?:the )?(?:heat (?:produced|generated)|(?:mechanical )?energy dissipated)\b.* (?:until|up to|during|over|from) "
+)
 TURNS = re.compile(r"(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?")
 BACK = re.compile(
     r"\b(until|when|where|once) (?:the )?\w+ (?:comes back|returns|is back)"
@@ -55,22 +62,46 @@ def _begun(asked: Asked) -> str:
 
 
 def _stopped(asked: Asked, said: re.Match[str]) -> str:
-    """“number of turns until it stops = 20” for “it stops after 20 turns”; of a length a way, of a time the time."""
-    if turns := TURNS.fullmatch(said[2]):
-        return f"number of turns until {said[1]} = {turns[1]}"
-    name, found = mover(asked.study(asked.lasting)), NUMBER
+    """“number of turns until it stops = 20” for “it stops after 20 turns” (<= for “within”); of a length a way, of a time the
+    time."""
+    turns, name, found = TURNS.fullmatch(said[3]), mover(asked.study(asked.lasting)), NUMBER
     with suppress(RbpsymError):
-        found = dimension_of(read_infix(said[2], [*asked.problem.dimensions]), asked.problem.dimensions)
-    counted = {TIME: "time", LENGTH: f"displacement of {name}"}.get(found)
-    return f"{counted} until {said[1]} = {said[2]}" if counted else said[0]
+        found = dimension_of(read_infix(said[3], [*asked.problem.dimensions]), asked.problem.dimensions)
+    counted = "number of turns" if turns else {TIME: "time", LENGTH: name and _way(asked, name)}.get(found)
+    how = "<=" if said[2] == "within" else "="
+    return f"{counted} until {said[1]} {how} {turns[1] if turns else said[3]}" if counted else said[0]
+
+
+def _require_heat(asked: Asked) -> None:
+    """Raise StatementError where what the motion loses is not all heat: something drives it, and does work too."""
+    problems = (asked.problem, *(phase.problem for phase in asked.problem.phases))
+    elements = (element for each in problems for element in (*each.interactions, *each.constraints))
+    drives = next((element.name for element in elements if element.kind in DRIVES), None)
+    if drives is not None:
+        what = f"“{drives}” does work too: what becomes heat is not what the motion loses"
+        raise StatementError(what, instead="ask for the work of what rubs or brakes: “minus work of FORCE until …”.")
+
+
+def _way(asked: Asked, name: str, of: str = "way") -> str:
+    """How far a coordinate goes; a way in the sense in which it sets out: that has no sign."""
+    motion = asked.world(asked.lasting).motion
+    way = sense(motion, name) or sense_stated(asked.study(asked.lasting), first_push(motion, name)) if of == "way" else 1
+    return f"{SENSES[way]}displacement of {name}"
+
+
+SENSES = {1: "", -1: "minus ", 0: "magnitude of "}
 
 
 def _displaced(asked: Asked, said: re.Match[str]) -> str:
-    """The displacement of the one coordinate that moves, if it is a length; of a body, if there is no other."""
-    study, names = asked.study(asked.lasting), asked.problem.body_names
-    way = None if study.at_start or (said[1] not in (None, "it") and [said[1]] != [*names]) else mover(study)
-    is_length = way is not None and asked.problem.dimensions[way] == LENGTH
-    return f"displacement of {way} until {said[2] or 'it stops'}" if is_length else said[0]
+    """The way of the one coordinate that moves, if it is a length; of a body, if there is no other."""
+    study, of = asked.study(asked.lasting), said[1] or said[2] or "it"
+    way = None if study.at_start else mover(study)
+    is_meant = way is not None and asked.problem.dimensions[way] == LENGTH and of in ("it", way, *_only(asked.problem.body_names))
+    return f"{_way(asked, way)} until {said[3] or 'it stops'}" if is_meant else said[0]
+
+
+def _only(names: Sequence[str]) -> Sequence[str]:
+    return names if len(names) == 1 else ()
 
 
 def _extreme(asked: Asked, said: re.Match[str]) -> str:
@@ -94,13 +125,6 @@ def _kept_at_rest(asked: Asked, said: re.Match[str]) -> str:
     return f"for which acceleration of {free[0]} at the start vanishes" if hangs else said[0]
 
 
-def _turned(asked: Asked, name: str) -> str:
-    """The displacement of the coordinate that is the angle of a body, or of that coordinate."""
-    body = asked.first.system.bodies.get(name)
-    own = [n for n in asked.first.system.coordinates if body and is_zero(derivative(body.pose.angle, n) ** 2 - 1)]
-    return f"displacement of {own[0] if len(own) == 1 else name}"
-
-
 def _in_strings(asked: Asked, text: str) -> str:
     """The tensions T, T_1, T_2 of the only string, which has another name, by that name."""
     strings = [tensions(element) for element in asked.problem.of_kind("string")]
@@ -117,6 +141,7 @@ def plain_words(asked: Asked, text: str) -> str:
     """The words of a question as all else reads them: values of parameters (“with F = 0”) at the end, “in phase rolling” for
     “in rolling”, “impulse of J” for what is called J in a blow, “with F = 0” for “where F = 0”."""
     plain = " ".join(text.split()).rstrip(" ?.")
+    _require_heat(asked) if HEAT.match(plain) else None
     bodies = "|".join(re.escape(body.name) for body in asked.problem.bodies if body.name not in OF_GRAMMAR)
     plain = re.sub(rf"\bthe (?=(?:{bodies or '(?!)'})(?![\w-]))", "", plain)
     blows = "|".join(re.escape(element.name) for phase in asked.problem.phases for element in phase.impulses)
@@ -129,7 +154,7 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = re.sub(DISTANCE, lambda said: _displaced(asked, said), plain)
     plain = re.sub(STAYS, lambda said: _kept_at_rest(asked, said), plain)
     plain = HEIGHT.sub(lambda said: _extreme(asked, said), plain)
-    plain = re.sub(TURNED, lambda said: _turned(asked, said[1]), plain)
+    plain = re.sub(TURNED, r"angle turned by \1", plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))
     plain = re.sub(rf"(?<=\w),? with (?=(?:{moved}) ?= ?)", " where ", plain)
@@ -137,7 +162,7 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = _in_strings(asked, plain)
     plain = TURNED_ROUND.sub(lambda said: f"{'where' if said[1] == 'after' else 'until'} number of turns = {said[2]}", plain)
     if TO_THE_END.match(plain) and stops(asked.study(asked.lasting).system):
-        plain = TO_THE_END.sub(r"displacement of \1 until \1 comes to rest", plain)
+        plain = TO_THE_END.sub(lambda said: f"{_way(asked, said[2], said[1])} until {said[2]} comes to rest", plain)
     constants = "|".join(quantity.name for quantity in asked.problem.parameters)
     plain = re.sub(rf"(?<=\w),? (?:where|when|if|for|at) (?=(?:{constants or '(?!)'}) ?= ?)", " with ", plain)
     return " ".join((said[1], said[3], said[2])) if (said := WITHIN.fullmatch(plain)) else plain

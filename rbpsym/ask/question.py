@@ -84,7 +84,6 @@ OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"\b(period|frequency|frequencies) of (?:the )?small (?:oscillations?|swings)\b", r"\1"),
     (r"^((?:the )?(?:\w+ )?(?:period|frequency|frequencies)\b.*?),? (?:for|in) small (?:oscillations?|swings)\b", r"\1"),
     (r"\b(?:just|right|shortly|immediately) before (?:it )?(?=\w+ (?:=|reaches) )", "where "),
-    (r"^(?:the )?(?:stopping|braking|sliding) distance of (\w+)$", r"displacement of \1 where \1 comes to rest"),
     (r"\b(until|when|where) (\w+) (?:meets|catches(?: up with)?|overtakes) (\w+)$", r"\1 \2 = \3"),
     (rf"\b({_AT}) (?:the )?(?:angular )?(?:speed|velocity) of (\w+) (=|reaches|is) ", r"\1 \2_dot \3 "),
     (r"(_dot (?:=|reaches|is)) (?:the )?(?:angular )?(?:speed|velocity) of (\w+)$", r"\1 \2_dot"),

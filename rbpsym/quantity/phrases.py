@@ -115,9 +115,14 @@ def _displacement(world: ProblemWorld, name: str) -> Bound:
     return plane(cartesian(*(_gone(world, part) for part in (place.x, place.y))))
 
 
+def _turned(world: ProblemWorld, name: str) -> Scalar:
+    """By which angle a body (counter-clockwise), or a coordinate that is one, has turned since the start."""
+    return _gone(world, symbol(name) if name in world.coordinates else _turning(world, name).pose.angle)
+
+
 def _turns(world: ProblemWorld, name: str) -> Bound:
     """How often a body, or a coordinate that is an angle, has turned round since the start."""
-    turned = _gone(world, symbol(name) if name in world.coordinates else _turning(world, name).pose.angle)
+    turned = _turned(world, name)
     return number(function("sqrt", turned * turned) / PI / 2)
 
 
@@ -320,6 +325,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"acceleration of ([\w]+)", _of_coordinate(2), "acceleration of COORDINATE"),
     (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),
     (rf"displacement of {_P}", _displacement, "displacement of BODY.cm"),
+    (r"angle turned by ([\w-]+)", lambda world, name: number(_turned(world, name)), "angle turned by BODY"),
     (r"number of (?:turns|revolutions|rotations) (?:of|made by) ([\w-]+)", _turns, "number of turns of BODY"),
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
     (rf"speed of {_P}", lambda world, name: _magnitude(world, f"velocity of {name}"), "speed of BODY.cm"),

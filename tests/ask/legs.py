@@ -12,6 +12,7 @@ import numpy as np
 from rbpsym.ask.asked import Asked
 from rbpsym.errors import RbpsymError
 from rbpsym.frozen import replace
+from rbpsym.mechanics.friction import senses
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.pushing import begins as supposed
 from rbpsym.mechanics.study import Study
@@ -21,9 +22,11 @@ from rbpsym.oracles.simulation_phases import WATCHES, End, struck
 from rbpsym.oracles.simulation_placement import Start
 from rbpsym.statement.model import Phase
 from tests.oracles.compare import _bench, _goes_as_told
-from tests.oracles.motion import Watch, _ranges, _scale, declared_start, watches
+from tests.oracles.motion import Watch, _moves, _ranges, _scale, declared_start, watches
 
 LONGEST, LOOKS, MOST, FAR, LEFT = 30.0, 160, 400, 1e-5, 1e-6
+DISTINCT = 1e13  # the condition of equations that tell their forces apart
+PHASE = 10  # times that a phase is followed to its own event
 LATE, CUT, TURNED = "it is not followed any longer", "it ends", "it has turned twice"
 
 
@@ -80,7 +83,7 @@ def first_change(leg: Leg, watch: Callable[[float, dict[str, float]], float]) ->
     from scipy.optimize import brentq
 
     values = [(time, watch(time, names)) for time, _, names in leg.looks]
-    size = max(abs(value) for _, value in values) or 1.0
+    size = max(1e-6, *(abs(value) for _, value in values))
     begun = next((k for k, (_, value) in enumerate(values) if abs(value) > 1e-9 * size), len(values))
     for (low, a), (high, b) in zip(values[begun:], values[begun + 1 :], strict=False):
         if a * b < 0:
@@ -147,9 +150,16 @@ def _declared(study: Study, bench: Bench, numbers: Mapping[str, float]) -> Start
     start = declared_start(bench)
     if start is None:
         raise Undecided("no start is declared in full")
+    known = study.system.scope.start
+    if any(n in known and abs(q - number(known[n], numbers)) > 1 for n, q in zip(bench.placement.names, start.q, strict=True)):
+        raise Undecided("its angles are counted from another turn")
     _goes_as_told(study, bench.sample)
     if any(number(one.value, numbers) <= 0 for one in supposed(study) if one.op == ">"):
         raise Undecided("what is supposed of the start does not hold")
+    where, speed = start.where.tolist(), start.speed.tolist()
+    rows = [item.at(where, speed) for item in bench.equations.kept]
+    if np.linalg.cond(bench.equations._matrix(rows, where, speed)) > DISTINCT:
+        raise Undecided("statics does not tell its forces apart")
     return start
 
 
@@ -174,10 +184,21 @@ def _leg(study: Study, bench: Bench, begun: Start, phase: Phase | None, place: i
         near[0] = q
         return float(rates[bench.placement.names.index(study.system.independent[0])])
 
+    if phase is None and study.system.independent and not _moves(bench, begun):
+        raise Undecided("at rest it may go either way")
     whole = len(study.system.independent) == 1 and not study.system.has_clock and phase is None
     ends = [Event(lambda time, s: own(time, s[:size], s[size : 2 * size])), *kept, Event(left)]
-    ends += [Event(speed, 2)] if whole else []
-    path = followed(bench.rate(), state, LONGEST * step, events=ends, longest=step, tolerances=(1e-11, 1e-13), most=MOST)
-    turned, cut = whole and len(path.seen[-1]) == 2, any(path.seen[1 : 2 + len(kept)])
+    most = 1 if senses(study.system) else 2  # what rubs or brakes has the stated sense until then
+    ends += [Event(speed, most)] if whole else []
+    path = followed(
+        bench.rate(),
+        state,
+        LONGEST * step * (PHASE if phase else 1),
+        events=ends,
+        longest=step,
+        tolerances=(1e-11, 1e-13),
+        most=MOST,
+    )
+    turned, cut = whole and len(path.seen[-1]) == most, any(path.seen[1 : 2 + len(kept)])
     broken = "" if phase and path.seen[0] else CUT if cut else TURNED if turned else LATE
     return Leg(place, bench, watched, path, begun.q, clock, path.times[-1], broken)

@@ -24,7 +24,7 @@ from rbpsym.ask.found import Answer
 from rbpsym.ask.numbers import require_numbers, unmet
 from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import Question, When, read_question
-from rbpsym.errors import NoNumber, NotApplicable, RbpsymError, StatementError
+from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, names_in
 from rbpsym.field.evaluate import scalar
@@ -66,13 +66,14 @@ def judged(asked: Asked, text: str, sets: int, seed: int = 2039) -> Judged:
     """A PROVED answer at that many sets of parameters that meet what is told with it."""
     found = Judged()
     try:
-        answer, plain = answered(asked, text), plain_words(asked, text)
+        answer, (plain, given) = answered(asked, text), _given(asked, plain_words(asked, text))
         judge = _judge(asked, answer, plain) if answer.verdict.is_proved else None
     except RbpsymError as error:
         return Judged(why=f"refused: {error.what}")
     if judge is None:
         return Judged(why="nothing that is looked at")
-    for numbers in islice(drawn(asked.first, seed), MOST_DRAWS * sets):
+    for drawn_numbers in islice(drawn(asked.first, seed), MOST_DRAWS * sets):
+        numbers = drawn_numbers | {name: number(value, drawn_numbers) for name, value in given.items()}
         if found.compared >= sets:
             break
         try:
@@ -83,9 +84,21 @@ def judged(asked: Asked, text: str, sets: int, seed: int = 2039) -> Judged:
         except Ended as reason:
             found.compared += 1
             found.wrong.append((text, answer.text if answer.values else answer.says, str(reason), _only(answer, numbers)))
-        except (Undecided, Unfit, NotApplicable, NoNumber, StatementError, np.linalg.LinAlgError) as reason:
+        except (Undecided, Unfit, RbpsymError, np.linalg.LinAlgError) as reason:
             found.why = str(reason)
     return found
+
+
+def _given(asked: Asked, plain: str) -> tuple[str, dict[str, Scalar]]:
+    """A question without its special values, and these, if they are values of parameters."""
+    said, own = GIVEN.fullmatch(plain), {quantity.name for quantity in asked.problem.parameters}
+    if said is None or not {pair.split("=")[0].strip() for pair in PAIRS.split(said[2])} <= own:
+        return plain, {}
+    pairs = [pair.split("=") for pair in PAIRS.split(said[2])]
+    return said[1], {name.strip(): scalar(read_infix(value, asked.world(0).names)) for name, value in pairs}
+
+
+GIVEN, PAIRS = re.compile(r"(.+?),? with (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)"), re.compile(r", and |,| and ")
 
 
 def _agree(told: tuple[float, ...] | bool, seen: tuple[float, ...] | bool) -> bool:
@@ -115,7 +128,8 @@ def _judge(asked: Asked, answer: Answer, plain: str) -> Judge | None:
         tells = _condition(asked, said[3])
         return tells and (lambda numbers: _bounded(asked, answer, said[1] or "", tells, numbers))
     if not answer.symbol and len(answer.values) == 1 and not WHOLE.search(plain) and (said := MOST.fullmatch(plain)):
-        return lambda numbers: _extreme(asked, answer, 1 if said["largest"] else -1, read_question(said["what"]), numbers)
+        what = re.sub(r"^(?=(?:speed|velocity) of )", "magnitude of ", said["what"])
+        return lambda numbers: _extreme(asked, answer, 1 if said["largest"] else -1, read_question(what), numbers)
     if answer.symbol or not answer.values or answer.conclusion is not None:
         return None
     question = read_question(plain)
@@ -318,6 +332,8 @@ def _moment(asked: Asked, question: Question, when: When, legs: list[Leg]) -> tu
         place = number_of if when.kind == "begins" else number_of - 1
         for leg in legs:
             lasts(asked, leg, leg.end) if leg.place < number_of else None
+            if leg.broken == LATE and leg.place < number_of:
+                raise Undecided(LATE)
             if leg.place == place:
                 return leg, 0.0 if when.kind == "begins" else leg.end
         raise Ended(f"the phase {when.words[0]} is not come to")
@@ -368,7 +384,7 @@ def _legs_at(asked: Asked, numbers: Numbers) -> list[Leg]:
     if key not in _followed:
         try:
             _followed[key] = legs_of(asked, numbers)
-        except (Ended, Undecided, Unfit, NotApplicable, NoNumber, np.linalg.LinAlgError) as error:
+        except (Ended, Undecided, Unfit, RbpsymError, np.linalg.LinAlgError) as error:
             _followed[key] = error
     if isinstance(found := _followed[key], Exception):
         raise found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from importlib import import_module
 
 import pytest
 
@@ -12,8 +13,10 @@ from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from tests.ask import plain
 from tests.ask.test_law import ASKING
-from tests.ask.test_unseen import ANSWERS
 from tests.ask.test_unseen import asked as unseen
+
+COURSES = "unseen bounds_of_motions fresh third_course fourth_course fifth_course sixth_course seventh_course meant".split()
+ANSWERS = [row for course in COURSES for row in import_module(f"tests.ask.test_{course}").ANSWERS]
 
 # a place, a parameter by an equation, a bound, an extreme, a moment after a blow
 SOME = (

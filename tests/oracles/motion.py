@@ -103,15 +103,23 @@ def _runs(bench: Bench, element) -> dict[tuple[str, str], Watch]:
             ends = [mechanism.spot(turn.center) for turn in (first, second)]
             offset = second.sense * mechanism.number(second.radius) - first.sense * mechanism.number(first.radius)
             _check_way(bench, ends, offset, element.name)
-            begin = _straight(bench, ends, offset, bench.generic.where)
-            found["string", f"{element.name} {place} {first.center.label}"] = _left_of(bench, ends, offset, begin)
+            found["string", f"{element.name} {place} {first.center.label}"] = _left_of(bench, ends, offset)
     return found
 
 
-def _left_of(bench: Bench, ends: list, offset: float, begin: np.ndarray) -> Watch:
-    """How much is left of a run, counted along the way in which it went at first."""
-    size = float(np.hypot(*begin))
-    return lambda state: float(_straight(bench, ends, offset, state) @ begin) / size - USED_UP * size
+def _left_of(bench: Bench, ends: list, offset: float) -> Watch:
+    """How much is left of a run, counted along the way in which it went just before: it may turn round."""
+    ways: list[tuple[float, np.ndarray]] = []
+
+    def left(state: np.ndarray) -> float:
+        time, run = float(state[-1]), _straight(bench, ends, offset, state)
+        before = [way for at, way in ways if at <= time] or [run]
+        along = float(run @ before[-1]) / max(float(np.hypot(*before[-1])), 1e-30)
+        if along > float(np.hypot(*run)) / 2 and not (ways and time <= ways[-1][0]):
+            ways.append((time, run))
+        return along - USED_UP * float(np.hypot(*before[0]))
+
+    return left
 
 
 def _straight(bench: Bench, ends: list, offset: float, state: np.ndarray) -> np.ndarray:
@@ -150,9 +158,11 @@ def forces_at(bench: Bench, state: np.ndarray) -> dict[str, float]:
 
 
 def _grip(bench: Bench, element, limit: float) -> Watch:
+    normals = [name for name in (element.name, element.values.get("beside")) if name]
+
     def left(state: np.ndarray) -> float:
         forces = forces_at(bench, state)
-        return limit * forces[element.name] - abs(forces[element["friction"]])
+        return limit * sum(forces[name] for name in normals) - abs(forces[element["friction"]])
 
     return left
 
