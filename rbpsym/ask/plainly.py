@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from contextlib import suppress
 
 from rbpsym.ask.asked import Asked
@@ -96,12 +95,10 @@ def _displaced(asked: Asked, said: re.Match[str]) -> str:
     """The way of the one coordinate that moves, if it is a length; of a body, if there is no other."""
     study, of = asked.study(asked.lasting), said[1] or said[2] or "it"
     way = None if study.at_start else mover(study)
-    is_meant = way is not None and asked.problem.dimensions[way] == LENGTH and of in ("it", way, *_only(asked.problem.body_names))
-    return f"{_way(asked, way)} until {said[3] or 'it stops'}" if is_meant else said[0]
-
-
-def _only(names: Sequence[str]) -> Sequence[str]:
-    return names if len(names) == 1 else ()
+    [body, *more] = asked.problem.body_names
+    if way is None or asked.problem.dimensions[way] != LENGTH or of not in ("it", way, *([] if more else [body])):
+        return said[0]
+    return f"{_way(asked, way)} until {said[3] or 'it stops'}"
 
 
 def _extreme(asked: Asked, said: re.Match[str]) -> str:

@@ -24,6 +24,7 @@ from rbpsym.ask.found import Answer
 from rbpsym.ask.numbers import require_numbers, unmet
 from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import Question, When, read_question
+from rbpsym.ask.special import with_coefficient
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, names_in
@@ -39,6 +40,7 @@ from tests.oracles.sets import drawn
 LIMIT, MOST_DRAWS, NODES, EARLY, BESIDE = 1e-6, 12, 8, (0.35, 0.17), 0.04
 GAUSS = np.polynomial.legendre.leggauss(NODES)
 Numbers = Mapping[str, float]
+FAILS = (Undecided, Unfit, RbpsymError, np.linalg.LinAlgError, ValueError)
 # what is told of the motion as a whole, or of none, and is no quantity of a state
 WHOLE = re.compile(
     r"period|frequenc|decay rate|damp|amplitude|equilibri|moment of inertia|radius of gyration|centre of mass of|terminal"
@@ -64,7 +66,7 @@ class Judged:
 
 def judged(asked: Asked, text: str, sets: int, seed: int = 2039) -> Judged:
     """A PROVED answer at that many sets of parameters that meet what is told with it."""
-    found = Judged()
+    found, asked = Judged(), with_coefficient(asked, text)
     try:
         answer, (plain, given) = answered(asked, text), _given(asked, plain_words(asked, text))
         judge = _judge(asked, answer, plain) if answer.verdict.is_proved else None
@@ -84,7 +86,7 @@ def judged(asked: Asked, text: str, sets: int, seed: int = 2039) -> Judged:
         except Ended as reason:
             found.compared += 1
             found.wrong.append((text, answer.text if answer.values else answer.says, str(reason), _only(answer, numbers)))
-        except (Undecided, Unfit, RbpsymError, np.linalg.LinAlgError) as reason:
+        except FAILS as reason:
             found.why = str(reason)
     return found
 
@@ -375,17 +377,17 @@ def _watched(asked: Asked, when: When, leg: Leg) -> Callable[[float, dict[str, f
     return lambda time, names: number(value, names)
 
 
-_followed: dict[tuple[int, int], list[Leg] | Exception] = {}
+_followed: dict[int, tuple[Asked, dict[int, list[Leg] | Exception]]] = {}  # by the problem, which is kept for its id
 
 
 def _legs_at(asked: Asked, numbers: Numbers) -> list[Leg]:
     """The motion at these numbers, followed once."""
-    key = id(asked), hash(tuple(sorted(numbers.items())))
-    if key not in _followed:
+    known, key = _followed.setdefault(id(asked), (asked, {}))[1], hash(tuple(sorted(numbers.items())))
+    if key not in known:
         try:
-            _followed[key] = legs_of(asked, numbers)
-        except (Ended, Undecided, Unfit, RbpsymError, np.linalg.LinAlgError) as error:
-            _followed[key] = error
-    if isinstance(found := _followed[key], Exception):
+            known[key] = legs_of(asked, numbers)
+        except (Ended, *FAILS) as error:
+            known[key] = error
+    if isinstance(found := known[key], Exception):
         raise found
     return found
