@@ -332,7 +332,7 @@ Proof.
   nra.
 Qed.
 
-Ltac nonzero_here := cbv beta; first [nonzero | ang; repeat apply Rmult_integral_contrapositive_currified;
+Ltac nonzero_here := cbv beta; rewrite ?Rmult_0_l, ?Rplus_0_r; first [nonzero | ang; repeat apply Rmult_integral_contrapositive_currified;
   first [nonzero | apply Rgt_not_eq; lra | apply Rlt_not_eq; lra]].
 Ltac letter_continuous f t :=
   match goal with

@@ -54,8 +54,8 @@ def _equilibrium(source: ClaimSource, step: Step, claims: list[Proposition]) -> 
 
 
 def _tangent(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
-    """With the accelerations of the equations of motion, the sides of what is linear are alike at the place in value and
-    derivatives."""
+    """With the accelerations of the equations of motion, the sides of what is linear are alike at the place in value, and in
+    the derivative on each straight way through it: they differ by what is small of higher order."""
     found = []
     for row in t.chains(step.statement):
         solved = {name: t.chains(source.steps[f"motion.{name[:-5]}"].statement)[0].items[-1]
@@ -64,10 +64,12 @@ def _tangent(source: ClaimSource, step: Step, claims: list[Proposition]) -> list
         place, moved = _resting(source, step), sorted(filter(source.moving, t.names(apart)))
         place |= {each: t.ZERO for each in moved if each not in place}
         found.append(Proposition(t.renamed(apart, place), t.ZERO))
-        for var in moved:
-            others = {each: value for each, value in place.items() if each != var}
-            found.append(Proposition(t.renamed(apart, others), t.ZERO, "slope", var=var, place=place[var]))
+        way = {each: t.Add((place[each], t.Mul((t.Sym(WAY), t.Sym(f"towards_{each}"))))) for each in moved}
+        found.append(Proposition(t.renamed(apart, {**place, **way}), t.ZERO, "slope", var=WAY))
     return found
+
+
+WAY = "way"  # the letter of how far a straight way has gone
 
 
 def _resting(source: ClaimSource, step: Step) -> dict[str, t.Node]:

@@ -11,7 +11,7 @@ from rbpsym.expr import tree as t
 from rbpsym.field import Vector, cartesian, names_in, symbol
 from rbpsym.kernel.asserted import MORE
 from rbpsym.kernel.begins import event, letters_then
-from rbpsym.kernel.claim import AHEAD, TIME, Proposition, SaidByStep, letter, tree_of
+from rbpsym.kernel.claim import AHEAD, TIME, Proposition, SaidByStep, is_along_time, letter, tree_of
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.system import Force
@@ -112,10 +112,17 @@ class ClaimSource:
         claims = [claim for claim in claims if claim.kind != "equal" or claim.left != claim.right] or claims[:1]
         more = MORE.get(step.rule)
         try:
-            return [self._at_event(claim) for claim in (more(self, step, claims) if more else claims)]
+            return [self._at_event(claim) for claim in self._begun(more(self, step, claims) if more else claims)]
         except (RbpsymError, LookupError) as error:
             self.unsaid[step.id] = str(error) if isinstance(error, RbpsymError) else "its data are not read yet"
             return []
+
+    def _begun(self, claims: list[Proposition]) -> list[Proposition]:
+        """And an integral that is one over the time begins where the motion does."""
+        parts = (part for claim in claims for side in (claim.left, claim.right) for part in t.walk(side))
+        along = (part for part in parts if isinstance(part, t.Integral) and part.var in self.rates and is_along_time(part, self.moving))
+        begun = {part.var: Proposition(started(t.Sym(part.var), self.moving), part.lower) for part in along}
+        return [*claims, *begun.values()]
 
     def _introduces(self, step: Step, row: t.Chain) -> bool:
         """Whether the letter that stands first is met here for the first time."""

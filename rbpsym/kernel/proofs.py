@@ -231,7 +231,8 @@ class Search:
         derived = {name for node in (*(found.like or ())[:1], *(have.of for have in found.steps)) for name in t.names(node)}
         rates = (self.tree(self.rates[name]) for name in sorted(derived & self.source.rates.keys()))
         inner = (self.integrals[name].integrand for name in sorted(derived & self.integrals.keys()))
-        written = [*sides(claim), *formulas(found), *divided, *rates, *inner]
+        stood = replace(claim, left=t.renamed(claim.left, {claim.var: claim.place})) if claim.kind == "slope" else claim
+        written = [*sides(stood), *formulas(found), *divided, *rates, *inner]
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = [*combining.nonzero(self, written, known), *within(self, written)]
         below.sort(key=lambda have: bool(have.claim.given))  # what holds where a force presses may rest on the others
@@ -269,6 +270,7 @@ class Search:
 
     def _found(self, claim: Proposition, known: Sequence[KnownEquation]) -> Proof:
         goal = self.difference(claim)
+        goal = goal if any(map(self.moving, names_in(goal))) else self.at_start(goal)
         del self.haves[self._count :]
         if claim.kind == "slope":
             self.rates = {claim.var: UNITY}

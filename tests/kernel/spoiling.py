@@ -22,20 +22,34 @@ Attempt = list[Lemma]  # as one: it has come through if each of them is accepted
 
 
 def _turned(claim: Proposition) -> Proposition:
-    """The other sign on the right (0 = x stays true: one more); what is more becomes less."""
+    """The other sign on the right; what is more becomes less."""
     if claim.kind in ("more", "least"):
         return replace(claim, left=claim.right, right=claim.left)
-    return replace(claim, right=t.add(claim.right, t.ONE) if t.ZERO in (claim.left, claim.right) else t.neg(claim.right))
+    return replace(claim, right=t.neg(claim.right))
 
 
 def _doubled(claim: Proposition) -> Proposition:
-    """A factor on the right; two more where a side is 0."""
+    """A factor on the right."""
     if claim.kind in ("more", "least"):
         return replace(claim, right=t.Add((claim.left, t.ONE)))
-    return replace(claim, right=t.add(claim.right, t.TWO) if t.ZERO in (claim.left, claim.right) else t.Mul((t.TWO, claim.right)))
+    return replace(claim, right=t.Mul((t.TWO, claim.right)))
+
+
+def _moved(claim: Proposition) -> Proposition:
+    """One more on the right."""
+    return replace(claim, right=t.add(claim.right, t.ONE))
 
 
 WRONG = {"sign": _turned, "factor": _doubled}
+
+
+def _vanishes(whole: Written, lemma: Lemma, id: str) -> bool:
+    """Whether both sides are 0, so that neither sign nor factor changes what is said: by the premises, as it is."""
+    claim = lemma.claim
+    if claim.kind in ("more", "least") or t.ZERO in (claim.left, claim.right):
+        return claim.kind not in ("more", "least")
+    nothing = replace(lemma, name=f"{lemma.name}'zero", claim=replace(claim, left=t.ZERO, right=claim.right, kind="equal"))
+    return any(_proved(whole, [nothing], id, ""))
 
 
 def spoilt(whole: Written, id: str, kind: str, chance: Random) -> list[Attempt] | None:
@@ -43,7 +57,8 @@ def spoilt(whole: Written, id: str, kind: str, chance: Random) -> list[Attempt] 
     step, lemmas, gone = whole.source.steps[id], [each for each in whole.lemmas[id] if not _is_idle(each)], ""
     if kind in WRONG and lemmas:
         lemma = chance.choice(lemmas)
-        lemmas = [replace(lemma, name=f"{lemma.name}'{kind}", claim=WRONG[kind](lemma.claim))]
+        wrong = _moved if _vanishes(whole, lemma, id) else WRONG[kind]
+        lemmas = [replace(lemma, name=f"{lemma.name}'{kind}", claim=wrong(lemma.claim))]
         return [lemmas, *_proved(whole, lemmas, id, "")]
     used = [premise for premise in step.premises if premise not in whole.unused.get(id, ())]
     listed = [premise for premise in used if premise.startswith("range.") == (kind == "range")]
