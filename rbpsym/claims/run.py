@@ -214,9 +214,8 @@ def problem_path(name: str, folder: Path, setting: Setting | None = None) -> Pat
     """The file of a problem. Raises ReadError told at the setting."""
     from rbpsym.statement.library import find_problem
 
-    beside = folder / name
     try:
-        return beside if name.endswith(".toml") and beside.is_file() else find_problem(name)
+        return find_problem(name, folder)
     except ReadError as error:
         raise ReadError(error.what, instead=error.instead, place=setting.place if setting else None) from None
 

@@ -15,7 +15,7 @@ from rbpsym.claims.papers.macros import changed
 if TYPE_CHECKING:
     from rbpsym.claims.model import Result
 
-_MARKED_UP = (".md", ".markdown", ".myst", ".html", ".htm")
+_MARKED_UP = (".md", ".markdown", ".myst", ".html", ".htm", ".ipynb")
 COMMENTS = {".rst": (".. rbpsym{}", ""), ".typ": ("// rbpsym{}", ""), **dict.fromkeys(_MARKED_UP, ("<!-- rbpsym{}", " -->"))}
 
 
@@ -29,8 +29,16 @@ def draft_of(path: Path) -> str:
     for formula, said in draft(read_paper(path)):
         gap = "\n" if path.suffix.lower() == ".rst" else ""
         comments.setdefault((formula.file, formula.line), []).extend(begin.format(one) + end + "\n" + gap for one in said)
+    cells = path.suffix.lower() == ".ipynb"
+
+    def before(file: str, number: int, line: str) -> list[str]:
+        """The comments before a line; in a notebook as strings of its list."""
+        told = comments.get((file, number), [])
+        indent = line[: len(line) - len(line.lstrip())]
+        return [f"{indent}{json.dumps(one, ensure_ascii=False)},\n" for one in told] if cells else told
+
     return "".join(
-        diff(file, text, [part for number, line in enumerate(text, 1) for part in (*comments.get((file, number), ()), line)])
+        diff(file, text, [part for number, line in enumerate(text, 1) for part in (*before(file, number, line), line)])
         for file in dict.fromkeys(file for file, _ in comments)
         for text in [lines_in(file)]
     )

@@ -120,9 +120,9 @@ class ClaimSource:
     def _begun(self, claims: list[Proposition]) -> list[Proposition]:
         """And an integral that is one over the time begins where the motion does."""
         parts = (part for claim in claims for side in (claim.left, claim.right) for part in t.walk(side))
-        along = (part for part in parts if isinstance(part, t.Integral) and part.var in self.rates and is_along_time(part, self.moving))
-        begun = {part.var: Proposition(started(t.Sym(part.var), self.moving), part.lower) for part in along}
-        return [*claims, *begun.values()]
+        along = {part.var: part for part in parts if isinstance(part, t.Integral) and is_along_time(part, self.moving)}
+        begun = (Proposition(started(t.Sym(name), self.moving), along[name].lower) for name in along if name in self.rates)
+        return [*claims, *begun]
 
     def _introduces(self, step: Step, row: t.Chain) -> bool:
         """Whether the letter that stands first is met here for the first time."""

@@ -41,6 +41,13 @@ def _magnitude(world: ProblemWorld, phrase: str) -> Bound:
     return number(function("sqrt", square))
 
 
+def _unit(world: ProblemWorld, way: str, phrase: str) -> Bound:
+    """A vector over its magnitude; across it, a quarter turn counter-clockwise further."""
+    found = plane(world.vector(phrase))
+    x, y = (part / found.number for part in parts(found))
+    return plane(cartesian(x, y) if way == "along" else cartesian(-y, x))
+
+
 def _component(world: ProblemWorld, axis: str, phrase: str) -> Bound:
     return number(dict(zip("xyz", world.vector(phrase).components(), strict=True))[axis])
 
@@ -318,6 +325,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"(.+), up to a constant", lambda world, phrase: Bound(world.bound(phrase).number, kind="up to a constant"), ""),
     (r"minus (.+)", _minus, "minus work of FORCE"),
     (r"magnitude of (.+)", _magnitude, "magnitude of velocity of BODY.cm"),
+    (r"unit vector (along|across) (.+)", _unit, "unit vector along position of BODY.cm"),
     (r"([xyz]) component of (.+)", _component, "x component of velocity of BODY.cm"),
     (r"rate of (.+)", _rate, "rate of kinetic energy"),
     (r"time integral of (.+)", _gathered, "time integral of force FORCE on BODY"),

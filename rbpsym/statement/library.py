@@ -50,12 +50,12 @@ def not_found(name: str, known: Iterable[str], what: str) -> ReadError:
     return ReadError(f"there is no {what} and no file “{name}”", instead=hint, place=Place(name))
 
 
-def find_problem(name_or_file: str) -> Path:
-    """The file of a problem, by its name in the library or by its path."""
+def find_problem(name_or_file: str, folder: Path = Path()) -> Path:
+    """The file of a problem, by its name in the library or by its path from a folder, of which “.toml” may be left out."""
     files = problem_files()
     if name_or_file in files:
         return files[name_or_file]
-    path = Path(name_or_file)
-    if path.is_file():
-        return path
+    for path in (folder / name_or_file, folder / f"{name_or_file}.toml"):
+        if path.is_file():
+            return path
     raise not_found(name_or_file, files, "problem")

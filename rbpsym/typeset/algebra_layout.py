@@ -62,8 +62,8 @@ def _sym(node: t.Sym, style: LayoutStyle) -> b.Box:
 
 @draws(t.Vec)
 def _vec(node: t.Vec, style: LayoutStyle) -> b.Box:
-    kind = {"arrow": "vec", "bold": "bold"}[style.notation.vector]
-    return glyph_box(style.notation.glyph(node.name), kind)
+    glyph = style.notation.glyph(node.name)
+    return glyph_box(glyph, "" if glyph.accent == "hat" else {"arrow": "vec", "bold": "bold"}[style.notation.vector])
 
 
 @draws(t.Unit)

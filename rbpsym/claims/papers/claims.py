@@ -23,6 +23,7 @@ from rbpsym.claims.papers.source import Note
 from rbpsym.claims.papers.walk import Formula, Paper
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.frozen import Frozen, replace
+from rbpsym.statement.library import problem_files
 from rbpsym.statement.source import did_you_mean
 
 _CLAIM = re.compile(r"claim(?:\s+(?P<inline>inline)|\s+(?P<label>\S+))?")
@@ -128,9 +129,10 @@ class _Reader:
 
     def _inside(self, note: Note, name: str) -> str:
         """A name of the library, or the path of a file in the folder of the text."""
-        if not name.endswith(".toml") and "/" not in name:
+        is_file = name.endswith(".toml") or "/" in name
+        tried = [(base / f"{name.removesuffix('.toml')}.toml").resolve() for base in (Path(note.place.file).parent, self.folder)]
+        if not is_file and (name in problem_files() or not any(one.is_file() for one in tried)):
             return name
-        tried = [(base / name).resolve() for base in (Path(note.place.file).parent, self.folder)]
         target = next((one for one in tried if one.is_file()), tried[0])
         if not target.is_relative_to(self.folder):
             raise ReadError(f"“{name[:60]}” is outside the folder of the text", place=note.place)

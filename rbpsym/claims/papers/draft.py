@@ -14,7 +14,8 @@ from itertools import islice, product
 from typing import Any
 
 from rbpsym.claims.check import Checker
-from rbpsym.claims.ground import name_of
+from rbpsym.claims.ground import glossary, name_of
+from rbpsym.claims.integrals import with_dimensions
 from rbpsym.claims.model import Claim, Meaning, Outcome, Setting
 from rbpsym.claims.papers.check import printed
 from rbpsym.claims.papers.walk import Formula, Paper
@@ -25,6 +26,7 @@ from rbpsym.expr.latex.names import drawn_name
 from rbpsym.expr.latex.reader import latex_ways
 from rbpsym.expr.symbol_table import Drawn, SymbolTable
 from rbpsym.frozen import Frozen, replace
+from rbpsym.quantity.bound import parts
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.library import problem_files
 
@@ -38,7 +40,8 @@ USUAL = {  # what a letter usually means; C is a coordinate, B a body
     "ω": ("speed of C", "frequency of C", "angular velocity of B"), "α": ("acceleration of C", "angular acceleration of B"),
     "v": ("speed of C", "magnitude of velocity of B.cm"), "a": ("acceleration of C",), "T": ("kinetic energy", "period of C"),
     "K": ("kinetic energy",), "V": ("potential energy", "magnitude of velocity of B.cm"), "U": ("potential energy",),
-    "E": ("energy",), "I": ("moment of inertia of B about B.cm", "moment of inertia of B about O"), "L": ("Lagrangian",),
+    "E": ("energy",), "I": ("moment of inertia of B about B.cm", "moment of inertia of B about O"),
+    "L": ("Lagrangian", "angular momentum of B about B.cm", "angular momentum of B about O"),
 }  # fmt: skip
 
 
@@ -88,15 +91,30 @@ def sections(paper: Paper) -> list[Paper]:
     for end in ends if len(ends) <= MOST_SECTIONS else ends[-1:]:
         part = replace(paper.text, text=" " * begin + text[begin:end])  # what stands in it keeps its place
         formulas = tuple(formula for formula in paper.formulas if begin <= formula.offset < end)
-        if sum(formula.displayed and formula.is_relation for formula in formulas) >= FEW or end == len(text):
-            found.append(replace(paper, text=part, formulas=formulas))
+        one = replace(paper, text=part, formulas=formulas)
+        if len(_shown(one)) >= FEW or end == len(text):
+            found.append(one)
             begin = end
     return found
 
 
+_BEFORE, _BEHIND = re.compile(r"[ \t>*+-]*(?:\d+[.)]\s*)?(?:\$|\\\()\s*"), re.compile(r"\s*(?:\$|\\\))[.,; \t]*(?:\n|\Z)")
+
+
+def _shown(paper: Paper) -> list[Formula]:
+    """The relations that are displayed, or stand alone in a line or an item of a list."""
+    return [formula for formula in paper.formulas if formula.is_relation and (formula.displayed or _is_alone(formula, paper))]
+
+
+def _is_alone(formula: Formula, paper: Paper) -> bool:
+    text, end = paper.text.text, formula.offset + len(formula.latex)
+    line = text.rfind("\n", 0, formula.offset) + 1
+    return bool(_BEFORE.fullmatch(text, line, formula.offset) and _BEHIND.match(text, end))
+
+
 def fits(paper: Paper, worlds: Worlds) -> list[Fit]:
     """The problems in which displays are proved, the one with most of them first. Bounded by the number of tries."""
-    found = {formula: symbols_of(formula, paper) for formula in paper.displayed if formula.is_relation}
+    found = {formula: symbols_of(formula, paper) for formula in _shown(paper)}
     readable = {formula: symbols for formula, symbols in found.items() if 1 < len(symbols) < 9}
     tried = list(islice(readable.items(), MOST_FORMULAS))
     left, fitting = [MOST_TRIES], []
@@ -176,9 +194,18 @@ def _own(world: ProblemWorld) -> dict[tuple[Drawn, bool] | None, str]:
 
 
 def _holds(formula: Formula, meanings: Mapping[str, str], name: str, paper: Paper, worlds: Worlds) -> bool:
+    """Is the display proved, and does that tell something: of what is not nothing, in dimensions that fit?"""
     symbols = {symbol: Meaning(phrase) for symbol, phrase in meanings.items()}
-    claim = Claim("draft", Setting(name, problem=name, symbols=symbols), printed(formula, paper))
-    return Checker(worlds, witnesses=False).check_safely(claim).outcome is Outcome.PROVED
+    claim, world = Claim("draft", Setting(name, problem=name, symbols=symbols), printed(formula, paper)), worlds.problem(name)
+    try:
+        if any(not any(parts(world.bound(phrase))) for phrase in meanings.values()):
+            return False
+        table = with_dimensions(glossary(symbols), claim.setting, world)
+        trees = latex_ways(claim.printed.latex, table, whole=True).trees
+    except RbpsymError:
+        return False
+    fits = table.faults is None or not all(map(table.faults, trees))
+    return fits and Checker(worlds, witnesses=False).check_safely(claim).outcome is Outcome.PROVED
 
 
 def draft(paper: Paper) -> list[tuple[Formula, list[str]]]:
@@ -189,7 +216,7 @@ def draft(paper: Paper) -> list[tuple[Formula, list[str]]]:
 
 def _of_section(paper: Paper, worlds: Worlds) -> list[tuple[Formula, list[str]]]:
     """Problem and symbols, claims, and guesses behind a “?”."""
-    displays = [formula for formula in paper.displayed if formula.is_relation]
+    displays = _shown(paper)
     every = dict.fromkeys(symbol for formula in displays for symbol in symbols_of(formula, paper))
     best, *others = fits(paper, worlds) or [Fit("", {}, ())]
     if len(best.formulas) < min(FEW, len(displays)):  # one display alone is true of too many problems
@@ -203,7 +230,8 @@ def _of_section(paper: Paper, worlds: Worlds) -> list[tuple[Formula, list[str]]]
     rates = {symbol for symbol, found in drawn.items() if found and found[0].dots and _still(found) in drawn.values()}
     unknown = (symbol for symbol in every if symbol not in best.symbols and drawn[symbol] not in own and symbol not in rates)
     head += [f"? {symbol} is {_guess(symbol)}" for symbol in unknown]
-    return [*((formula, head) for formula in displays[:1]), *((formula, [": claim"]) for formula in best.formulas)]
+    claims = ((formula, [": claim" if formula.displayed else ": claim inline"]) for formula in best.formulas)
+    return [*((formula, head) for formula in displays[:1]), *claims]
 
 
 def _still(drawn: tuple[Drawn, bool]) -> tuple[Drawn, bool]:

@@ -275,7 +275,8 @@ def _known(reader: LatexReader, drawn: Drawn, vector: bool, word: Token | None, 
     if len(still) == 1 and reader.table.varies and reader.table.varies(still[0]):
         return t.Deriv((t.Vec if vector else t.Sym)(still[0]), "t", drawn.dots)
     if len(names) == 1:
-        return (t.Vec if vector else t.Sym)(names[0])
+        is_unit = drawn.accent == "hat" and reader.table.directed(names[0])
+        return (t.Vec if vector or is_unit else t.Sym)(names[0])
     if names:
         what = f"the symbols {' and '.join(names)} are printed alike"
         raise reader.error(what, "Give one of them another notation.", reader.tokens[first])
