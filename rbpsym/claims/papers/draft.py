@@ -196,12 +196,13 @@ def _own(world: ProblemWorld) -> dict[tuple[Drawn, bool] | None, str]:
 def _holds(formula: Formula, meanings: Mapping[str, str], name: str, paper: Paper, worlds: Worlds) -> bool:
     """Is the display proved, and does that tell something: of what is not nothing, in dimensions that fit?"""
     symbols = {symbol: Meaning(phrase) for symbol, phrase in meanings.items()}
-    claim, world = Claim("draft", Setting(name, problem=name, symbols=symbols), printed(formula, paper)), worlds.problem(name)
+    shown, world = printed(formula, paper), worlds.problem(name)
+    claim = Claim("draft", Setting(name, problem=name, symbols=symbols), shown)
     try:
         if any(not any(parts(world.bound(phrase))) for phrase in meanings.values()):
             return False
         table = with_dimensions(glossary(symbols), claim.setting, world)
-        trees = latex_ways(claim.printed.latex, table, whole=True).trees
+        trees = latex_ways(shown.latex, table, whole=True).trees
     except RbpsymError:
         return False
     fits = table.faults is None or not all(map(table.faults, trees))
