@@ -56,6 +56,7 @@ def _equilibrium(source: ClaimSource, step: Step, claims: list[Proposition]) -> 
 def _tangent(source: ClaimSource, step: Step, claims: list[Proposition]) -> list[Proposition]:
     """With the accelerations of the equations of motion, the sides of what is linear are alike at the place in value, and in
     the derivative on each straight way through it: they differ by what is small of higher order."""
+    source.moves([WAY])
     found = []
     for row in t.chains(step.statement):
         solved = {name: t.chains(source.steps[f"motion.{name[:-5]}"].statement)[0].items[-1]

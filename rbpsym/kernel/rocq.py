@@ -209,7 +209,7 @@ class Writer(Frozen):
         """From what was shown on the way to the claim."""
         if claim.kind == "slope":
             close = self.less(proof.multiples, "0") + finish
-            return f"eapply D_eq; [der | apply lin0; {close}]"
+            return f"eapply D_eq; [der | cbv beta; rewrite ?Rmult_0_l, ?Rplus_0_r; apply lin0; {close}]"
         enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1))])
         close = self.less(proof.multiples) + finish
         if claim.kind == "rate":
