@@ -8,7 +8,7 @@ from itertools import combinations
 
 from rbpsym.field import atoms
 from rbpsym.field.poly import ONE, Coefficient, Monomial, Poly, inverse, size_of, tidy, times
-from rbpsym.present.style import Style, is_quadratic, moves, split, term_key
+from rbpsym.present.style import Style, is_quadratic, moves, split, term_key, varies
 from rbpsym.quantities import LENGTH, MASS, NUMBER
 
 MOST_FACTORED, FEW, FEWEST = 16, 12, 4  # terms; longer sums are not worth the search for factors
@@ -259,7 +259,8 @@ def by_accelerations(poly: Poly) -> list[Poly]:
 
 
 def extensions(poly: Poly, style: Style) -> list[Poly]:
-    """Parts F (±x ± a)ⁿ of a sum, n = 1 or 2, x coordinates or speeds, a a parameter: k (s - L) beside M g, not k s - k L.
+    """Parts F (±x ± a)ⁿ of a sum, n = 1 or 2, x coordinates or speeds, a a parameter: k (s - L) beside M g, not k s - k L;
+    of sines and cosines, too: v_0²/ℓ² + (2 g/ℓ) (cos θ - cos θ_0).
 
     Not where a letter of the bracket stands alone in the rest as well, which is collected by that letter.
     """
@@ -268,13 +269,16 @@ def extensions(poly: Poly, style: Style) -> list[Poly]:
     terms = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
     for m, c in terms if len(terms) <= FEW and not style.gathered else ():
         before, behind = split(m, style)
-        if len(behind) != 1 or behind[0][1] not in (1, 2) or not atoms.symbol_name(behind[0][0]) or (not before and c in (1, -1)):
+        kind = _letter(behind[:1]) if len(behind) == 1 and behind[0][1] == 1 else ""
+        if len(behind) != 1 or behind[0][1] not in (1, 2) or not (kind or behind[0][1] == 2) or (not before and c in (1, -1)):
             continue
-        whole = _square(rest, c, before, behind[0][0]) if behind[0][1] == 2 else _multiples(rest, c, before)
+        whole = _square(rest, c, before, behind[0][0]) if behind[0][1] == 2 else _multiples(rest, c, before, kind)
         letters = whole.scaled(1, inverse(before)).atoms()
-        if {moves(i, style) for i in letters} == {True, False} and not _is_bare(rest - whole, letters, style):
+        if {varies(i, style) for i in letters} == {True, False} and not _is_bare(rest - whole, letters, style):
             found, rest = [*found, whole], rest - whole
-    return [*found, rest] if found and rest else []
+    if not found or not rest:
+        return []
+    return [*found, rest] if any(varies(i, style) for i in rest.atoms()) else [rest, *found]
 
 
 def _is_bare(rest: Poly, letters: frozenset[int], style: Style) -> bool:
@@ -282,20 +286,22 @@ def _is_bare(rest: Poly, letters: frozenset[int], style: Style) -> bool:
     return any({i for i, _ in split(m, style)[1]} <= letters and letters & {i for i, _ in m} for m in rest.terms)
 
 
-def _multiples(poly: Poly, c: Coefficient, before: Monomial) -> Poly:
-    """The terms ±c F x of the sum, x any letter, F = `before`."""
-    return Poly({n: d for n, d in poly.terms.items() if size_of(d) == size_of(c) and _letter(times(n, inverse(before)))})
+def _multiples(poly: Poly, c: Coefficient, before: Monomial, kind: str) -> Poly:
+    """The terms ±c F x of the sum, x any letter, or sine, or cosine, F = `before`."""
+    return Poly({n: d for n, d in poly.terms.items() if size_of(d) == size_of(c) and _letter(times(n, inverse(before))) == kind})
 
 
-def _letter(m: Monomial) -> bool:
-    return len(m) == 1 and m[0][1] == 1 and atoms.symbol_name(m[0][0]) is not None
+def _letter(m: Monomial) -> str:
+    """Whether it is a letter, a sine or a cosine; "" for others."""
+    kind = atoms.atom(m[0][0]).kind if len(m) == 1 and m[0][1] == 1 else ""
+    return kind if kind in ("symbol", "sin", "cos") else ""
 
 
 def _square(poly: Poly, c: Coefficient, before: Monomial, x: int) -> Poly:
     """The terms c F (x ± a)² of the sum, F = `before`; none where it has no such terms."""
     for n in poly.terms:
         a = tuple((i, e // 2) for i, e in times(n, inverse(before)) if e == 2)
-        if _letter(a) and a[0][0] != x:
+        if _letter(a) == "symbol" and a[0][0] != x:
             for sign in (1, -1):
                 whole = (Poly({((x, 1),): 1, a: sign}) ** 2).scaled(c, before)
                 if whole.terms.items() <= poly.terms.items():
