@@ -13,7 +13,8 @@ def by_pulls(value: Scalar, style: Style) -> t.Node:
     """a - a ℓ/s as a(1 - ℓ/s), and half a (s - ℓ)² as such, of each spring that is slack at ℓ, beside what is left."""
     rest, pulls = value, list[t.Node]()
     for index, letter, slack in style.called:
-        s, powers = Scalar(generator(index)), {n: Scalar(part) / Scalar(value.den) for n, part in rest.num.by_power(index).items()}
+        s = Scalar(generator(index))
+        powers = {n: Scalar(part) / Scalar(rest.den) for n, part in rest.num.by_power(index).items()}
         if slack and -1 in powers:
             arm, rest = -powers[-1] / slack, rest - powers[-1] / s + powers[-1] / slack
             pulls.append(_times(arm, t.add(t.ONE, t.neg(t.div(present(slack, style), t.Sym(letter)))), style))
