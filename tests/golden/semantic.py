@@ -28,6 +28,7 @@ from tests.library.derived import checked_claims, derived, derived_from
 ROOT = Path(__file__).parents[2]
 Record = Mapping[str, Any]
 STUDENTS, SECRET = (Student("ana"), Student("ben")), "golden"
+PRINTED = ("question", "latex", "steps", "symbols", "reason")  # of an answer: its key, its form, what is told apart
 BY = ("force", "contact", "name")  # what tells the entries of a list apart, where they have it
 STANDARD = ("sliding-ladder", "ball-off-sphere", "yo-yo", "cylinder-against-step")  # a sheet made for the problem
 
@@ -48,6 +49,19 @@ def example(name: str) -> Derivation:
 
 def problem_record(name: str) -> Record:
     return of_derivation(derived(name))
+
+
+def answers_record(name: str) -> Record:
+    """What a problem asks itself, as `rbpsym ask --json` tells it."""
+    from rbpsym.ask.asking import own_answers
+    from rbpsym.ask.found import Answer
+    from rbpsym.ask.telling import record
+
+    found = {}
+    for one in own_answers(derived(name).study):
+        told = record(one) if isinstance(one, Answer) else {"question": one.text, "refused": True}
+        found[told["question"]] = {key: value for key, value in told.items() if key not in PRINTED and value not in (None, [])}
+    return dict(_flat(found))
 
 
 def example_record(name: str) -> Record:
@@ -89,6 +103,7 @@ def plan_record(name: str) -> Record:
 
 KINDS = {
     "problems": (lambda: sorted(problem_files()), problem_record),
+    "answers": (lambda: sorted(name for name, path in problem_files().items() if "[[ask]]" in path.read_text("utf-8")), answers_record),
     "examples": (lambda: sorted(examples()), example_record),
     "plans": (lambda: sorted(problem_files()), plan_record),
     "claims": (lambda: sorted(p.stem for p in (library_folder() / "claims").glob("*.toml")), claims_record),
@@ -99,7 +114,7 @@ KINDS = {
 
 def assumptions_of(kind: str, name: str) -> Assumptions:
     """What may be assumed where two values of a record are compared."""
-    made = {"problems": derived, "examples": example}.get(kind)
+    made = {"problems": derived, "answers": derived, "examples": example}.get(kind)
     return made(name).study.assumptions if made else NONE
 
 
