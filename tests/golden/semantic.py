@@ -103,7 +103,7 @@ def plan_record(name: str) -> Record:
 
 KINDS = {
     "problems": (lambda: sorted(problem_files()), problem_record),
-    "answers": (lambda: sorted(name for name, path in problem_files().items() if "[[ask]]" in path.read_text("utf-8")), answers_record),
+    "answers": (lambda: sorted(n for n, path in problem_files().items() if "[[ask]]" in path.read_text("utf-8")), answers_record),
     "examples": (lambda: sorted(examples()), example_record),
     "plans": (lambda: sorted(problem_files()), plan_record),
     "claims": (lambda: sorted(p.stem for p in (library_folder() / "claims").glob("*.toml")), claims_record),
