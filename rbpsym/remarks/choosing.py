@@ -310,7 +310,7 @@ def drops_out(result: BoxedResult) -> Iterator[Made]:
         yield Made(f"remark.{key}", slots, proved("its power vanishes, whatever it is"), ("silent", key, *names))
 
 
-ORDER = ("pair_turning", "pair", "across", "fixed_point")  # what holds bodies together before what holds them up
+ORDER = ("pair_turning", "pair", "across", "straight", "fixed_point")  # what holds bodies together before what holds them up
 
 
 def _is_needed(name: str, result: BoxedResult) -> bool:
@@ -330,7 +330,9 @@ def _reason(parts: list[Force], result: BoxedResult) -> tuple[str, ...]:
     if len(parts) == 1:
         if speeds[0].vanishes():
             return ("fixed_point",)
-        return ("across",) if is_zero(parts[0].vector.dot(speeds[0])) else ()
+        turning = (parts[0].point - bodies[0].center).turned() * bodies[0].omega
+        key = "across" if parts[0].vector.dot(turning) else "straight"  # the force has works that cancel, or none
+        return (key,) if is_zero(parts[0].vector.dot(speeds[0])) else ()
     if len(parts) != 2 or not is_zero(parts[0].couple + parts[1].couple):
         return ()
     if not pushes:

@@ -45,7 +45,8 @@ def test_what_drops_out_is_told_with_its_pair():
     begins = "τ does not enter: it and its opposite act on the disk and the rod"
     assert said("rod-and-disk-fixed")["motion.theta"][0].startswith(begins)
     assert said("rod-and-disk-free")["motion.theta"][1] == "θ̈ is independent of R."
-    assert "the body moves across it only" in said("sliding-ladder")["motion.theta"][0]
+    assert "the translational and the rotational work of each cancel" in said("sliding-ladder")["motion.theta"][0]
+    assert "it does no work" in said("bead-on-parabola")["motion.x"][0], "a particle has no rotational work"
 
 
 def test_dimensions_tell_why():
