@@ -372,8 +372,8 @@ Ltac der := repeat (
   | |- is_derive (fun u => sin (@?f u)) _ _ => eapply (D_sin f)
   | |- is_derive (fun u => cos (@?f u)) _ _ => eapply (D_cos f)
   | |- is_derive (fun u => exp (@?f u)) _ _ => eapply (D_exp f)
-  | |- is_derive (fun u => ln (@?f u)) _ _ => eapply (D_ln f); [| cbv beta; over0]
-  | |- is_derive (fun u => sqrt (@?f u)) _ _ => eapply (D_sqrt f); [| cbv beta; over0]
+  | |- is_derive (fun u => ln (@?f u)) _ _ => eapply (D_ln f); [| cbv beta; rewrite ?Rmult_0_l, ?Rplus_0_r; over0]
+  | |- is_derive (fun u => sqrt (@?f u)) _ _ => eapply (D_sqrt f); [| cbv beta; rewrite ?Rmult_0_l, ?Rplus_0_r; over0]
   | |- is_derive (fun u => RInt ?g 0 u) _ _ => eapply rate_time; [eassumption | eassumption | intros; cont]
   | |- is_derive (fun u => RInt ?f ?c (@?q u)) _ _ => eapply (rate_path f q c); [| intros; cont]
   | D : forall t, _ -> is_derive ?f t _, H : _ < ?t < _ |- is_derive (fun u => ?f u) ?t _ => exact (D t H)

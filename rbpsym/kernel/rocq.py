@@ -208,8 +208,8 @@ class Writer(Frozen):
     def end(self, claim: Proposition, proof: Proof, finish: str) -> str:
         """From what was shown on the way to the claim."""
         if claim.kind == "slope":
-            close = self.less(proof.multiples, "0") + finish
-            return f"eapply D_eq; [der | cbv beta; rewrite ?Rmult_0_l, ?Rplus_0_r; apply lin0; {close}]"
+            close = f"{self.less(proof.multiples, '0')}cbv beta; rewrite ?Rmult_0_l, ?Rplus_0_r; {finish}"
+            return f"eapply D_eq; [der | apply lin0; {close}]"
         enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1))])
         close = self.less(proof.multiples) + finish
         if claim.kind == "rate":
