@@ -313,12 +313,11 @@ def _on_way(
         if then is not None:
             yield then
             continue
-        with suppress(Undecided):  # how far it goes is told by what holds it
-            [name] = names_in(demand.value) & study.system.scope.rates.keys()
-            found = least(study, demand, name, places=places)
-            what = "a string runs out, or a spring turns over, before: the motion that is stated ends there"
-            possible(found, study.assumptions, StatementError(what))
-            yield from found
+        [name] = names_in(demand.value) & study.system.scope.rates.keys()
+        found = least(study, demand, name, places=places)
+        what = "a string runs out, or a spring turns over, before: the motion that is stated ends there"
+        possible(found, study.assumptions, StatementError(what))
+        yield from found
     for demand in (*held(study), *_pushing(study, places)):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
         if (low := by_speed(study, demand)) is not None:

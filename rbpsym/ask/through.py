@@ -53,6 +53,8 @@ def extremum(
         told = replace(told, **together(*((told, beyond) if by_place else (beyond, told))))
     for part in parts:
         world.used.extend(part.used)
+    world.lasting.extend(parts[best].lasting)
+    world.doubts.extend(parts[best].doubts)
     begun = (d for place in range(world.number + 1, parts[best].number + 1) for d in asked.began(place).before.valid)
     valid = possible((*told.valid, *begun), world.motion.assumptions, never_told(phrase))
     others = (one for k, one in enumerate(every) if k != best)
@@ -107,7 +109,8 @@ def _in_phase(part: AskedPhase, superlative: str, phrase: str, over: str | None)
     phrase, value = optima.sized(part, phrase)
     if not moving(part, (value,)) and read_question(phrase).when is None:  # at one moment there is none
         names, given = tuple(part.motion.scope.rates), part.motion.assumptions
-        return Finding(values=(value,), **checked("no_change", value=value, names=names, best=value, given=given))
+        valid = possible(part.standing, given, never_told(phrase))
+        return Finding(values=(value,), valid=valid, **checked("no_change", value=value, names=names, best=value, given=given))
     part.used.clear()
     return optima.extremum(part, superlative, phrase, over, None, None)
 

@@ -25,6 +25,7 @@ from tests.oracles.compare import _bench, _goes_as_told
 from tests.oracles.motion import Watch, _moves, _ranges, _scale, declared_start, watches
 
 LONGEST, LOOKS, MOST, FAR, LEFT = 30.0, 160, 400, 1e-5, 1e-6
+FAINT = 1e-9  # a speed that is none
 DISTINCT = 1e13  # the condition of equations that tell their forces apart
 PHASE = 10  # times that a phase is followed to its own event
 LATE, CUT, TURNED = "it is not followed any longer", "it ends", "it has turned twice"
@@ -97,7 +98,8 @@ def turns(leg: Leg) -> float:
     """The time until a coordinate turns round, or the end."""
     speeds = [[names[f"{n}_dot"] for n in leg.bench.derived.system.independent] for _, _, names in leg.looks]
     pairs = zip(leg.looks[1:], speeds, speeds[1:], strict=False)
-    return next((look[0] for look, a, b in pairs if any(x * y < 0 for x, y in zip(a, b, strict=True))), leg.end)
+    turned = (look[0] for look, a, b in pairs if any(x * y < 0 and abs(x) > FAINT for x, y in zip(a, b, strict=True)))
+    return next(turned, leg.end)
 
 
 def lasts(asked: Asked, leg: Leg, time: float) -> None:
@@ -201,4 +203,14 @@ def _leg(study: Study, bench: Bench, begun: Start, phase: Phase | None, place: i
     )
     turned, cut = whole and len(path.seen[-1]) == most, any(path.seen[1 : 2 + len(kept)])
     broken = "" if phase and path.seen[0] else CUT if cut else TURNED if turned else LATE
-    return Leg(place, bench, watched, path, begun.q, clock, path.times[-1], broken)
+    end = _cut(path, [*watched.values()]) if broken == CUT else path.times[-1]
+    return Leg(place, bench, watched, path, begun.q, clock, end, broken)
+
+
+def _cut(path: Trajectory, kept: list[Watch]) -> float:
+    """Where the first of what is watched vanishes in the last step: its event comes a little later, for the sake of rounding."""
+    from scipy.optimize import brentq
+
+    low, high = path.times[-2:]
+    ends = [value for value in kept if value(path.at(low)) > 0 > value(path.at(high))]
+    return min((float(brentq(lambda time, v=v: v(path.at(time)), low, high, xtol=1e-14)) for v in ends), default=high)

@@ -106,7 +106,7 @@ GIVEN, PAIRS = re.compile(r"(.+?),? with (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=
 def _agree(told: tuple[float, ...] | bool, seen: tuple[float, ...] | bool) -> bool:
     if isinstance(told, bool) or isinstance(seen, bool):
         return told is seen
-    scale = max(*map(abs, seen), *map(abs, told), 1e-3)
+    scale = max(*map(abs, seen), *map(abs, told), 1e-2)
     return all(abs(a - b) <= LIMIT * scale for a, b in zip(told, seen, strict=True))
 
 
@@ -201,7 +201,8 @@ def _top(asked: Asked, question: Question, leg: Leg, sign: int) -> float:
     if k >= len(seen) - 2 and leg.broken == LATE:
         raise Undecided(LATE)
     ends = [leg.looks[place][0] for place in (max(k - 1, 0), min(k + 1, len(seen) - 1))]
-    finer = minimize_scalar(lambda time: -number(value, leg.names(time)) * sign, bounds=ends, method="bounded")
+    small = {"xatol": 1e-12}
+    finer = minimize_scalar(lambda time: -number(value, leg.names(time)) * sign, bounds=ends, method="bounded", options=small)
     return max(seen[k], -float(finer.fun))
 
 

@@ -52,3 +52,9 @@ def test_within_is_a_bound() -> None:
 def test_what_is_driven_has_no_heat_but_that_of_what_rubs() -> None:
     with pytest.raises(StatementError, match="does work too"):
         answered(asked("block-on-pulled-block"), "heat produced until x = 1 m")
+
+
+def test_the_greatest_of_all_phases_asks_for_what_its_phase_asks_for() -> None:
+    """Two constant tensions, of which the larger one needs that the block comes back."""
+    one = asked("block-drawn-to-and-fro")
+    assert {*answered(one, "T in phase back").valid} == {*answered(one, "largest T").valid} != set()
