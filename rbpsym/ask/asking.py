@@ -179,7 +179,7 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
         return answer(asked, in_time, letter)
-    if in_time is not None:
+    if in_time is not None and (in_time.phase or asked.lasting + 1 == len(asked.names)):  # of several phases: of all
         with suppress(StatementError):
             return answer(asked, in_time, letter)
     if (spelt := met(asked, plain)) != plain:

@@ -107,7 +107,7 @@ def held(study: Study) -> list[Demand]:
 def running(study: Study) -> Iterator[Demand]:
     """Where strings run and springs reach as the formulas have it, as far as that is known of one coordinate."""
     for _, value in ways_kept(study):
-        way = substitute(value, study.system.dependent)
+        way = substitute(substitute(value, study.system.dependent), study.resting)
         moving = names_in(way) & study.system.scope.rates.keys()
         if len(moving) == 1 and moving <= study.squares.keys():
             yield Demand(way)
@@ -313,11 +313,12 @@ def _on_way(
         if then is not None:
             yield then
             continue
-        [name] = names_in(demand.value) & study.system.scope.rates.keys()
-        found = least(study, demand, name, places=places)
-        what = "a string runs out, or a spring turns over, before: the motion that is stated ends there"
-        possible(found, study.assumptions, StatementError(what))
-        yield from found
+        with suppress(*([] if places else [Undecided])):  # how far it swings on the whole is told by what holds it
+            [name] = names_in(demand.value) & study.system.scope.rates.keys()
+            found = least(study, demand, name, places=places)
+            what = "a string runs out, or a spring turns over, before: the motion that is stated ends there"
+            possible(found, study.assumptions, StatementError(what))
+            yield from found
     for demand in (*held(study), *_pushing(study, places)):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
         if (low := by_speed(study, demand)) is not None:

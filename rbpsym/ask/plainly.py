@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from contextlib import suppress
 
-from rbpsym.ask.asked import Asked
+from rbpsym.ask.asked import Asked, NoClosedForm, NotMet
 from rbpsym.ask.forms import sense_stated
+from rbpsym.ask.moments import moment_of
+from rbpsym.ask.question import Question, When
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
@@ -57,7 +59,11 @@ def _begun(asked: Asked) -> str:
     study = asked.study(asked.lasting)
     if (name := mover(study)) is None or (begun := study.system.scope.start.get(name)) is None:
         raise StatementError("what comes back is not known", instead="say which place: “time until x = 0”.")
-    return f"{name} = {to_machine(present(begun))}"
+    place = to_machine(present(begun))
+    with suppress(NoClosedForm, NotMet):
+        if moment_of(asked, When("reaches", (name, place)), Question("", "time")).how == "start":
+            raise StatementError(f"that “{name}” comes back to where it starts is not known", instead="ask for it in one phase.")
+    return f"{name} = {place}"
 
 
 def _stopped(asked: Asked, said: re.Match[str]) -> str:

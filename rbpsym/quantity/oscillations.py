@@ -229,7 +229,7 @@ OTHERWISE = {
 
 def of_course(world: ProblemWorld, key: str, name: str, small: str | None = None) -> Bound:
     """What is told of the motion of a coordinate as a function of the time."""
-    key, is_free = OTHERWISE.get(key, key), name in world.study.system.independent
+    key, is_free = OTHERWISE.get(key, key), name in {*world.study.system.independent} - world.study.resting.keys()
     known = solutions.given(world.study, name, small=bool(small)) if is_free else None
     value = None if known is None else solved.feature(known, key)
     if value is None:

@@ -185,7 +185,8 @@ def _extreme(asked: Asked, answer: Answer, way: int, question: Question, numbers
     legs = [
         leg for leg in _legs_at(asked, numbers) if leg.end and (not question.phase or leg.place == asked.named(question.phase))
     ]
-    best = [max(_top(asked, question, leg, way * sign) for leg in legs) * way for sign in ((1, -1) if way > 0 else (1,))]
+    both = way > 0 and not question.quantity.startswith("magnitude")
+    best = [max(_top(asked, question, leg, way * sign) for leg in legs) * way for sign in ((1, -1) if both else (1,))]
     yield told, next(((one,) for one in best if _agree(told, (one,))), (best[0],))
 
 

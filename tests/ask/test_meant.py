@@ -58,3 +58,12 @@ def test_the_greatest_of_all_phases_asks_for_what_its_phase_asks_for() -> None:
     """Two constant tensions, of which the larger one needs that the block comes back."""
     one = asked("block-drawn-to-and-fro")
     assert {*answered(one, "T in phase back").valid} == {*answered(one, "largest T").valid} != set()
+
+
+def test_what_rests_in_the_first_phase_has_its_swing_in_the_next() -> None:
+    """A plate on a spring, on which clay falls: nothing is told of it as it rests, and the clay does not come back at once."""
+    one = asked("clay-onto-plate")
+    assert answered(one, "amplitude of y").values == answered(one, "amplitude of y in phase stuck").values
+    assert not answered(one, "largest speed of y").verdict.is_proved
+    with pytest.raises(StatementError, match="comes back"):
+        answered(one, "time until it comes back")
