@@ -18,7 +18,7 @@ from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, v
 from rbpsym.mechanics.demands import Demand, assuming, possible
 from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.events import ways_of
-from rbpsym.mechanics.friction import slips, stops
+from rbpsym.mechanics.friction import slips, slips_on, stops
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
@@ -180,7 +180,8 @@ def kept_from_start(study: Study, demand: Demand) -> bool:
         ends = given.range_of(way.name)
         ahead = given.with_range(way.name, *((way.start, ends[1]) if way.sense > 0 else (ends[0], way.start)))
         is_pushed = not is_zero(study.system.scope.start.get(f"{way.name}_dot", NOTHING))
-        turns = is_pushed and not stops(study.system) and sign(way.square, ahead).kind != "positive"
+        halts = stops(study.system) and not slips_on(study.system, way.name)
+        turns = is_pushed and not halts and sign(way.square, ahead).kind != "positive"
         if name:
             return forwards == way.sense and sign(way.square, ahead).kind == "positive"
         return not turns and sign(value, ahead).kind == "positive"

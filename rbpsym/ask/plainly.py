@@ -15,7 +15,7 @@ from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, names_in, short
 from rbpsym.mechanics.arrivals import mover
-from rbpsym.mechanics.friction import stops
+from rbpsym.mechanics.friction import slips_on, stops
 from rbpsym.present.forms import present
 from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.quantity.path import first_push, sense
@@ -164,7 +164,8 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = BACK.sub(lambda said: f"{said[1]} {_begun(asked)}", plain)
     plain = _in_strings(asked, plain)
     plain = TURNED_ROUND.sub(lambda said: f"{'where' if said[1] == 'after' else 'until'} number of turns = {said[2]}", plain)
-    if TO_THE_END.match(plain) and stops(asked.study(asked.lasting).system):
+    system = asked.study(asked.lasting).system
+    if (said := TO_THE_END.match(plain)) and stops(system) and not slips_on(system, said[2]):
         plain = TO_THE_END.sub(lambda said: f"{_way(asked, said[2], said[1])} until {said[2]} comes to rest", plain)
     constants = "|".join(quantity.name for quantity in asked.problem.parameters)
     plain = re.sub(rf"(?<=\w),? (?:where|when|if|for|at) (?=(?:{constants or '(?!)'}) ?= ?)", " with ", plain)

@@ -26,7 +26,7 @@ from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import field, replace
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
-from rbpsym.mechanics.friction import slips, spare
+from rbpsym.mechanics.friction import slips, slips_on, spare
 from rbpsym.mechanics.numbers import floating, sample
 from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.mechanics.roots import period
@@ -233,14 +233,14 @@ def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Way, A
     """The way and the range up to where the next phase begins, if the coordinate comes there without turning round. Raises
     StatementError where that is not decided."""
     if world.number + 1 == len(world.asked.names):
-        return way, given
+        return _halted(world, way, given)
     phase, before = world.asked.names[world.number + 1], world.asked.began(world.number + 1).before
     end, onwards = before.places[way.name], sign(before.speeds[way.name] * way.sense, world.motion.assumptions)
     if onwards.is_nonnegative and end != symbol(way.name):
         comes = tuple(dict.fromkeys((*way.asked, *before.valid)))
         return replace(way, asked=comes), way.until(end, where_met(given, before.valid))
     if onwards.kind in ("negative", "nonpositive"):
-        return way, given
+        return _halted(world, way, given)
     raise StatementError(
         f"whether “{way.name}” turns round before “{phase}” begins depends on the parameters, or is not known",
         instead=f"ask for its value when {phase} begins, or where it comes to rest.",
@@ -312,9 +312,19 @@ def whole_motion(world: ProblemWorld, name: str, given: Assumptions) -> tuple[Wa
 
 def _turns_round(world: ProblemWorld, way: Way, within: Assumptions) -> bool:
     """Whether it comes to rest at the end of its way, and goes back: what slips stays there."""
+    return _rests(way, within) and not slips(world.study.system)
+
+
+def _rests(way: Way, within: Assumptions) -> bool:
     end = within.range_of(way.name)[way.sense > 0]
-    turns = end is not None and is_zero(without_even_roots(substitute(way.square, {way.name: end})))
-    return turns and not slips(world.study.system)
+    return end is not None and is_zero(without_even_roots(substitute(way.square, {way.name: end})))
+
+
+def _halted(world: ProblemWorld, way: Way, within: Assumptions) -> tuple[Way, Assumptions]:
+    """The way; raises StatementError where it comes to rest at its end, while it slips on something else that moves."""
+    if slips_on(world.study.system, way.name) and _rests(way, within):
+        raise StatementError(f"how far “{way.name}” goes is not known: it turns round as it slips", instead="say until when.")
+    return way, within
 
 
 def comes_back(world: ProblemWorld, name: str, given: Assumptions) -> bool:

@@ -8,7 +8,7 @@ from contextlib import suppress
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
 from rbpsym.elements.interactions import LETTERS
-from rbpsym.field import NOTHING, Scalar, short, substitute
+from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import setting_of
@@ -63,6 +63,11 @@ def slips(system: System) -> dict[str, Scalar]:
     speeds = {n: slip_speed(geometry, meeting(system.element(n), geometry)) * way for n, way in slip_senses(system).items()}
     speeds |= {name: found.slip for name, found in resistances(system).items() if found.sense}
     return {name: substitute(speed, system.dependent) for name, speed in speeds.items()}
+
+
+def slips_on(system: System, name: str) -> bool:
+    """Whether something slips still, or may, where this coordinate comes to rest: what else slips moves by itself."""
+    return any(not is_zero(substitute(slip, {f"{name}_dot": NOTHING})) for slip in slips(system).values())
 
 
 def spare(element: Element, value: Callable[[str], Scalar]) -> tuple[Scalar, ...]:

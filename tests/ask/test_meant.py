@@ -67,3 +67,10 @@ def test_what_rests_in_the_first_phase_has_its_swing_in_the_next() -> None:
     assert not answered(one, "largest speed of y").verdict.is_proved
     with pytest.raises(StatementError, match="comes back"):
         answered(one, "time until it comes back")
+
+
+@pytest.mark.parametrize("question", ["largest b", "largest speed of b", "total angle of b"])
+def test_what_slips_on_something_that_moves_goes_on_where_it_comes_to_rest(question: str) -> None:
+    """The slower shaft is turned round, and may come to turn faster than at first."""
+    with pytest.raises(StatementError):
+        answered(asked("clutch-against"), question)
