@@ -21,16 +21,34 @@ WEIGHTS, T = ("mass", "density"), Sym(CLOCK)
 
 
 def with_masses(table: SourceTable) -> tuple[SourceTable, tuple[str, ...]]:
-    """The table with a letter for each mass (and given moment of inertia) that is left out, and these letters: where nothing
-    acts on bodies that are held or driven, the motion may be given."""
+    """The table with a letter for each mass (and given moment of inertia) that is left out, the joints that its poses tell, and
+    these letters: where nothing acts on bodies that are held or driven, the motion may be given."""
     moves = any(table.data.get(section) for section in ("coordinates", "constraints"))
     if table.data.get("interactions") or not moves or not isinstance(table.data.get("bodies"), Mapping):
         return table, ()
     letters: dict[str, str] = {}
     taken = words_of(table)
     bodies = {name: _weighed(name, body, letters, taken) for name, body in table.data["bodies"].items()}
-    parameters = {**(table.data.get("parameters") or {}), **letters}
-    return replace(table, data={**table.data, "bodies": bodies, "parameters": parameters}), tuple(letters)
+    more: dict[str, Any] = {"bodies": bodies, "parameters": {**(table.data.get("parameters") or {}), **letters}}
+    told = table.data.get("constraints") or {}
+    if letters and isinstance(told, Mapping) and (joints := dict(_joints(table, bodies, taken))):
+        more["constraints"] = {**joints, **told}
+    return replace(table, data={**table.data, **more}), tuple(letters)
+
+
+def _joints(table: SourceTable, bodies: Mapping[str, Any], taken: Set[str]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """The pivot of a body that turns about a fixed point, and the pin of one that turns about a point of another, where its pose
+    says so and no constraint does."""
+    fixed = {"O", *(table.data.get("points") or {})}
+    for name, body in bodies.items():
+        for key, at in body.items() if isinstance(body, Mapping) and "angle" in body else ():
+            point, other = f"{name}.{key}", str(at).partition(".")[0]
+            if not isinstance(at, str) or point in str(table.data.get("constraints")):
+                continue
+            if at in fixed:
+                yield _unused(f"joint_{name}", taken), {"type": "pivot", "point": point}
+            elif other in bodies and at != other:
+                yield _unused(f"joint_{name}", taken), {"type": "pin", "points": [at, point]}
 
 
 def words_of(table: SourceTable) -> Set[str]:
