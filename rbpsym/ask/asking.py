@@ -19,7 +19,7 @@ from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import MANNERS, SUPERLATIVES, read_question
 from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import under, whichever
-from rbpsym.ask.special import special_problem, with_coefficient
+from rbpsym.ask.special import COEFFICIENT, special_problem, with_coefficient
 from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
 from rbpsym.field import depends_on, granted
@@ -84,7 +84,7 @@ STEMS: Mapping[str, tuple[str, str]] = {
     "(?:spring |net )?force": ("F", "F"), "reaction": ("F", "F"), "distance": ("d", "d"), "position": ("r", "r"),
 }  # fmt: skip
 AT_REST = re.compile(r"(?:the )?(?:(?:stable|unstable) )?equilibri(?:um|a) of (\w+)")
-BEST = re.compile(r"(?:the )?(?:(largest|greatest|maximum|highest)|(smallest|least|minimum|lowest)) (\w+)")
+BEST = re.compile(r"(?:the )?(?:(largest|greatest|maximum|highest)|(smallest|least|minimum|lowest)) (\w+)(?: for which .*)?")
 SIZE = r"(?:the )?(?:(?:lowest|highest|damped|magnitude of|size of|total|mechanical|largest|greatest|smallest|least) )*(?:the )?"
 ASKED = re.compile(rf"{SIZE}(?:({'|'.join(STEMS)})\b(?: (?:of|on) (?:the )?(\w+)\b)?|(\w+))")
 
@@ -92,7 +92,8 @@ ASKED = re.compile(rf"{SIZE}(?:({'|'.join(STEMS)})\b(?: (?:of|on) (?:the )?(\w+)
 def _stem(text: str, study: Study) -> str:
     """The letter of a question's answer: the usual one of its quantity, with what it is of, if the problem has another use for
     the letter alone; a force has the usual one of forces."""
-    if (best := BEST.fullmatch(text)) and best[3] in (*study.system.coordinates, *study.system.unknowns):
+    names = (*study.system.coordinates, *study.system.unknowns, *(q.name for q in study.problem.parameters), COEFFICIENT)
+    if (best := BEST.fullmatch(text)) and best[3] in names:
         return study.letters.free(f"{best[3]}_{'max' if best[1] else 'min'}")
     if rests := AT_REST.fullmatch(text):
         return study.letters.free(f"{rests[1]}_eq")
@@ -103,8 +104,8 @@ def _stem(text: str, study: Study) -> str:
         return LETTER
     turns = any(said[2] == c.name and c.quantity.dimension == NUMBER for c in study.problem.coordinates)
     wanted = next(letters for noun, letters in STEMS.items() if re.fullmatch(noun, said[1]))[turns]
-    names = (wanted, *([f"{wanted}_{said[2]}"] if said[2] else []), f"{wanted}_1", LETTER)
-    return next(name for name in names if name == LETTER or study.letters.free(name) == name)
+    wishes = (wanted, *([f"{wanted}_{said[2]}"] if said[2] else []), f"{wanted}_1", LETTER)
+    return next(name for name in wishes if name == LETTER or study.letters.free(name) == name)
 
 
 def found_in(study: Study, text: str) -> Found | Finding:

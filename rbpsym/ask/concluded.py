@@ -33,7 +33,7 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
     what is said of them."""
     draft, used = Draft(world.study), {(q.text, q.phase): (q, one) for q, one in world.used}
     kept = [pair for pair in used.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values]
-    stem = f"{letter}_".lower() if "_" not in letter else letter.lower()
+    stem = f"{letter if '_' not in letter else LETTER}_".lower()
     names = [stem.rstrip("_")] if len(kept) == 1 else [f"{stem}{number}" for number in range(1, len(kept) + 1)]
     quantities: list[Answer] = []
     for pair, own in zip(kept, names, strict=True):

@@ -48,7 +48,13 @@ def lines(node: Node, notation: Notation, column: float) -> tuple[DisplayLine, .
     lefts = [width(layout_rows(part, notation).rows[0][0]) for part in parts]
     widest_left = max((left for left in lefts if left <= 0.5 * column), default=0.0)
     room = [column - max(widest_left - left, 0.0) for left in lefts]
-    return tuple(line for part, own in zip(parts, room, strict=True) for line in chain_lines(part, notation, own))
+    found = tuple(line for part, own in zip(parts, room, strict=True) for line in chain_lines(part, notation, own))
+    return found if widest(found) <= column else tuple(map(unaligned, found))
+
+
+def unaligned(line: DisplayLine) -> DisplayLine:
+    """The line from the margin on: in a block that has no room with its relation signs below each other."""
+    return DisplayLine(EMPTY, b.Row((*flat(line.left), *flat(line.right))), line.indent)
 
 
 def display_lines(block: Display, notation: Notation, column: float) -> tuple[DisplayLine, ...]:

@@ -28,7 +28,7 @@ def needless(derivation: Derivation) -> frozenset[str]:
         for step in derivation.steps
         if _repeats_motion(step, derivation)
         or _is_rest(step)
-        or (still and step.chapter == "kinematics" and step.rule in ("differentiation", "identity"))
+        or (still and step.chapter == "kinematics" and step.rule in ("differentiation", "identity", "no_slip", "taut"))
         or (struck and (step.rule in ALONG_MOTION or step.chapter == "contact"))
     )
 

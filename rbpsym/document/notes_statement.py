@@ -140,7 +140,7 @@ def _shape(body: Body, said: Words) -> Inlines:
     holes = [_part(part, said) for part in body.shape.parts if part.removed]
     if parts and all(said.has(f"part.{part.shape.kind}") for part in body.shape.parts):
         return said.say("shape.cut" if holes else "shape.made", parts=parts, holes=holes, **weight)
-    kind = body.shape.kind
+    kind = body.shape.called if said.has(f"shape.{body.shape.called}") else body.shape.kind
     sizes: dict[str, Any] = {key: size for key, size in body.shape.sizes.items() if known or key != "moment"}
     return said.say(f"part.{kind}" if not known and said.has(f"part.{kind}") else f"shape.{kind}", **weight, **sizes)
 

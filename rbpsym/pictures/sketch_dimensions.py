@@ -9,6 +9,7 @@ from itertools import combinations
 from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
 from rbpsym.field import derivative
+from rbpsym.field.evaluate import scalar
 from rbpsym.pictures.figures.outlines import turned
 from rbpsym.pictures.figures.scene import Point
 from rbpsym.pictures.figures.sketch import AngleMark, LengthMark, RadiusMark, SketchLine
@@ -261,11 +262,11 @@ def _reach(pose: DrawnPose, name: str, at: Point, direction: float) -> float:
 
 
 def _turning_body(pose: DrawnPose, coordinate: str) -> tuple[str, int] | None:
-    """The first body whose angle is ±coordinate plus a constant, and the sign."""
-    for name, state in pose.study.system.bodies.items():
-        slope = derivative(state.pose.angle, coordinate).number()
-        if slope in (1, -1) and pose.study.problem.body(name).angle is not None:
-            return name, int(slope)
+    """The first body whose angle is stated as ±coordinate plus a constant, and the sign."""
+    for body in pose.study.problem.bodies:
+        slope = None if body.angle is None else derivative(scalar(body.angle), coordinate).number()
+        if slope in (1, -1):
+            return body.name, int(slope)
     return None
 
 

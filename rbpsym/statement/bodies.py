@@ -39,7 +39,7 @@ def read_body(table: SourceTable, name: str, scope: Scope, before: Mapping[str, 
     points = (*kind.point_names, *own, CM)
     table.check_keys([*_BODY_KEYS, *keys_of(kind), *points], where)
     shape, mass = _shape(table, kind, scope, where)
-    shape = replace(shape, points={**shape.points, **own})
+    shape = replace(shape, points={**shape.points, **own}, called=str(table.data["shape"]))
     angle = _angle(table, kind, scope, where)
     placed = _placed(table, points, scope, before, where)
     return Body(name, shape, mass, placed, angle, table.string("meaning"), table.source.key(table.path))

@@ -120,7 +120,7 @@ class Shape(Frozen):
     The elements of a composite are those of its parts, put into its frame (a part of kind
     "given" has none). `given_moment` (about the centre of mass) replaces the integral where the author gives it.
     `sizes` are the author's dimensions by key ("length", "radius", ...). `parts` of a composite
-    are the placed shapes it consists of.
+    are the placed shapes it consists of. `called` is the author's other word for the kind: a cylinder is a disk.
     """
 
     kind: str
@@ -129,6 +129,7 @@ class Shape(Frozen):
     points: Mapping[str, Pair]
     given_moment: Node | None = None
     parts: tuple[PlacedShape, ...] = ()
+    called: str = field(default="", compare=False)
 
 
 class PlacedShape(Frozen):

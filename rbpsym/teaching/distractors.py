@@ -16,9 +16,10 @@ from typing import Any, TypeVar
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.equal import FIRST_POINTS, find_witness, scalars_equal
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import LimitError, RbpsymError, Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, at_most, atoms, same, spend
+from rbpsym.field import Scalar, at_most, atoms, has_roots, same, spend
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
@@ -214,7 +215,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
 
 def shown(value: Scalar, study: Study) -> t.Node:
     """A value as it is printed: right and wrong ones in the same way."""
-    return present(value, study.style, factor=True)
+    return present(neat(value, study.assumptions) if has_roots(value) else value, study.style, factor=True)
 
 
 def speeds_in(value: Scalar) -> set[str]:

@@ -5,9 +5,12 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.document import breaking
+from rbpsym.document.model import Display, parts
+from rbpsym.document.notes import notes
 from rbpsym.expr.glyphs import DEFAULT
 from rbpsym.expr.tree import ZERO, Add, Div, Fn, Mul, Node, Num, Sym, equation
 from rbpsym.typeset import latex
+from tests.library.derived import unsimulated
 
 COS, SIN = Fn("cos", Sym("theta")), Fn("sin", Sym("theta"))
 
@@ -41,3 +44,13 @@ def test_one_over_a_wide_sum_is_no_factor_of_what_it_multiplies() -> None:
     node = equation(Sym("y"), Mul((Div(Num(1), wide), Add((Sym("a"), Sym("b"))), SIN)))
     shown = "".join(latex.render(line.right) for line in breaking.lines(node, DEFAULT, 16.0))
     assert "= [(a + b)" in shown and "]/(" in shown and shown.count("(") == shown.count(")")
+
+
+@pytest.mark.parametrize("column", [32.0, 36.0])
+@pytest.mark.parametrize("name", ["half-ring-on-its-end", "man-on-turning-disc", "rod-over-corner"])
+def test_rows_without_room_below_each_other_begin_at_the_margin(name: str, column: float) -> None:
+    """A long left side beside a long right one in another row is no reason for a wider page."""
+    document = notes(unsimulated(name))
+    for shown in (part for part in parts(document) if isinstance(part, Display)):
+        found = breaking.display_lines(shown, document.notation, column)
+        assert breaking.widest(found) <= max(column, *(line.width for line in found))

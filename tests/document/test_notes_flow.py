@@ -238,3 +238,14 @@ def test_what_ties_coordinates_has_plain_angles(name: str) -> None:
     tied = next(found.node for found in displays(page(name, "full")) if found.label == "phase2.condition.P")
     turned = [node for node in t.walk(tied) if isinstance(node, t.Fn)]
     assert turned and all(node.arg == t.Sym("theta") for node in turned)
+
+
+@pytest.mark.parametrize("name", ["ladder-with-friction", "cylinder-in-v-groove", "reel-between-planks"])
+def test_where_nothing_moves_no_speed_is_told(name: str) -> None:
+    """A cylinder that rests does not roll with Rω = 0."""
+    shown = {part.label.rpartition(".")[0] for part in displays(page(name))}
+    assert not derived(name).study.system.has_clock and shown.isdisjoint({"no_slip", "taut", "turning", "velocity"})
+
+
+def test_a_body_is_called_by_the_word_of_its_author() -> None:
+    assert "niform cylinder of mass" in text(page("falling-spool"))

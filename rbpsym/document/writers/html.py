@@ -85,7 +85,7 @@ def at_relations(term: b.Row) -> list[b.Row]:
 # ---
 
 
-COLUMN = 33.0
+COLUMN = 32.0
 
 
 class Around(Frozen):
