@@ -40,6 +40,8 @@ def _with_articles(text: str, said: Words) -> str:
     text = re.sub(rf"{BEFORE}(?={nouns})(?=\S+(?: |$))", "the ", text)
     names = "|".join(re.escape(phase.name) for phase in (said.problem.phases if said.problem else ()))
     text = re.sub(rf"\b({names}) begins", "“\\1” begins", text) if names else text
+    text = re.sub(rf"^does (.+?) ({plain('question.verbs').replace(', ', '|')})\b", r"whether \1 \2s", text)
+    text = re.sub(r"^is (.+?) (stable|unstable|conserved|kept|constant)$", r"whether \1 is \2", text)
     return re.sub(r"^(\w+) (?=for which )", r"the \1 ", text)
 
 
