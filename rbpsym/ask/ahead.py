@@ -22,10 +22,10 @@ from rbpsym.mechanics.demands import possible
 from rbpsym.mechanics.stability import essential
 
 EVENT = r"(?:begin to |start to |begins to |starts to )?(slip|tip)s?(?: over)?"
-ORDER = re.compile(rf"(?:the )?\w+ {EVENT} before (?:the )?\w+ {EVENT}(?: as (\w+) (?:grows|increases))?")
+ORDER = re.compile(rf"\w+ {EVENT} before \w+ {EVENT}(?: as (\w+) (?:grows|increases))?")
 
 
-NO_EFFECT = re.compile(r"(?:the )?(.+) (?:does not depend on|is independent of) (?:the )?(\w+)")
+NO_EFFECT = re.compile(r"(.+) (?:does not depend on|is independent of) (\w+)")
 
 
 def which(world: AskedPhase, superlative: str | None, name: str, text: str) -> Finding:

@@ -77,7 +77,7 @@ def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) ->
     return replace(found, values=told, of="position" if led else found.of)
 
 
-CONVERSE = re.compile(r"(?:the )?(.+) as a function of (?:the )?((?:speed|velocity) of )?(\w+)")
+CONVERSE = re.compile(r"(.+) as a function of ((?:speed|velocity) of )?(\w+)")
 
 
 def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str, str, str] | None:

@@ -16,6 +16,7 @@ from rbpsym.ask.moments import BY_NUMBERS, moment_of
 from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.ask.undetermined import left_open
 from rbpsym.decide.dimensions import dimension_of
+from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, short, substitute, symbol, time_derivative
@@ -24,7 +25,7 @@ from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import replace
 from rbpsym.mechanics.arrivals import inward
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.energy import rotational_energy, translational_energy
 from rbpsym.mechanics.led import put
 from rbpsym.mechanics.solutions import SMALL
@@ -40,6 +41,9 @@ def answer(asked: Asked, question: Question, letter: str = LETTER) -> Answer:
 
     Raises StatementError for what means nothing, never happens or has no closed form.
     """
+    if question.quantity in {quantity.name for quantity in asked.problem.parameters}:
+        what = f"“{question.quantity}” is a parameter: it has the value that it is given"
+        raise StatementError(what, instead=f"ask for which value something is so: “{question.quantity} for which …”.")
     made = certified(asked, question, found_of(asked, question), letter)
     if made.verdict.is_refuted:
         raise Undecided(f"what was found for “{question.text}” is refuted by its own check, and is not told")
@@ -48,7 +52,7 @@ def answer(asked: Asked, question: Question, letter: str = LETTER) -> Answer:
 
 def found_of(asked: Asked, question: Question) -> Found:
     """What is found for a quantity, not certified yet. Raises StatementError as `answer` does."""
-    if question.quantity in ("time", "the time"):
+    if question.quantity == "time":
         ends = (question.when, question.since) if question.since else (question.when,)
         return _since(*(_time(asked, replace(question, when=end)) for end in ends))
     found = _along(asked, question) if question.when is None else _then(asked, question, question.when)
@@ -154,8 +158,12 @@ def _work(asked: Asked, question: Question, when: When) -> Found:
     if question.quantity.startswith("number"):
         first = max(first, min(asked.lasting, found.then.place))  # what ends at once turns nothing
     between = asked.names[first : found.then.place]
-    if SIZE.search(question.quantity) and (between or before):
-        raise StatementError("sizes of parts are not added: in between it may go back", instead="name one phase, or ask without.")
+    if between or before:
+        if said := SIZE.fullmatch(question.quantity):
+            return _size_of(asked, question, when, said)
+        if re.search(r"\b(?:magnitude|number) of ", question.quantity):
+            what = "sizes of parts are not added: in between it may go back"
+            raise StatementError(what, instead="name one phase, or ask without.")
     ends = [moment_of(asked, When("end", (name,)), question) for name in between]
     words, blows = set(re.findall(r"\w+", question.quantity)), [asked.began(end.place + 1) for end in ends]
     struck = {name for blow in blows if blow.is_blow for name, size in blow.impulses.items() if not is_zero(size)}
@@ -167,7 +175,27 @@ def _work(asked: Asked, question: Question, when: When) -> Found:
     return _since(found, *before, done=[_at_moment(asked, question, end) for end in ends if named <= acting[end.place]])
 
 
-SIZE = re.compile(r"\b(?:magnitude|number) of ")  # of a sum no sum of those of its parts
+SIZE = re.compile(r"magnitude of (.+)|(number of (?:turns|revolutions|rotations) (?:of|made by) [\w-]+)")
+
+
+def _size_of(asked: Asked, question: Question, when: When, said: re.Match[str]) -> Found:
+    """The size of what is summed over phases, or since a moment: that of the sum, which a size of each part would not give;
+    turns are counted where all parts are turned in one sense. Raises StatementError where a sign is not decided."""
+    inner = said[1] or f"{said[2]}, counter-clockwise"
+    total = _work(asked, replace(question, quantity=inner), when)
+    along = [axis for axis, value in zip("xy", total.values, strict=False) if not is_zero(value)]
+    if len(total.values) == 2 and len(along) == 1:
+        total = _work(asked, replace(question, quantity=(inner := f"{along[0]} component of {inner}")), when)
+    given = assuming(total.study.assumptions, total.then.state.valid)
+    parts = [part.values[0] for part in total.since] if said[2] and len(total.values) == 1 else []
+    last = total.values[0] - sum(parts, NOTHING)
+    senses = {sign(value, given).sense for value in ([*parts, last] if parts else total.values)}
+    if len(total.values) != 1 or len(senses) != 1 or 0 in senses or (said[2] and question.since):
+        what = "whether it turns in one sense" if said[2] else f"the magnitude of “{inner}”"
+        raise StatementError(f"{what} is not told of several phases", instead=f"ask for “{inner.split(',')[0]}” phase by phase.")
+    return total if senses == {1} else _work(asked, replace(question, quantity=f"minus {inner}"), when)
+
+
 DONE_BEFORE = {"begins": "until"}  # what is done when a phase begins was done before
 BACKWARDS = "the first of both moments comes after the second"
 

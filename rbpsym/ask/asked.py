@@ -142,7 +142,7 @@ class Asked(Frozen):
 
     def named(self, name: str) -> int:
         """The place of a phase, by its name or that of a blow at its beginning. Raises StatementError."""
-        name = re.sub(r"^(?:the )?(?:phase |blow |collision |impulse )?", "", name)
+        name = re.sub(r"^(?:phase |blow |collision |impulse )?", "", name)
         blows = {e.name: k for k, phase in enumerate(self.problem.phases, 1) for e in phase.impulses}
         known = {"first": 0} | {name: k for k, name in enumerate(self.names)} | blows
         before = (self.problem, *(phase.problem for phase in self.problem.phases))
@@ -157,4 +157,4 @@ class Asked(Frozen):
 def _is_struck(phase: Phase, before: Problem) -> bool:
     """Whether impulses act when it begins: stated ones, or those with which a new constraint is met."""
     new = {element.name for element in phase.problem.constraints} - {element.name for element in before.constraints}
-    return bool(phase.impulses) or (phase.event in ("at once", "begins") and bool(new))
+    return bool(phase.impulses or new)

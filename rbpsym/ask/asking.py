@@ -36,7 +36,7 @@ from rbpsym.typeset.machine import to_machine
 MOST_PRODUCTS = 10_000_000  # for one question, some ten seconds: three times what the longest that is tested takes
 LESS = "ask of one phase or place, or “with” special values."
 # what a motion as a function of the time tells, and is no question about parameters
-OF_TIME = re.compile(r"as (?:a )?functions? of (?:the )?(?:t|time)$")
+OF_TIME = re.compile(r"as (?:a )?functions? of (?:t|time)$")
 OF_COURSE = re.compile("|".join((*MANNERS, r"(?:greatest|largest|maximum) speed of \w+$")))
 
 
@@ -83,8 +83,8 @@ STEMS: Mapping[str, tuple[str, str]] = {
     "couple": ("tau", "tau"), "tension": ("T", "T"), "normal force": ("N", "N"), "friction": ("f", "f"),
     "(?:spring |net )?force": ("F", "F"), "reaction": ("F", "F"), "distance": ("d", "d"), "position": ("r", "r"),
 }  # fmt: skip
-AT_REST = re.compile(r"(?:the )?(?:(?:stable|unstable) )?equilibri(?:um|a) of (\w+)")
-BEST = re.compile(r"(?:the )?(?:(largest|greatest|maximum|highest)|(smallest|least|minimum|lowest)) (\w+)(?: for which .*)?")
+AT_REST = re.compile(r"(?:(?:stable|unstable) )?equilibri(?:um|a) of (\w+)")
+BEST = re.compile(r"(?:(largest|greatest|maximum|highest)|(smallest|least|minimum|lowest)) (\w+)(?: for which .*)?")
 SIZE = r"(?:the )?(?:(?:lowest|highest|damped|magnitude of|size of|total|mechanical|largest|greatest|smallest|least) )*(?:the )?"
 ASKED = re.compile(rf"{SIZE}(?:({'|'.join(STEMS)})\b(?: (?:of|on) (?:the )?(\w+)\b)?|(\w+))")
 
@@ -198,7 +198,7 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
     return whichever(asked, found, lambda other: _answered(other, plain, letter))
 
 
-PLACED = re.compile(r"(.+?),? (where|when|once|until|as soon as) ((?:the )?\w+ .+? (?:=|reaches|is) .+)")
+PLACED = re.compile(r"(.+?),? (where|when|once|until|as soon as) (\w+ .+? (?:=|reaches|is) .+)")
 
 
 BEYOND = re.compile(rf"(.+) is ({'|'.join(SUPERLATIVES)})")

@@ -53,7 +53,7 @@ def joined(text: str, here: Part, there: Part, way: int, letter: str) -> Answer:
     if first.is_none and second.is_none:
         firm = tuple(demand for demand in first.valid if not depends_on(demand.value, first.symbol))
         return concluded(world, text, replace(first, valid=firm, met=True), letter)
-    best = SUPERLATIVES.get(text.removeprefix("the ").partition(" ")[0], 0)
+    best = SUPERLATIVES.get(text.partition(" ")[0], 0)
     is_beyond = best == way and first.relation == second.relation == "=" and second.values
     if first.is_none or is_beyond:
         return concluded(there[0], text, second, letter)

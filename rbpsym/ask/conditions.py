@@ -245,6 +245,13 @@ def _equilibrium(world: AskedPhase, name: str, text: str) -> Wanted:
     return Wanted((substitute(gained, {**still, name: value}),), world.motion.assumptions, equal=True)
 
 
+def _lets_go(world: AskedPhase, contact: str) -> Wanted:
+    """The force of a contact vanishes."""
+    if contact not in world.study.system.unknowns:
+        raise StatementError(f"“{contact}” is no contact", instead="write “N vanishes” with the name of one.")
+    return _equal(world, contact, "0")
+
+
 def _vanishes(world: AskedPhase, phrase: str, place: str | None) -> Wanted:
     return _equal(world, phrase + (place or ""), "0")
 
@@ -256,7 +263,10 @@ def _equal(world: AskedPhase, left: str, right: str) -> Wanted:
 
 
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}
-RELATION = re.compile(r" (=|[><]=?|equals|exceeds|is (?:at (?:least|most)|(?:less|greater|more) than)|is(?= -?[(\d]| \w+[*/])) ")
+RELATION = re.compile(
+    r" (=|[><]=?|equals|exceeds|is (?:at (?:least|most)|(?:less|greater|more) than)|"
+    r"is(?= -?[(\d]| \w+[*/]| [A-Za-z]\w?\w?(?:_\w+)?$)) "
+)
 WORDS = {"equals": "=", "is": "=", "is at least": ">=", "is at most": "<=", "is less than": "<"}
 WORDS |= dict.fromkeys(("exceeds", "is greater than", "is more than"), ">")
 
@@ -308,10 +318,11 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips? when ([\w-]+) begins", _holds_then),
-    (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?( (?:at|where|when|right|just) .+)", _holds_there),
+    (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?"
+     r"( (?:at|where|when|right|just) .+| in (?:un)?(?:stable )?equilibrium)", _holds_there),
     (rf"{_N} (?:holds|sticks|rolls without slipping){_UNTIL}", _holds_fast),
-    (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact|tip)s?(?: off| over)?{_UNTIL}", _touches),
-    (rf"\w+ (?:stays in|keeps) contact{_UNTIL}", _touches),
+    (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact|tip)s?(?: off| over| [\w-]+)??{_UNTIL}", _touches),
+    (rf"\w+ (?:stays|keeps|remains)(?: in)? (?:contact|on \w+){_UNTIL}", _touches),
     (r"\w+ (?:neither slips nor tips|neither tips nor slips)", _stays_put),
     (r"\w+ (?:(?:stays|remains|is) (?:at rest|in equilibrium)|does not move)", _at_rest),
     (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
@@ -319,8 +330,9 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"(.+?) (?:stays|remains|is(?: always)?) (below|above) (.+?){_UNTIL}", _beyond),
     (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
     (rf"{_N} = (.+) is (un)?stable", _stable),
-    (rf"(?:the )?equilibrium of {_N} is (un)?stable", lambda world, name, opposite: _stable(world, name, None, opposite)),
+    (rf"equilibrium of {_N} is (un)?stable", lambda world, name, opposite: _stable(world, name, None, opposite)),
     (rf"{_N} = (.+) is (?:an equilibrium|in equilibrium|a place of rest)", _equilibrium),
     (rf"{_N} is (critically damped|overdamped|underdamped)", _damped),
+    (r"(\w+) (?:leaves|lifts|loses contact)(?: off)?(?: (?:with )?\w+)?", _lets_go),
     (r"(.+?) (?:just )?(?:vanish(?:es)?|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
 )

@@ -17,8 +17,8 @@ from rbpsym.field import NOTHING, Scalar, is_zero, names_in, short, substitute, 
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, value_in
 from rbpsym.mechanics.demands import Demand, assuming, possible
 from rbpsym.mechanics.endings import LAWS
-from rbpsym.mechanics.events import ways_of
-from rbpsym.mechanics.friction import slips, slips_on, stops
+from rbpsym.mechanics.events import pushes, ways_of
+from rbpsym.mechanics.friction import slips, slips_on, spare, stops
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
@@ -241,7 +241,9 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
         found = tuple(Demand(neat(substitute(one.value, still), study.assumptions), one.op) for one in kept)
         if all(one.value for one in found):
             return found, ()
-    if moment.how in ("start", "rest"):
+    if moment.how == "rest":
+        return tuple(_at_rest(study, moment.state)), ()
+    if moment.how == "start":
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))
     if is_place:
@@ -250,6 +252,17 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
     state = moment.state
     way = partial(_on_way, study, None, state.time, moment.courses)
     return _decided(lambda: (*slipping(study, state), *never_lost(study, state, moment.courses), *way()))
+
+
+def _at_rest(study: Study, state: ArrivalState) -> Iterator[Demand]:
+    """What contacts and friction ask for where it rests: of their forces there, not of those with which a motion goes through."""
+
+    def there_(name: str) -> Scalar:
+        return neat(value_in(study, symbol(name), state), study.assumptions)
+
+    for element in study.problem.constraints:
+        values = [*map(there_, pushes(element)), *spare(element, there_)]
+        yield from (Demand(value, ">=") for value in values if not sign(value, study.assumptions).is_nonnegative)
 
 
 def _pushing(study: Study, places: Mapping[str, Scalar] | None) -> Iterator[Demand]:

@@ -28,7 +28,7 @@ def _ratio(world: AskedPhase, text: str) -> t.Node:
     used, words, refused = len(world.used), text.split(" to "), None
     for cut in range(len(words) - 1, 0, -1):
         try:
-            return _quotient(world, " to ".join(words[:cut]), " to ".join(words[cut:]).removeprefix("the "))
+            return _quotient(world, " to ".join(words[:cut]), " to ".join(words[cut:]))
         except RbpsymError as error:
             refused = refused or error
             del world.used[used:]
@@ -70,10 +70,11 @@ MADE: tuple[tuple[str, Callable[..., t.Node]], ...] = (
     (r"damping ratio of (\w+)", lambda world, name: _quotient(world, f"decay rate of {name}", f"undamped frequency of {name}")),
     (r"logarithmic decrement of (\w+)",
      lambda world, name: t.mul(TURN, _quotient(world, f"decay rate of {name}", f"damped frequency of {name}"))),
-    (r"(?:length of the simple pendulum with (?:the )?(?:equal|same) period|equivalent length)(?: of (\w+))?", _pendulum),
+    (r"(?:length of (?:simple pendulum with (?:equal|same) period|equivalent simple pendulum)|equivalent length)(?: of (\w+))?",
+     _pendulum),
     (r"magnitude of impulse of (\w+)((?: when \w+ begins)?)", _magnitude),
-    (r"twice (?:the )?(.+)", lambda world, text: _times(world, "2", text)),
-    (r"([\w./^]+?) ?(?:\*|times) ?(?:the )?((?!.* [+-] ).+ .+)", _times),
+    (r"twice (.+)", lambda world, text: _times(world, "2", text)),
+    (r"([\w./^]+?) ?(?:\*|times) ?((?!.* [+-] ).+ .+)", _times),
     (r"ratio of (?!.* mode$)(.+ to .+)", _ratio),
 )  # fmt: skip
 

@@ -16,23 +16,21 @@ from rbpsym.present.forms import present
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
 
-MEETS = re.compile(
-    r"\b(until|when|where) (?:the )?(\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (?:the )?(\w+)$"
-)
+MEETS = re.compile(r"\b(until|when|where) (\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (\w+)$")
 
 
 LENGTH = re.compile(
-    r"\b(until|when|where) (?:the )?(?:(elongation|compression) of (\w+) (?:=|is|reaches) (.+)"
-    r"|(\w+) (?:has|reaches|is at) its natural length)$"
+    r"\b(until|when|where) (?:(elongation|compression) of (\w+) (?:=|is|reaches) (.+)"
+    r"|(\w+) (?:(?:has|reaches|is at) its natural length|(?:is|gets|becomes) (?:relaxed|unstretched|unstressed)))$"
 )
 
 
 MOVES = re.compile(
-    r"\b(until|when|where|once) (?:the )?((angular )?(?:speed|velocity) of (?:the )?(\w+)) "
-    r"(?:=|reaches|is|equals|is equal to) (?:the )?(.+)$"
+    r"\b(until|when|where|once) ((angular )?(?:speed|velocity) of (\w+)) "
+    r"(?:=|reaches|is|equals|is equal to) (.+)$"
 )
 TOGETHER = re.compile(
-    r"\b(until|when|where|once) (?:the )?(\w+) and (?:the )?(\w+) (?:have|(?:turn|rotate) (?:with|at)) (?:the same|equal) "
+    r"\b(until|when|where|once) (\w+) and (\w+) (?:have|(?:turn|rotate) (?:with|at)) (?:same|equal) "
     r"angular (?:velocity|speed|velocities|speeds)$"
 )
 
@@ -49,19 +47,20 @@ def met(asked: Asked, text: str) -> str:
         if said[3] is None:  # of a body that is the magnitude of its velocity, of a coordinate its rate
             return f"{before}magnitude of velocity of {said[4]} = {said[5]}"
         sides = [world.bound(side).number for side in (said[2], said[5])]
-        return f"{before}{_equation(world, (sides[0] - sides[1],), f'“{said[2]}” has this value')}"
+        return f"{before}{equation(world, (sides[0] - sides[1],), f'“{said[2]}” has this value')}"
     if (said := MEETS.search(text)) and {said[2], said[3]} <= {body.name for body in asked.problem.bodies}:
         apart, what = world.centre(said[2]) - world.centre(said[3]), f"“{said[2]}” and “{said[3]}” are at one place"
-        return f"{text[: said.start()]}{said[1]} {_equation(world, (apart.x, apart.y), what)}"
+        return f"{text[: said.start()]}{said[1]} {equation(world, (apart.x, apart.y), what)}"
     spring = (said := LENGTH.search(text)) and (said[3] or said[5])
     if said and spring in {element.name for element in asked.problem.of_kind("spring")}:
         gap = world.bound(f"{said[2] or 'elongation'} of {spring}").number
         gap = gap - scalar(read_infix(said[4] or "0", world.names))
-        return f"{text[: said.start()]}{said[1]} {_equation(world, (gap,), f'“{spring}” is as long')}"
+        return f"{text[: said.start()]}{said[1]} {equation(world, (gap,), f'“{spring}” is as long')}"
     return text
 
 
-def _equation(world: ProblemWorld, values: Iterable[Scalar], what: str) -> str:
+def equation(world: ProblemWorld, values: Iterable[Scalar], what: str) -> str:
+    """“x = VALUE” for the one coordinate in which a value, that vanishes with the others, is linear. Raises StatementError."""
     tied = world.study.system.dependent
     gaps = [gap for part in values if not is_zero(gap := short(substitute(part, tied)))]
     names = (*world.study.system.independent, *world.study.system.speeds, *([] if world.study.system.independent else ["t"]))

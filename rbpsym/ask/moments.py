@@ -167,7 +167,7 @@ def _rests(asked: Asked, when: When, place: int | None) -> Moment:
         said = f"write “at the turning point of {names[0]}”." if names else "nothing can move."
         raise StatementError("which coordinate turns round?", instead=said)
     name = when.words[0] if when.words else names[0]
-    return _ahead(asked, "rests", _coordinate(asked, name), place)
+    return _ahead(asked, "rests", coordinate_of(asked, name), place)
 
 
 def _of_contact(event: str) -> Callable[[Asked, When, int | None], Moment]:
@@ -193,13 +193,17 @@ def _subject(asked: Asked, name: str, what: str) -> str:
     return name
 
 
-def _coordinate(asked: Asked, name: str) -> str:
+def coordinate_of(asked: Asked, name: str) -> str:
+    """A coordinate by its name, or by that of the body that it alone moves. Raises StatementError."""
     known = [c.name for c in asked.problem.coordinates]
-    system = asked.study(asked.lasting).system
-    if name not in known and (body := system.bodies.get(name)) is not None:  # the one coordinate that moves it
+    for place in range(asked.lasting, len(asked.names)) if name not in known and name in asked.problem.body_names else ():
+        system = asked.study(place).system
+        body = system.bodies[name]
         rates = (body.velocity.x, body.velocity.y, body.omega)
-        name, *more = [n for n in system.independent if any(depends_on(rate, f"{n}_dot") for rate in rates)] or [name]
-        name = name if not more else body.name
+        alone = [n for n in system.independent if any(depends_on(rate, f"{n}_dot") for rate in rates)]
+        if alone:
+            name = alone[0] if len(alone) == 1 else name  # the one coordinate that moves it
+            break
     if name not in known:
         raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, known, "coordinates"))
     return name
@@ -208,7 +212,7 @@ def _coordinate(asked: Asked, name: str) -> str:
 def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     name, text = when.words
     if name.endswith("_dot") and text == "0":
-        return _ahead(asked, "rests", _coordinate(asked, name.removesuffix("_dot")), place)
+        return _ahead(asked, "rests", coordinate_of(asked, name.removesuffix("_dot")), place)
     if text == "0" and name in asked.held:
         return _vanishes(asked, When("vanishes", (name,)), place)
     world = asked.world(asked.meant(place))
@@ -218,7 +222,7 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     if name in asked.study(asked.meant(place)).system.unknowns:
         require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
         return _ahead(asked, "takes", name, place, node)
-    coordinate = _coordinate(asked, name.removesuffix("_dot"))
+    coordinate = coordinate_of(asked, name.removesuffix("_dot"))
     require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
     if coordinate != name or names_in(scalar(node)) & {*world.motion.scope.rates, *world.study.system.dependent}:
         raise NoClosedForm(f"no closed form was found for the moment at which “{name}” has this value", instead=BY_NUMBERS)

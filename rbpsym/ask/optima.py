@@ -125,7 +125,7 @@ def _subject(
     return phrase, value, inner if nested else Finding()
 
 
-NESTED = re.compile(rf"(?:the )?({'|'.join(SUPERLATIVES)}) ((?!frequency |period ).+)")
+NESTED = re.compile(rf"({'|'.join(SUPERLATIVES)}) ((?!frequency |period ).+)")
 
 
 def _only(found: Finding, phrase: str) -> Scalar:
@@ -216,7 +216,7 @@ HIGH = re.compile("height of ")
 
 def sized(world: AskedPhase, phrase: str) -> tuple[str, Scalar]:
     """A quantity with its value; of a vector, and of a speed, its magnitude."""
-    phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
+    phrase = re.sub(r"^(?=(?:speed|velocity) of )", "magnitude of ", phrase)
     count = len(world.used)
     if len(values := parts_seen(world, phrase)) == 1:
         return phrase, values[0]

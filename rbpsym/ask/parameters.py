@@ -29,34 +29,35 @@ _NO_MODE = r"(?!(?:lowest|highest) frequency of |(?:longest|shortest) period of 
 _BETWEEN = r"(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?"
 _APART = r"distance (?:from|between) [\w.]+ (?:to|and) [\w.]+"
 _START = r"(?:start|beginning|release)"
-_WAY = rf"(?:(?:from (?:the )?{_START} )?(?:until|up to|to)|between (?:the )?{_START} and) (?:where )?(\w+) (?:=|reaches|is) (.+)"
+_WAY = rf"(?:(?:from {_START} )?(?:until|up to|to)|between {_START} and) (?:where )?(\w+) (?:=|reaches|is) (.+)"
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
 
 
 _GOES = r"(?:->|→|tends to|goes to)"
-LIMIT = rf"(.+) (?:in the limit|(?:for|as|when)(?= \w+ ?{_GOES})) {_N} ?(?:{_GOES}|to) ?(.+)"
+LIMIT = rf"(.+) (?:in limit|(?:for|as|when)(?= \w+ ?{_GOES})) {_N} ?(?:{_GOES}|to) ?(.+)"
 Rows = tuple[tuple[str, Callable[..., Finding]], ...]
 ROWS: Rows = (
     (rf"does (.+) depend on {_N}", special.depends),
     (rf"is (.+) independent of {_N}", special.independent),
-    (r"is (?:the )?(.+) (?:conserved|constant|kept)", special.conserved),
+    (r"is (.+) (?:conserved|constant|kept)", special.conserved),
     (rf"(?:does|do|will|when does|where does) (\w+) vanish{_UNTIL}", yesno.vanishes),
-    (rf"(?:does|will) ((?:the )?\w+ {ahead.EVENT} before .+)", lambda w, text, *_: ahead.comes_first(w, text)),
+    (rf"(?:does|will) (\w+ {ahead.EVENT} before .+)", lambda w, text, *_: ahead.comes_first(w, text)),
     (rf"(?:does|do|will) {_N} slip{_UNTIL}", lambda w, name, *to: yesno.does_not(w, _clause(f"{name} does not slip", *to))),
     (
         rf"(?:does|do|will) (?:it|\w+) (?:leave|lift|let go|lose contact|tip)(?: off| over)?{_UNTIL}",
         lambda w, *to: yesno.does_not(w, _clause("it stays in contact", *to)),
     ),
     (rf"(?:does|do|will) {_N} (?:reach|get to|come to) (.+)", lambda w, name, to: yesno.does(w, f"{name} reaches {to}")),
+    (rf"is {_N} = (.+) (an equilibrium|a place of rest)", lambda w, name, at, what: yesno.does(w, f"{name} = {at} is {what}")),
     (rf"is {_N} = (.+) (un)?stable", yesno.rests_stably),
-    (r"is (?:the )?(equilibrium of \w+) ((?:un)?stable)", lambda w, place, kind: yesno.does(w, f"{place} is {kind}")),
+    (r"is (equilibrium of \w+) ((?:un)?stable)", lambda w, place, kind: yesno.does(w, f"{place} is {kind}")),
     (r"is (.+) (positive|negative)", lambda w, phrase, kind: yesno.does(w, f"{phrase} is always {kind}")),
     (r"is (.+ (?:>=|<=|>|<) .+)", yesno.does),
     (LIMIT, special.in_limit),
-    (rf"(.+) (?:for|in the limit|when) {_N} ?(>>|<<) ?{_N}", special.much),
+    (rf"(.+) (?:for|in limit|when) {_N} ?(>>|<<) ?{_N}", special.much),
     (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, what, name: special.near(w, what, name, "0")),
     (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, what, name: special.near(w, what, name, "oo")),
-    (rf"{_N} and {_N} (?:with|of|for) (?:equal|the same) (.+)", optima.with_equal),
+    (rf"{_N} and {_N} (?:with|of|for) (?:equal|same) (.+)", optima.with_equal),
     (rf"for which {_N} is (.+) {_BEST}", through.extreme_for),
     (rf"{_N} where (.+) is {_BEST}", through.extreme_for),
     (rf"where is (.+) {_BEST}", lambda w, phrase, best: through.extreme_for(w, None, phrase, best)),
@@ -68,7 +69,7 @@ ROWS: Rows = (
     (rf"{_BEST} (.+) {_FOR} (.+)", ahead.bounded),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: ahead.which(world, None, name, text)),
     (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
-    (rf"{_NO_MODE}{_BEST} (.+?) (?:until|up to) (?:the )?([\w-]+)(?: begins)?",
+    (rf"{_NO_MODE}{_BEST} (.+?) (?:until|up to) ([\w-]+)(?: begins)?",
      lambda w, best, phrase, phase: through.extremum(w, best, phrase, None, None, None, until=phase)),
     (rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)",
      lambda w, best, phrase, name, place: through.extremum(w, best, f"{phrase} {place}", name, None, None)),
@@ -95,14 +96,14 @@ def _extreme_is(world: AskedPhase, name: str, text: str, best: str, to: str) -> 
 
 # what is asked otherwise if the plain reading of it is refused
 RESORTS: Rows = (
-    (rf"{_N} {_FOR} (?:the )?({_BEST} .+?) (?:(?:=|is|equals) (?!zero)(.+)|vanishes|is zero)", _extreme_is),
+    (rf"{_N} {_FOR} ({_BEST} .+?) (?:(?:=|is|equals) (?!zero)(.+)|vanishes|is zero)", _extreme_is),
     (rf"{_N} where (.+?) ((?:=|is|equals|vanishes) ?.*)", lambda w, name, *said: ahead.which(w, None, name, " ".join(said))),
-    (r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)", lambda w, phrase: ahead.which(w, None, _mover(w), f"{phrase} = 0")),
-    (r"ratio of (\w+) to (\w+) (in the \w+ mode)", made.of_mode),
+    (r"where (?:is|does) (.+?) (?:zero|vanish)", lambda w, phrase: ahead.which(w, None, _mover(w), f"{phrase} = 0")),
+    (r"ratio of (\w+) to (\w+) (in \w+ mode)", made.of_mode),
     (r"(.+[-+*/].+)", made.made),
 )
-AFTER = re.compile(rf"(?:the )?({_BEST} .+) after (?:the )?(\w+)")
-WITH = re.compile(r"(?:the )?(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
+AFTER = re.compile(rf"({_BEST} .+) after (\w+)")
+WITH = re.compile(r"(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
 
 
 def _mover(world: AskedPhase) -> str:
@@ -177,15 +178,15 @@ def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[AskedPhase, Fin
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
     if (said := WITH.fullmatch(rest)) and _is_found(said[1]):
         return finding(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
-    if (said := re.fullmatch(LIMIT, rest.removeprefix("the "))) and _is_found(said[1]):
+    if (said := re.fullmatch(LIMIT, rest)) and _is_found(said[1]):
         inner = there(finding(asked, f"{said[1]} in phase {phase[2]}" if phase else said[1]))
         return inner[0], special.limit_of(*inner, *said.groups())
     for pattern, find in rows:
-        if words := re.fullmatch(pattern, rest.removeprefix("the ")):
+        if words := re.fullmatch(pattern, rest):
             return _found(asked, place, find, words.groups())
-    if any(re.fullmatch(pattern, rest.removeprefix("the ")) for pattern, _ in made.MADE):
+    if any(re.fullmatch(pattern, rest) for pattern, _ in made.MADE):
         world = scene(asked, place)
-        return world, made.made(world, rest.removeprefix("the "))
+        return world, made.made(world, rest)
     return None
 
 

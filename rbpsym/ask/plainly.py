@@ -7,8 +7,10 @@ from contextlib import suppress
 
 from rbpsym.ask.asked import Asked, NoClosedForm, NotMet
 from rbpsym.ask.forms import sense_stated
-from rbpsym.ask.moments import moment_of
-from rbpsym.ask.question import Question, When
+from rbpsym.ask.moments import coordinate_of, moment_of
+from rbpsym.ask.named import in_names
+from rbpsym.ask.placed import along_a_line, placed
+from rbpsym.ask.question import SUPERLATIVES, Question, When
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
@@ -25,32 +27,84 @@ from rbpsym.typeset.machine import to_machine
 
 _VALUE = r"\w+ ?= ?[^\s,=]+"
 TURNED_ROUND = re.compile(
-    r"\b(after|until|for) (?:it has made |the first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?(?=$|,? with )"
+    r"\b(after|until|for) (?:it has made |first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?(?=$|,? with )"
 )
-TO_THE_END = re.compile(r"(?:the )?total (way|angle|change) of (?:the )?(\w+)(?=$|,? with )")  # until friction has stopped it
-WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) (?:the )?\w+|(?:for|in the limit) .+)")
+TO_THE_END = re.compile(r"total (way|angle|change) of (\w+)(?=$|,? with )")  # until friction has stopped it
+WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) \w+|(?:for|in limit) .+)")
 
 
-VANISHES = r"(\b(?:where|when|until|once) (?:the )?(?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)(?=$|,? with )"
-AT_PLACE = r" as (?:a )?functions? of (?:the )?(\w+),? (?:with|where|at) \1 ?= ?"  # a function, and where: its value there
-HEIGHT = re.compile(r" (?:at|in) (?:the|its) (lowest|highest) (?:point|place)(?: of (?:the|its) (?:path|swing))?(?=$|,? with )")
+_END, _STOPS = r"(?=$|,? with )", r"(?:(?:it )?(?:stops|comes to rest)|stopping|coming to rest)"
+_GOES = "goes|moves|rolls|slides|travels|climbs|rises"
+BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
+# words that say the same in any problem
+WORDS: tuple[tuple[str, str], ...] = (
+    (r"(\b(?:where|when|until|once) (?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)" + _END, r"\1 = 0"),
+    (r" as (?:a )?functions? of (\w+),? (?:with|where|at) \1 ?= ?", r" where \1 = "),  # a function, and where: its value there
+    (rf" (?:needed |required )?(?:for|to) (?:pure rolling|roll(?:ing)? without slipping|(?:no|prevent) slip(?:ping)?){_END}",
+     " for which it does not slip"),
+    (r"^how far(?: (?:up|down|along))?(?: [\w ]+?)? (?:does|will|can|is) ([\w-]+) "
+     rf"(?:go|move|roll|slide|travel|climb|rise|driven|pushed|moved)(?: (?:before|until) (?:{_STOPS}|it comes back))?{_END}",
+     r"distance travelled by \1"),
+    (rf"^distance (?:that )?(it|[\w-]+) (?:{_GOES})(?: (?:before|until) {_STOPS})?{_END}", r"distance travelled by \1"),
+    (rf"^time (?:it takes |needed |required )?(?:to (?:stop|come to rest)|before {_STOPS}){_END}", "time until it comes to rest"),
+    (r"\b(?:before|until) (?:stopping|coming to rest)\b", "until it comes to rest"),
+    (r"^((?!does |do |will |is ).*)\bbefore (it|[\w-]+) (stops|comes to rest)\b", r"\1until \2 \3"),
+    (r"^time (?:at which|when|after which) ", "time until "),
+    (r"^time (?:it takes |needed |taken |required )?to (?:cover|travel|move|slide|roll) (?:through )?(?=an? |[^\s]+" + _END + ")",
+     "time until it has moved "),
+    (r"^(\w+) (?:needed|required|necessary) to stop ([\w-]+)", r"\1 for which \2 stops"),
+    (r"\b((?:it|[\w-]+) (?:stops|comes to rest) (?:after|in|within)) an? (?:distance|time|way)(?: of)? ", r"\1 "),
+    (r"\bfor which there is no (?=\w+)(.+?)" + _END, r"for which \1 vanishes"),
+    (r"\bfor which (it|[\w-]+) (?:just )?(?:starts?|begins?) to (?:move|slide)" + _END, r"for which \1 slips"),
+    (rf"^((?!(?:{'|'.join(SUPERLATIVES)})\b).*)(?<!right )(?<!just )(?<!immediately )\bafter ({'|'.join(BLOWS)}){_END}",
+     r"\1right after \2"),
+    (rf"\b[\w-]+ (?:rebounds|swings)(?: back| up| out)? to (\w+) = (\S+){_END}", r"\1 comes to rest at \1 = \2"),
+    (r"\bno energy is lost\b", "energy lost vanishes"),
+    (r"\bratio of amplitudes (?:of )?", "ratio of "),
+    (r"\b(?:energy|heat) (?:lost|dissipated|produced|generated) (?:to|by) friction\b", "minus work of friction"),
+    (r"^time (?:for|in which) ([\w-]+) (?:to )?(fall|ris)(?:e|s|es)? ", r"time until \1 has \2en "),
+    (r"^time (?:for|in which) ([\w-]+) (?:to )?(?:move|slide|roll|travel|cover)s? ", r"time until \1 has moved "),
+    (r"\bangular speed(?! of)\b", "magnitude of angular velocity"),
+    (r"\b([\w-]+) (?:stops|comes to rest|is at rest) (?:in|after) (?:impact|collision|blow)" + _END,
+     r"velocity of \1 right after impact vanishes"),
+    (r"^fraction of (?:kinetic )?energy lost (?:in|during|by|at) (\w+)" + _END,
+     r"ratio of energy lost to kinetic energy just before \1"),
+    (r"\bwork done by ", "work of "),
+    (r"(^|\bfor which )initial ((?:angular )?(?:acceleration|deceleration|velocity|speed)(?: of [\w.-]+)?|"
+     r"[\w ]*(?:force|tension|friction|reaction|energy)(?: \w+)?(?: (?:on|of) [\w.-]+)?)(?=$| (?:=|is|vanishes)\b|,? with )",
+     r"\1\2 at start"),
+    (r"^distance (?:of|from) cent(?:re|er) of mass (?:from|to) (\w+)", r"distance from \1 to system.cm"),
+    (r"^(moment of inertia|radius of gyration) (?=about )", r"\1 of system "),
+    (r"^natural frequency without damping" + _END, "undamped frequency"),
+)  # fmt: skip
+HEIGHT = re.compile(
+    r" (?:(?:at|in)|(?:where|when|once|as) (?:it|[\w.-]+) (?:is (?:at|in)|passes(?: through)?|reaches)) (?:its )?"
+    r"(?:(lowest|highest) (?:point|place|position)|(top|bottom))(?: of (?:its )?(?:path|swing|hill|loop|circle|track|arc))?"
+    r"(?=$|,? with )"
+)
 DISTANCE = (  # up to the first rest, to which it goes one way
-    r"^(?:the )?(?:(?:stopping|braking|sliding) distance(?: of (\w+))?|distance (?:travelled|covered|moved)(?: by (\w+))?)"
+    r"^(?:(?:stopping|braking|sliding) distance(?: of)?|distance (?:travelled|covered|moved)(?: by)?)(?: (?!until)(\w+))?"
     r"(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with )"
 )
-STAYS = r"\bfor which (?:it|\w+) (?:(?:stays|remains) at rest|is (?:in equilibrium|balanced))(?=$|,? with )"
-BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
-DRIVES = ("couple", "force", "pull", "prescribed", "prescribed-angle")
-OF_GRAMMAR = ("system", "rest", "start", "equilibrium", "time", "turning")
-TURNED = r"^(?:the )?angle (?:through|by) which (?:the )?(\w+) (?:turns|rotates|has turned|has rotated)\b"
-STOPS = re.compile(r"\b((?:it|(?:the )?\w+) (?:stops|comes to rest)) (after|in|within) (.+?)(?=$|,? with )")
-HEAT = re.compile(
-    r"(?:the )?(?:heat (?:produced|generated)|(?:mechanical )?energy dissipated)\b.* (?:until|up to|during|over|from) "
+OF_SWINGS = (
+    r"^((?:(?:undamped|damped|natural|circular|angular) )*(?:frequency|period)|damping ratio|logarithmic decrement|decay rate)"
+    r"(?: of (?:free |small |damped )?(?:oscillations?|vibrations?|swings?|motion))?(?=$|,? (?:with|for|if|when|where|in|about) )"
 )
-TURNS = re.compile(r"(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?")
+DAMPED = r"[\w-]+(?= is (?:critically |over|under)damped)"
+ALL_SWINGS = (
+    r"^(?:(normal|natural) )?(frequencies|periods|(?:lowest|highest) frequency|(?:longest|shortest) period)(?=$|,? with )"
+)
+CRITICAL = r"^(\w+) for (?:(critical) damping|damping to be (critical))(?=$|,? with )"
+STAYS = r"\bfor which (it|\w+) (?:(?:stays|remains) at rest|is (?:in equilibrium|balanced))(?=$|,? with )"
+DRIVES = ("couple", "force", "pull", "prescribed", "prescribed-angle")
+HEAT = re.compile(r"(?:heat (?:produced|generated)|(?:mechanical )?energy dissipated)\b.* (?:until|up to|during|over|from) ")
+TURNED = r"^angle (?:through|by) which (\w+) (?:turns|rotates|has turned|has rotated)\b"
+SLOWED = re.compile(r"\b(?:angular )?deceleration(?: of ([\w-]+))?(?=$|[ ,])")
+STOPS = re.compile(r"\b((?:it|\w+) (?:stops|comes to rest)) (after|in|within) (.+?)(?=$|,? with )")
+TURNS = re.compile(r"(\d+(?:[./]\d+)?|[A-Za-z]\w*) (?:full )?(?:turn|revolution|rotation)s?")
 BACK = re.compile(
-    r"\b(until|when|where|once) (?:the )?\w+ (?:comes back|returns|is back)"
-    r"(?: to (?:where it started|(?:the|its) (?:start|starting (?:point|place))))?(?=$|,? with )"
+    r"\b(until|when|where|once) \w+ (?:comes back|returns|is back)"
+    r"(?: to (?:where it started|(?:its )?(?:start|starting (?:point|place))))?(?=$|,? with )"
 )
 
 
@@ -69,10 +123,12 @@ def _begun(asked: Asked) -> str:
 def _stopped(asked: Asked, said: re.Match[str]) -> str:
     """“number of turns until it stops = 20” for “it stops after 20 turns” (<= for “within”); of a length a way, of a time the
     time."""
-    turns, name, found = TURNS.fullmatch(said[3]), mover(asked.study(asked.lasting)), NUMBER
+    turns, who, found = TURNS.fullmatch(said[3]), said[1].split()[0], NUMBER
+    name = (mover(asked.study(asked.lasting)) or who) if who == "it" else who
+    way = f"magnitude of displacement of {name}" if name in asked.problem.body_names else _way(asked, name)
     with suppress(RbpsymError):
         found = dimension_of(read_infix(said[3], [*asked.problem.dimensions]), asked.problem.dimensions)
-    counted = "number of turns" if turns else {TIME: "time", LENGTH: name and _way(asked, name)}.get(found)
+    counted = "number of turns" if turns else {TIME: "time", LENGTH: way}.get(found)
     how = "<=" if said[2] == "within" else "="
     return f"{counted} until {said[1]} {how} {turns[1] if turns else said[3]}" if counted else said[0]
 
@@ -97,14 +153,28 @@ def _way(asked: Asked, name: str, of: str = "way") -> str:
 SENSES = {1: "", -1: "minus ", 0: "magnitude of "}
 
 
+def _slowed(asked: Asked, said: re.Match[str]) -> str:
+    """By how much the speed of a coordinate falls in a second, or of that which alone moves a body."""
+    study = asked.study(asked.lasting)
+    name = coordinate_of(asked, said[1]) if said[1] else mover(study)
+    begun = sign(study.system.scope.start.get(f"{name}_dot", NOTHING), study.assumptions).sense
+    return f"{'minus ' if begun > 0 else ''}acceleration of {name}" if name and begun else said[0]
+
+
 def _displaced(asked: Asked, said: re.Match[str]) -> str:
-    """The way of the one coordinate that moves, if it is a length; of a body, if there is no other."""
-    study, of = asked.study(asked.lasting), said[1] or said[2] or "it"
-    way = None if study.at_start else mover(study)
-    [body, *more] = asked.problem.body_names
-    if way is None or asked.problem.dimensions[way] != LENGTH or of not in ("it", way, *([] if more else [body])):
+    """The way of the coordinate that is named, or alone moves, if it is a length; of a body that moves along a line, the size of
+    its own."""
+    study, names = asked.study(asked.lasting), asked.problem.body_names
+    way, end = None if study.at_start else mover(study), said[2] or "it stops"
+    if said[1] in names and len(names) > 1:
+        with suppress(RbpsymError):
+            if along_a_line(asked, said[1], coordinate_of(asked, said[1])):
+                return f"magnitude of displacement of {said[1]} until {said[2] or f'{said[1]} stops'}"
         return said[0]
-    return f"{_way(asked, way)} until {said[3] or 'it stops'}"
+    way = way if said[1] in (None, "it", way, *names) else None
+    if way is None or asked.problem.dimensions[way] != LENGTH:
+        return said[0]
+    return f"{_way(asked, way)} until {end}"
 
 
 def _extreme(asked: Asked, said: re.Match[str]) -> str:
@@ -114,18 +184,33 @@ def _extreme(asked: Asked, said: re.Match[str]) -> str:
     first, *others = [bodies[name].velocity.y for name in named]
     if others and not (first and all(sign(short(rate / first), asked.first.assumptions).kind == "positive" for rate in others)):
         return said[0]
-    return f" where height of {named[0]}.cm is {'smallest' if said[1] == 'lowest' else 'largest'}"
+    return f" where height of {named[0]}.cm is {'smallest' if said[1] == 'lowest' or said[2] == 'bottom' else 'largest'}"
 
 
 def _kept_at_rest(asked: Asked, said: re.Match[str]) -> str:
     """Of one coordinate that starts from rest: that it has no acceleration, where that hangs on what is asked for."""
     study, wanted = asked.study(asked.lasting), said.string[: said.start()].split()[-1:]
     free = study.system.independent if not study.at_start else ()
+    if len(free) > 1 and said[1] in asked.problem.body_names and not any(map(study.system.scope.start.get, study.system.speeds)):
+        return f"for which acceleration of {said[1]} at the start vanishes"
     if len(free) != 1 or study.system.scope.start.get(f"{free[0]}_dot"):
         return said[0]
     gain = (study.dynamics.accelerations or {}).get(f"{free[0]}_ddot", NOTHING)
     hangs = {*wanted} <= names_in(gain)
     return f"for which acceleration of {free[0]} at the start vanishes" if hangs else said[0]
+
+
+def _of_swings(asked: Asked, text: str) -> str:
+    """A frequency or a damping ratio of which nothing is said is that of the only coordinate; of all modes, of any; what is
+    damped is the coordinate of a body."""
+    system = asked.study(asked.lasting).system if re.search(f"{OF_SWINGS}|{ALL_SWINGS}|{CRITICAL}|{DAMPED}", text) else None
+    if system is None or not (names := system.independent):
+        return text
+    text = re.sub(ALL_SWINGS, rf"\2 of {names[0]}", text)
+    if len(names) > 1:  # told if it is the same of all
+        return re.sub(OF_SWINGS, r"\1", text)
+    text = re.sub(CRITICAL, rf"\1 for which {names[0]} is critically damped", re.sub(OF_SWINGS, rf"\1 of {names[0]}", text))
+    return re.sub(DAMPED, lambda said: names[0] if said[0] in ("it", *system.bodies) else said[0], text)
 
 
 def _in_strings(asked: Asked, text: str) -> str:
@@ -144,20 +229,26 @@ def plain_words(asked: Asked, text: str) -> str:
     """The words of a question as all else reads them: values of parameters (“with F = 0”) at the end, “in phase rolling” for
     “in rolling”, “impulse of J” for what is called J in a blow, “with F = 0” for “where F = 0”."""
     plain = " ".join(text.split()).rstrip(" ?.")
+    plain = in_names(asked.problem, plain)
     _require_heat(asked) if HEAT.match(plain) else None
-    bodies = "|".join(re.escape(body.name) for body in asked.problem.bodies if body.name not in OF_GRAMMAR)
-    plain = re.sub(rf"\bthe (?=(?:{bodies or '(?!)'})(?![\w-]))", "", plain)
     blows = "|".join(re.escape(element.name) for phase in asked.problem.phases for element in phase.impulses)
     plain = re.sub(rf"(^|\bfor which )({blows or '(?!)'})(?=$| )", r"\1impulse of \2", plain)
     phases = [name for k, name in enumerate(asked.names) if name not in ("rest", "equilibrium", *(() if k else BLOWS))]
     named = "|".join(map(re.escape, phases))
-    plain = re.sub(rf"\b(?:in|while) (?:the )?({named})(?: phase)?(?=$| )", r"in phase \1", plain)
-    for pattern, written in ((VANISHES, r"\1 = 0"), (AT_PLACE, r" where \1 = ")):
+    plain = re.sub(rf"\b(?:in|while) ({named})(?: phase)?(?=$| )", r"in phase \1", plain)
+    for pattern, written in WORDS:
         plain = re.sub(pattern, written, plain)
+    plain = _of_swings(asked, placed(asked, plain))
     plain = re.sub(DISTANCE, lambda said: _displaced(asked, said), plain)
     plain = re.sub(STAYS, lambda said: _kept_at_rest(asked, said), plain)
+    angles = asked.study(asked.lasting).system.independent if plain.startswith("angle at which ") else ()
+    if len(angles) == 1 and asked.problem.dimensions[angles[0]] == NUMBER:
+        plain = plain.replace("angle at which", f"{angles[0]} where", 1)
+    if phases[1:] and plain.startswith("final "):
+        plain = f"{plain.removeprefix('final ')} in phase {phases[-1]}"
     plain = HEIGHT.sub(lambda said: _extreme(asked, said), plain)
     plain = re.sub(TURNED, r"angle turned by \1", plain)
+    plain = SLOWED.sub(lambda said: _slowed(asked, said), plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))
     plain = re.sub(rf"(?<=\w),? with (?=(?:{moved}) ?= ?)", " where ", plain)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+from rbpsym.ask.moments import coordinate_of
 from rbpsym.ask.seen import AskedPhase, moving, seen
 from rbpsym.ask.wanted import Wanted
 from rbpsym.decide.signs import sign
@@ -16,7 +17,7 @@ from rbpsym.statement.model import Element
 
 DOES = r"(?: (?:does not|never|begins to|starts to|just))?"
 VERBS = "slip|leave|lift|tip|move|lose|let go|hold|stick|roll|keep|stay|remain"
-OF_BODY = re.compile(rf"(?:the )?(\w+)(?: \w+)??(?={DOES} (?:{VERBS})s?\b)")
+OF_BODY = re.compile(rf"(\w+)(?: \w+)??(?={DOES} (?:{VERBS})s?\b)")
 
 
 def of_contact(world: AskedPhase, text: str) -> str:
@@ -25,7 +26,7 @@ def of_contact(world: AskedPhase, text: str) -> str:
     touching = [e.name for e in problem.constraints if said and getattr(e.values.get("point"), "point", None) == said[1]]
     if said and len(touching) == 1:  # “the front wheel lifts”, where a contact holds the point “front”
         return touching[0] + text[said.end() :]
-    if said is None or said[1] not in (body.name for body in problem.bodies):
+    if said is None or STEADY.fullmatch(text) or RISES.fullmatch(text) or said[1] not in (body.name for body in problem.bodies):
         return text
     held = {need.constraint for need in world.study.friction_needs} or {*slips(world.study.system)}
     own = {name for name in held if _is_of(world.study.system.element(name), said[1])}
@@ -55,7 +56,7 @@ def begins_to_slip(world: AskedPhase, contact: str) -> Wanted | None:
 
 
 STEADY = re.compile(
-    r"(?:the )?(\w+) (?:moves|goes|rises|sinks|falls|rolls|slides|turns) (?:steadily|uniformly|(?:at|with) (?:a )?constant \w+)"
+    r"(\w+) (?:moves|goes|rises|sinks|falls|rolls|slides|turns) (?:steadily|uniformly|(?:at|with) (?:a )?constant \w+)"
 )
 
 
@@ -88,7 +89,7 @@ def stays(world: AskedPhase, text: str) -> Wanted | None:
     return Wanted((seen(world, f"acceleration of {said[1]} at the start"),), world.motion.assumptions, equal=True)
 
 
-RISES = re.compile(r"(?:the )?(\w+) (?:begins to |starts to |just )?(rise|fall|sink|(?:goe?|move)s? (?:up|down))s?")
+RISES = re.compile(r"(\w+) (?:begins to |starts to |just )?(rise|fall|sink|(?:goe?|move|roll|slide)s? (?:up|down))s?")
 
 
 def rises(world: AskedPhase, text: str) -> Wanted | None:
@@ -115,11 +116,12 @@ def comes_to_rest(world: AskedPhase, text: str) -> Wanted | None:
     if said is None:
         return None
     free = world.study.system.independent
-    name = free[0] if said[1] == "it" and len(free) == 1 else said[1]
+    name = free[0] if said[1] == "it" and len(free) == 1 else coordinate_of(world.asked, said[1])
     way = sign(seen(world, f"speed of {name} at the start"), given).sense
     gain = seen(world, f"acceleration of {name} as a function of the state")
     if not way or moving(world, (gain,)):
         why = "its acceleration is not constant" if way else "the sense in which it sets out is not known"
         raise StatementError(f"whether “{name}” comes to rest is not decided by one condition: {why}",
-                             instead=f"name a place: “… for which {name} reaches VALUE”, or its speed there.")  # fmt: skip
+                             instead=f"name a place, “… for which {name} reaches VALUE”, or its speed at a moment, “… for which "
+                             f"speed of {name} right after PHASE = 0”.")  # fmt: skip
     return Wanted((-(gain * way),), given, closed=False)

@@ -17,10 +17,11 @@ from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.units import UnitOf, read_unit
 
 VALUE = re.compile(
-    r"(?:\b(?P<of>\w+) )?(?P<is>=|[<>]=?|reaches|is) (?P<sign>[-+−]?)(?P<number>\d+(?:\.\d+)?) ?(?P<unit>[^\W\d][\w^*/ ]*?)"
+    r"(?:\b(?P<of>\w+) )?(?P<is>=|[<>]=?|reaches|is|(?:stops|rest) (?:after|in|within)) "
+    r"(?P<sign>[-+−]?)(?P<number>\d+(?:\.\d+)?) ?(?P<unit>[^\W\d][\w^*/ ]*?)"
     r"(?=$|,| (?:in|with|for|as|at|and|to|until|from|before|after)\b)"
 )
-GONE = re.compile(r"\bafter (?:a time of )?(?=\d+(?:\.\d+)? ?(?:m?s|min|h)\b)")
+GONE = re.compile(r"(?<!stops )(?<!rest )\bafter (?:a time of )?(?=\d+(?:\.\d+)? ?(?:m?s|min|h)\b)")
 LETTER, FINEST = "q", 100_000
 
 
@@ -32,7 +33,8 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
 
     def put(said: re.Match[str]) -> str:
         unit = _unit(said["unit"], known.get(said["of"] or "") or _of_noun(said.string[: said.start("is")]), known)
-        if unit is None or unit.of_mechanics is None:
+        is_counted = said["is"].startswith(("stops", "rest"))  # “stops after 20 turns” tells no angle
+        if unit is None or unit.of_mechanics is None or (is_counted and unit.of_mechanics == NUMBER):
             return said[0]
         lead = f"{said['of']} {said['is']}" if said["of"] else said["is"]
         sign = "-" if said["sign"] in ("-", "−") else ""

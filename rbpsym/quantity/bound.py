@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
@@ -60,6 +61,11 @@ def plane(value: Vector | Space) -> Bound:
     space = value if isinstance(value, Space) else Space(value)
     square = space.dot(space)
     return Bound(function("sqrt", Scalar(shorten(square.num), square.den)), space, in_plane=True)
+
+
+def without_articles(text: str) -> str:
+    """Words in which “the” tells nothing."""
+    return re.sub(r"\bthe (?=\S)", "", text)
 
 
 def number(value: Scalar, told: str = "") -> Bound:

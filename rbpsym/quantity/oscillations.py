@@ -237,13 +237,13 @@ def of_course(world: ProblemWorld, key: str, name: str, small: str | None = None
     return number(value, f"course {name} {key}{small or ''}")
 
 
-_ABOUT = r"(?: in the (lowest|second|third|highest) mode)?(?: about \w+ = (.+))?"
+_ABOUT = r"(?: in (lowest|second|third|highest) mode)?(?: about \w+ = (.+))?"
 _COURSE = "|".join(key for key in (*solved.FEATURES, *OTHERWISE) if key not in OF_MODE)
 PHRASES: tuple[Phrase, ...] = (
     (rf"({_COURSE}) of (\w+)( small)?", of_course, "amplitude of COORDINATE"),
     (r"frequencies(?: of (\w+))?", frequencies, "frequencies of COORDINATE"),
     (rf"(?:(lowest|second|third|highest) )?frequency of (\w+){_ABOUT}", frequency, "frequency of COORDINATE"),
-    (r"ratio of (\w+) to (\w+) in the (lowest|second|third|highest) mode", mode_shape,
+    (r"ratio of (\w+) to (\w+) in (lowest|second|third|highest) mode", mode_shape,
      "ratio of theta_2 to theta_1 in the lowest mode"),
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (rf"(?:(longest|shortest) )?period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),

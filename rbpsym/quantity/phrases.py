@@ -21,7 +21,7 @@ from rbpsym.mechanics.system import BodyState
 from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import Bound, Phrase, axial, number, parts, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS
-from rbpsym.quantity.vectors import NOUNS, alone
+from rbpsym.quantity.vectors import NOUNS, alone, fitting
 from rbpsym.quantity.vectors import PHRASES as VECTORS
 from rbpsym.statement.source import did_you_mean
 
@@ -127,10 +127,10 @@ def _turned(world: ProblemWorld, name: str) -> Scalar:
     return _gone(world, symbol(name) if name in world.coordinates else _turning(world, name).pose.angle)
 
 
-def _turns(world: ProblemWorld, name: str) -> Bound:
+def _turns(world: ProblemWorld, name: str, sense: str | None) -> Bound:
     """How often a body, or a coordinate that is an angle, has turned round since the start."""
     turned = _turned(world, name)
-    return number(function("sqrt", turned * turned) / PI / 2)
+    return number((turned if sense else function("sqrt", turned * turned)) / PI / 2)
 
 
 def _turning(world: ProblemWorld, name: str) -> BodyState:
@@ -269,6 +269,7 @@ def _own_energy(world: ProblemWorld) -> Bound:
 
 def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
     """A force by its name alone: an unknown one as it is stated, with its sign; else (a known one, a pivot) the magnitude."""
+    name = fitting(world, noun, name)
     if name in world.study.system.unknowns or (noun is None and name not in world.forces_known):
         return world.expression(name)
     found = world.forces(name, "system")
@@ -294,9 +295,9 @@ def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
 
 
 def _rate_of_centre(world: ProblemWorld, what: str, name: str | None) -> Bound:
-    """How the centre of mass of a body, of several or of all moves: P/M, and its rate."""
+    """Where the centre of mass of a body, of several or of all is, how it moves: P/M, and its rate."""
     value = Space(world.centre(name or "system"))
-    for _ in range(1 + (what == "acceleration")):
+    for _ in range(("position", "velocity", "acceleration").index(what)):
         value = space_derivative(value, world.motion.scope)
     return plane(value)
 
@@ -312,7 +313,7 @@ def _spin(order: int) -> Callable[[ProblemWorld, str], Bound]:
     return find
 
 
-_B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+(?:\([^()]*\))?)", r"([\w, ]+?)"
+_B, _P, _F = r"([\w-]+(?: and [\w-]+)*)", r"([\w.-]+(?:\([^()]*\))?)", r"([\w, ]+?)"
 _ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
 _HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
 
@@ -320,7 +321,7 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"({'|'.join(NOUNS)})", alone, ""),
     *MOMENTS,
     *VECTORS,
-    (r"kinetic energy of (?:the )?system relative to its centre of mass", _relative,
+    (r"kinetic energy of system relative to its centre of mass", _relative,
      "kinetic energy of the system relative to its centre of mass"),
     (r"(.+), up to a constant", lambda world, phrase: Bound(world.bound(phrase).number, kind="up to a constant"), ""),
     (r"minus (.+)", _minus, "minus work of FORCE"),
@@ -334,7 +335,8 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),
     (rf"displacement of {_P}", _displacement, "displacement of BODY.cm"),
     (r"angle turned by ([\w-]+)", lambda world, name: number(_turned(world, name)), "angle turned by BODY"),
-    (r"number of (?:turns|revolutions|rotations) (?:of|made by) ([\w-]+)", _turns, "number of turns of BODY"),
+    (r"number of (?:turns|revolutions|rotations) (?:of|made by) ([\w-]+)(, counter-clockwise)?", _turns,
+     "number of turns of BODY"),
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
     (rf"speed of {_P}", lambda world, name: _magnitude(world, f"velocity of {name}"), "speed of BODY.cm"),
     (rf"acceleration of {_P}", _of_point(2), "acceleration of BODY.cm"),
@@ -368,9 +370,9 @@ PHRASES: tuple[Phrase, ...] = (
      "total angular momentum about O"),
     (rf"cent(?:re|er) of mass(?: of {_B})?",
      lambda w, name: replace(plane(w.centre(name or "system")), about=(name or "system", None)), "centre of mass of BODY"),
-    (rf"(velocity|acceleration) of (?:the )?cent(?:re|er) of mass(?: of {_B})?", _rate_of_centre,
+    (rf"(position|velocity|acceleration) of cent(?:re|er) of mass(?: of {_B})?", _rate_of_centre,
      "velocity of the centre of mass"),
-    (rf"speed of ((?:the )?cent(?:re|er) of mass(?: of {_B})?)", lambda world, of, *_: _magnitude(world, f"velocity of {of}"),
+    (rf"speed of (cent(?:re|er) of mass(?: of {_B})?)", lambda world, of, *_: _magnitude(world, f"velocity of {of}"),
      "speed of the centre of mass"),
     (r"(tension|normal force|friction|friction force|drag|spring force|weight) (?:on|of) ([\w-]+)", _on_body, ""),
     (r"(?:(tension|normal force|friction force|friction|reaction|weight|couple|force|thrust) )?(\w+)", _size, "tension FORCE"),

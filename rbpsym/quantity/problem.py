@@ -20,18 +20,18 @@ from rbpsym.mechanics.phases import known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.quantities import TIME, Dimension
-from rbpsym.quantity.bound import Bound, Motion, number
+from rbpsym.quantity.bound import Bound, Motion, number, without_articles
 from rbpsym.quantity.phrases import EXAMPLES, PHRASES
 from rbpsym.quantity.vectors import of_role
 from rbpsym.statement.checks import dimensions_with_unknowns
-from rbpsym.statement.model import PointRef
+from rbpsym.statement.model import PointRef, Problem
 from rbpsym.statement.source import did_you_mean
 from rbpsym.typeset.latex import to_latex
 
 if TYPE_CHECKING:
     from rbpsym.mechanics.phases import Stage
 
-SYSTEM = ("system", "the system", "pendulum")
+SYSTEM = ("system", "pendulum")
 KINDS = {"a constant": "constant", "unknown": "unknown", "defined here": "defined here"}
 
 
@@ -111,7 +111,7 @@ class ProblemWorld(Frozen):
 
     def bound(self, phrase: str) -> Bound:
         """What a phrase means. Raises StatementError."""
-        text = " ".join(phrase.split())
+        text = without_articles(" ".join(phrase.split()))
         if text in KINDS:
             return Bound(kind=KINDS[text])
         for pattern, resolve, _ in PHRASES:
@@ -220,6 +220,8 @@ class ProblemWorld(Frozen):
             return ORIGIN
         if name in problem.points:
             return pair(problem.points[name])
+        if (held := _held_point(problem, name)) is not None:
+            name = held.label
         body, _, point = (name if "." in name else f"{name}.cm").partition(".")
         if body in SYSTEM and body not in system.bodies and point == "cm":
             return self.centre(body)
@@ -253,6 +255,12 @@ class ProblemWorld(Frozen):
             if name not in known:
                 raise StatementError(f"no force “{name}” acts on {on}", instead=did_you_mean(name, known, "forces"))
         return [force for force in here if force.name in wanted]
+
+
+def _held_point(problem: Problem, name: str) -> PointRef | None:
+    """The point of a body that a constraint of that name holds, if no body is called so."""
+    found = next((element.values.get("point") for element in problem.constraints if element.name == name), None)
+    return found if isinstance(found, PointRef) and found.body and name not in problem.body_names else None
 
 
 def _constants(study: Study) -> list[str]:

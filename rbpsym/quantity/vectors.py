@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING
 
 from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.errors import StatementError
+from rbpsym.expr.tree import names
 from rbpsym.field import UNITY, Scalar, Space, Vector, function, is_zero, space_derivative
 from rbpsym.quantities import LENGTH
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
+from rbpsym.statement.model import Element
 from rbpsym.statement.paths import tensions
 
 if TYPE_CHECKING:
@@ -88,9 +90,9 @@ def instantaneous_centre(world: ProblemWorld, name: str) -> Bound:
 
 _P = r"([\w.-]+(?:\([^()]*\))?)"
 PHRASES: tuple[Phrase, ...] = (
-    (rf"component of (.+) (along|across) (?:the )?line from {_P} to {_P}", lambda w, p, k, a, b: of_line(w, k, p, a, b),
+    (rf"component of (.+) (along|across) line from {_P} to {_P}", lambda w, p, k, a, b: of_line(w, k, p, a, b),
      "component of force FORCE on BODY along the line from O to BODY.cm"),
-    (r"component of (.+) (along|across) (?:the )?path", lambda w, p, k: of_path(w, k, p),
+    (r"component of (.+) (along|across) path", lambda w, p, k: of_path(w, k, p),
      "component of acceleration of BODY.cm along the path"),
     (r"component of (.+) (along|across) ([\w-]+)", lambda w, p, k, b: of_body(w, k, p, b),
      "component of force FORCE on BODY along BODY"),
@@ -155,13 +157,38 @@ ROLES = {  # by the kinds of interactions, and the nouns of what holds
 }  # fmt: skip
 
 
+def _is_dry(element: Element) -> bool:
+    """Whether it is a resistance that does not hang on the speed, as the friction of a bearing is."""
+    return element.kind in ROLES["resistance"] and not {"v", "omega"} & names(element["size"])
+
+
 def of_role(world: ProblemWorld, noun: str, known: Iterable[str]) -> list[str]:
     """Of the known forces those that a word means: friction, the weights, the springs, tensions."""
-    noun = noun.removeprefix("the ").removesuffix(" force" if noun.endswith(("n force", "g force")) else "s")
+    noun = noun.removesuffix(" force" if noun.endswith(("n force", "g force")) else "s")
     kinds = ROLES.get(noun, ())
-    of_kind = [element.name for element in world.study.problem.interactions if element.kind in kinds]
+    acting = world.study.problem.interactions
+    of_kind = [element.name for element in acting if element.kind in kinds or (noun == "friction" and _is_dry(element))]
     held = [phrase.rsplit(" ", 1)[1] for phrase in NOUNS[noun](world)] if noun in ("friction", *HELD) else []
     return [name for name in (*of_kind, *held) if name in {*known}]
+
+
+def fitting(world: ProblemWorld, noun: str | None, name: str) -> str:
+    """The name of the force that a noun means with a name: “friction at N” is that of the contact N. Raises StatementError for
+    a force that is none of this kind."""
+    by_name = {element.name: element for element in world.study.problem.constraints}
+    rubbing = {name: element["friction"] for name, element in by_name.items() if element.values.get("friction")}
+    if noun in ("friction", "friction force") and name in by_name:
+        if rubbing.get(name) not in world.forces_known:
+            raise StatementError(f"“{name}” has no friction", instead=f"ask for “normal force {name}” or “force {name}”.")
+        return str(rubbing[name])
+    pulls = {one for element in world.study.problem.of_kind("string") for one in (element.name, *tensions(element))}
+    others = (*by_name.values(), *world.study.problem.interactions)
+    pulls |= {one.name for one in others if one.kind in ("link", "pull", "spring")}
+    unfit = noun == "tension" and name in world.forces_known - pulls
+    unfit |= noun == "normal force" and name in {*rubbing.values(), *pulls}
+    if unfit:
+        raise StatementError(f"“{name}” is no {noun}", instead=f"ask for “force {name}”, or for “{name}” alone.")
+    return name
 
 
 def alone(world: ProblemWorld, noun: str) -> Bound:

@@ -31,7 +31,7 @@ LIMITS = (
     ("yo-yo", "acceleration of y for small b", "2*b**2*g/R**2"),
 )
 WRONG = (
-    ("double-atwood", "acceleration of m_1", "is a constant"),
+    ("double-atwood", "acceleration of h", "is a constant"),
     ("rod-pendulum", "x component of M", "is no vector"),
     ("disk-on-viscous-bearing", "largest phi", "how far phi goes"),
 )

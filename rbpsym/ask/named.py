@@ -1,0 +1,189 @@
+"""What a textbook calls the bodies, strings and hinges of a problem, by the names that the statement gives them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from rbpsym.expr import tree as t
+from rbpsym.field import is_zero
+from rbpsym.field.evaluate import scalar
+from rbpsym.quantity.bound import without_articles
+from rbpsym.statement.model import Element, Line, Problem
+
+STRINGS = ("string", "rope", "cord", "cable", "thread")
+# a word for an element -> the kinds that it may mean; the only one of these kinds is meant
+ELEMENTS: Mapping[str, tuple[str, ...]] = {
+    "|".join(STRINGS): ("string",),
+    "spring": ("spring",),
+    "pivot|hinge|axle|axis|bearing|pin": ("pivot", "pin"),
+    "motor": ("couple",),
+}
+# what a contact with a fixed line is called by the slope of that line
+SURFACES: Mapping[str, Callable[[Line], bool]] = {
+    "wall": lambda line: is_zero(scalar(line.b)),
+    "floor|ground|road": lambda line: is_zero(scalar(line.a)),
+    "incline|slope|ramp|plane": lambda line: not is_zero(scalar(line.a)) and not is_zero(scalar(line.b)),
+}
+# what a parameter is called that stands under one of these keys
+PARAMETERS = {
+    "coefficient of (?:static |kinetic |sliding )?friction": ("coefficient", "limit"),
+    "coefficient of restitution": ("restitution",),
+    "spring constant": ("stiffness",),
+}
+SHAPES = (
+    "arm|ball|bar|bead|beam|bike|block|board|bob|body|boom|box|car|carriage|cart|collar|crank|crate|cube|cylinder|dis[ck]|door|drum|"
+    "flywheel|gear|gate|hoop|ladder|link|load|mass|particle|pipe|plank|plate|puck|pulley|ring|rod|roller|shaft|slab|slider|"
+    "sphere|spool|stick|trolley|truck|weight|wedge|wheel"
+)
+MOVES = "speed|velocity|acceleration|displacement|position|height|kinetic energy|momentum|cent(?:re|er)"
+FORCES = "force|tension|friction|work"
+ROLES = "normal force|reaction|force|friction force|friction"
+GROUNDS = (
+    "ground|floor|table|road|track|surface|plane|incline|slope|hill|dome|bowl|loop|ramp|rail|circle|wall|sphere|cylinder|wedge"
+)
+_NEXT = " (?:with|in|for|if|and|at|where|when)\\b"
+LEAVES = "leaves|loses contact(?: with)?|lifts off|comes off|flies off"
+GONE = r"is (?:cut|removed|switched off|turned off|released|let go)|breaks|snaps|lets go"
+
+
+def _any(names: list[str]) -> str:
+    return "|".join(map(re.escape, sorted(names, key=len, reverse=True))) or "(?!)"
+
+
+def _elements(problem: Problem, text: str) -> str:
+    """“the cable” by the name of the only string; “the tension in the cable” is that of the only string, whichever part."""
+    known = _names(problem) | {body.name for body in problem.bodies}
+    text = re.sub(rf"\btension (?:in|of) the (?:{'|'.join({*STRINGS} - known)})\b", "tension", text)
+    for words, kinds in ELEMENTS.items():
+        found = [element.name for element in (*problem.constraints, *problem.interactions) if element.kind in kinds]
+        words = "|".join(word for word in words.split("|") if word not in known) or "(?!)"
+        if len(found) == 1:
+            text = re.sub(rf"\bthe (?:{words})\b(?! force)", found[0], text)
+    for words, fits in SURFACES.items():
+        fixed = [e for e in problem.constraints if isinstance(e.values.get("line"), Line) and not e.values.get("of")]
+        lines = [e.name for e in fixed if fits(e["line"])]
+        if len(lines) == 1:
+            text = re.sub(rf"\b({ROLES}) (?:at|of|on|with|from|exerted by) (?:the )?(?:{words})\b", rf"\1 {lines[0]}", text)
+    stated = (*problem.constraints, *problem.interactions, *(e for phase in problem.phases for e in phase.impulses))
+    for words, keys in PARAMETERS.items():
+        values = {e.values[key] for e in stated for key in keys if isinstance(e.values.get(key), t.Sym)}
+        if len(values) == 1:
+            text = re.sub(rf"\b{words}\b(?! (?:needed|required))", values.pop().name, text)
+    return text
+
+
+def _bodies(problem: Problem, text: str) -> str:
+    """“the rear wheel”, “wheel A” by the name of the body alone, “speed of m_1” by that of the only body with this mass."""
+    names = [body.name for body in problem.bodies]
+    shapes = _any([]) if not names else rf"(?!(?:{_any(names)})\b)(?:{SHAPES})"
+    text = re.sub(rf"\b({_any(names)}) {shapes}\b(?!\.)", r"\1", text)
+    text = re.sub(rf"\b{shapes} (?=(?:{_any(names)})(?![\w-]))", "", text)
+    masses = [body.mass.name for body in problem.bodies if isinstance(body.mass, t.Sym)]
+    for body in problem.bodies:
+        if isinstance(body.mass, t.Sym) and masses.count(own := body.mass.name) == 1 and own not in names:
+            text = re.sub(
+                rf"\b((?:{MOVES}) of|(?:{FORCES})(?: \w+)? on) (?:mass )?{re.escape(own)}(?![\w.])", rf"\1 {body.name}", text
+            )
+    return text
+
+
+def _points(problem: Problem, text: str) -> str:
+    """“normal force at the front wheels” by the name of what holds the point “front”, “the free end” of the only rod that is
+    held at its other one."""
+    held = [(e.name, p) for e in problem.constraints for p in (e.values.get("point"), *e.values.get("points", ())) if p]
+    touched = [(name, point.point) for name, point in held if getattr(point, "point", None)]
+    known = _names(problem) | {*problem.body_names}
+    for name, point in touched:
+        if [one for _, one in touched].count(point) == 1 and point not in known:
+            there = rf"(?:at|on|of) {re.escape(point)}(?: (?:{SHAPES}|edge|end|corner|foot)s?)?(?![\w.])"
+            text = re.sub(rf"\b({ROLES}) {there}", rf"\1 {name}", text)
+    for body in problem.bodies:
+        points = _any([point for point in body.points if point not in known])
+        text = re.sub(rf"\b(?:point )?({points}) of {re.escape(body.name)}(?![\w.-])", rf"{body.name}.\1", text)
+    ends = {body.name: {"start", "end"} for body in problem.bodies if body.shape.kind == "rod"}
+    for _, point in held:
+        if getattr(point, "body", None) in ends:
+            ends[point.body] -= {point.point}
+    free = {name: left.pop() for name, left in ends.items() if len(left) == 1}
+    for name, end in free.items():
+        text = re.sub(rf"\b(?:free end|tip) of {re.escape(name)}(?![\w-])", f"{name}.{end}", text)
+        if len(free) == 1:
+            text = re.sub(r"\bof (?:free end|tip)(?! of)\b", f"of {name}.{end}", text)
+    return text
+
+
+def _leaving(problem: Problem, text: str) -> str:
+    """“where the block leaves the table” by the only contact that holds the block to one side."""
+    sides = ("contact", "touch", "rolling", "sticking")
+    for body in problem.bodies:
+        own = [e for e in problem.constraints if e.kind in sides and _is_of(e, body.name)]
+        if len(own) == 1:
+            of = own[0].values.get("of") or getattr(own[0].values.get("circle"), "body", None)
+            who = "|".join((re.escape(body.name), *(["it"] if len(problem.bodies) == 1 else [])))
+            leaves = rf"\b(?:{who}) (?:{LEAVES})(?: (?:{GROUNDS}|{_any([of] if of else [])}))?(?=$|,|{_NEXT})"
+            text = re.sub(leaves, f"{own[0].name} vanishes", text)
+    for name in (e.name for e in problem.constraints if e.kind in sides):
+        text = re.sub(rf"\b{re.escape(name)} (?:{LEAVES}) (?:{GROUNDS})\b", f"{name} vanishes", text)
+    return text
+
+
+def _impulses(problem: Problem, text: str) -> str:
+    """“impulse on the block” by the only blow that strikes it."""
+    blows = [e for phase in problem.phases for e in phase.impulses]
+    for body in problem.bodies:
+        own = [e.name for e in blows if body.name in {getattr(point, "body", point) for point in _points_of(e)}]
+        if len(own) == 1:
+            struck = rf"\bimpulse (?:on|given to|received by) {re.escape(body.name)}(?![\w.-])"
+            text = re.sub(struck, f"impulse of {own[0]}", text)
+    return text
+
+
+def _components(problem: Problem, text: str) -> str:
+    """“horizontal impulse at the hinge” by the name of that component, “impulse at the hinge” by that of the whole."""
+    for name in (e.name for e in problem.constraints if e.kind in ("pivot", "pin", "weld") and e.name not in problem.body_names):
+        for side, axis in (("horizontal", "x"), ("vertical", "y")):
+            what = rf"\b{side}(?: component of)? "
+            where = rf"(?: (?:at|of|on))? {re.escape(name)}(?![\w.])(?! on )"
+            text = re.sub(f"{what}(?:reaction|force){where}", f"{name}_{axis}", text)
+            text = re.sub(f"{what}impulse{where}", f"impulse of {name}_{axis}", text)
+        text = re.sub(rf"\bimpulse (?:at|on) {re.escape(name)}(?![\w.])", f"impulse of {name}", text)
+    return text
+
+
+def _points_of(element: Element) -> Iterator[Any]:
+    yield from (element.values[key] for key in ("point", "body", "on") if element.values.get(key))
+    yield from element.values.get("points") or ()
+
+
+def _is_of(element: Element, body: str) -> bool:
+    return any(getattr(value, "body", value) == body for key, value in element.values.items() if key in ("point", "body"))
+
+
+def _phases(problem: Problem, text: str) -> str:
+    """“right after the cord is cut” by the only phase that begins without it."""
+    before = [problem, *(phase.problem for phase in problem.phases)]
+    gone = [_names(old) - _names(phase.problem) for old, phase in zip(before, problem.phases, strict=False)]
+    for phase, names in zip(problem.phases, gone, strict=True):
+        lone = [name for name in names if sum(name in other for other in gone) == 1]
+        who = _any(lone) + ("|it" if len(lone) == 1 == sum(map(len, gone)) else "")
+        ahead = rf"\b(?:(?:just|right|immediately) )?before (?:{who}) (?:{GONE})\b"
+        text = re.sub(ahead, f"just before {phase.name}", text)
+        text = re.sub(rf"\b(?:{who}) (?:{GONE})\b", f"{phase.name} begins", text)
+    return text
+
+
+def _names(problem: Problem) -> set[str]:
+    return {element.name for element in (*problem.constraints, *problem.interactions)}
+
+
+def in_names(problem: Problem, text: str) -> str:
+    """The question in the names of the problem, without articles."""
+    text = _elements(problem, text)
+    text = _bodies(problem, without_articles(text))
+    held = _any([element.name for element in problem.constraints if element.name not in problem.body_names])
+    text = re.sub(rf"\b(reaction|force)s? (?:at|of|on|exerted by) (?=(?:{held})(?![\w.-]))", r"\1 ", text)
+    for find in (_components, _points, _leaving, _impulses, _phases):
+        text = find(problem, text)
+    return text

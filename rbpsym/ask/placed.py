@@ -1,0 +1,154 @@
+"""Places that are told by how far a body has gone since the start, or by how a rod stands then."""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+
+from rbpsym.ask.asked import Asked, NoClosedForm
+from rbpsym.ask.forms import sense_at_sample, sense_stated
+from rbpsym.ask.meeting import equation
+from rbpsym.ask.moments import moment_of
+from rbpsym.ask.question import Question, When
+from rbpsym.ask.seen import AskedPhase, place_in, scene
+from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.expr.infix import read_infix
+from rbpsym.field import PI, Scalar, derivative, is_zero, names_in, root, short, symbol
+from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.arrivals import mover
+from rbpsym.present.forms import present
+from rbpsym.quantity.path import first_push, sense
+from rbpsym.typeset.machine import to_machine
+
+DOWN = "fall(?:en|ing)|dropp(?:ed|ing)|descend(?:ed|ing)|s[ui]nk(?:ing)?|lowered"
+UP = "r(?:isen|ising)|climb(?:ed|ing)|ascend(?:ed|ing)|raised"
+ON = "mov(?:ed|ing)|travell?(?:ed|ing)|roll(?:ed|ing)|sli(?:d|dden|ding)|gone|advanc(?:ed|ing)|cover(?:ed|ing)"
+ROUND = "(?:turn|rotat)(?:ed|ing)"
+GONE = re.compile(
+    rf"\b(?P<when>after|when|where|once|until|in) (?:(?:it|(?P<body>[\w-]+)) (?:has|have) )?(?:been )?"
+    rf"(?:(?P<down>{DOWN})|(?P<up>{UP})|(?P<on>{ON})|(?P<round>{ROUND}))(?: down| up)?"
+    r"(?: through)?(?: an? (?:distance|height|angle|way|depth)(?: of)?)? (?P<value>(?!with )[^\s,]+)(?=$|,? with )"
+)
+STANDS = re.compile(
+    r"\b(?P<when>when|where|once|until|as|(?:just |right )?before) (?:it|(?P<body>[\w-]+)) (?:(?:is|becomes|has become|gets) |"
+    r"makes (?:an angle (?:of )?)?(?P<value>[^\s,]+?)(?P<degrees>°| ?deg(?:rees)?)? with )"
+    r"(?P<line>vertical|horizontal)(?=$|,? with )"
+)
+
+
+def placed(asked: Asked, text: str) -> str:
+    """The question with “where x = VALUE” for “after BODY has fallen VALUE” and “when BODY is vertical”. Raises StatementError
+    where that is no place, or more than one."""
+    for pattern, find in ((GONE, _gone), (STANDS, _standing)):
+        said = pattern.search(text)
+        if said and is_formula(asked, said["value"] or "0"):
+            when = "until" if said[1] == "until" else "where"
+            text = f"{text[: said.start()]}{when} {find(asked, said)}{text[said.end() :]}"
+    return text
+
+
+def is_formula(asked: Asked, text: str) -> bool:
+    """Whether a text is a formula in the parameters."""
+    known = [*asked.problem.dimensions]
+    with suppress(RbpsymError):
+        return names_in(scalar(read_infix(text, known))) <= {*known, "pi"}
+    return False
+
+
+def _body(asked: Asked, named: str | None, text: str, names: list[str]) -> str:
+    """The body that is named, or the one of which the question is, or the only one. Raises StatementError."""
+    about = [name for name in names if re.search(rf"\bof {re.escape(name)}\b", text)]
+    found = [named] if named and named != "it" else about or names
+    if len(found) != 1 or found[0] not in names:
+        told = " or ".join(f"“{name}”" for name in names)
+        raise StatementError(f"“{named or 'it'}” is no body that goes so", instead=f"name {told}." if told else "name a place.")
+    return found[0]
+
+
+def _gone(asked: Asked, said: re.Match[str]) -> str:
+    world, names = scene(asked), list(asked.problem.body_names)
+    name = _body(asked, said["body"], said.string[: said.start()], names)
+    if said["down"] or said["up"]:
+        way = 1 if said["up"] else -1
+        gap = world.bound(f"y component of displacement of {name}.cm").number - _value(world, said) * way
+        return equation(world, (gap,), f"“{name}” has gone so far")
+    what = f"angle of {name}" if said["round"] else f"way of {name}"
+    free = mover(world.study) or next(iter(world.study.system.independent), "")
+    rates = _rates(world, name, free, turns=bool(said["round"]))
+    size = short(sum((rate * rate for rate in rates[1:]), rates[0] * rates[0]))
+    onwards = sense(world.motion, free) if free in world.motion.scope.start else 0
+    if not onwards and free in world.motion.scope.start:
+        push = first_push(world.motion, free)
+        onwards = sense_stated(world.study, push) or sense_at_sample(world.study, push)
+    if (
+        not onwards
+        or is_zero(size)
+        or any(not is_zero(derivative(rate, other)) for rate in rates for other in world.motion.scope.rates)
+    ):
+        raise StatementError(
+            f"the {what} is not told by one coordinate that goes on in one sense",
+            instead=f"say where: “where {free or 'x'} = VALUE”.",
+        )
+    begun = world.motion.scope.start[free]
+    return f"{free} = {to_machine(present(short(begun + _value(world, said) / root(size) * onwards)))}"
+
+
+def along_a_line(asked: Asked, name: str, free: str) -> bool:
+    """Whether a body moves along a straight line as a coordinate grows, in the first phase in which it moves."""
+    for place in range(asked.lasting, len(asked.names)):
+        world = scene(asked, place)
+        rates = _rates(world, name, free, turns=False)
+        if any(rates):
+            return not any(derivative(rate, other) for rate in rates for other in world.motion.scope.rates)
+    return False
+
+
+def _value(world: AskedPhase, said: re.Match[str]) -> Scalar:
+    return scalar(read_infix(said["value"], world.names))
+
+
+def _rates(world: AskedPhase, name: str, free: str, *, turns: bool) -> list[Scalar]:
+    """What a body's place, or its angle, gains with a coordinate."""
+    if turns:
+        return [derivative(world.body(name).pose.angle, free)]
+    moved = world.bound(f"displacement of {name}.cm").arrow.plane
+    return [derivative(moved.x, free), derivative(moved.y, free)]
+
+
+def _standing(asked: Asked, said: re.Match[str]) -> str:
+    """Where a rod is vertical or horizontal: the only such place to which the motion comes."""
+    world = scene(asked)
+    rods = [body.name for body in asked.problem.bodies if body.shape.kind == "rod"]
+    name = _body(asked, said["body"], said.string[: said.start()], rods)
+    angle = world.body(name).pose.angle
+    free = next((n for n in (mover(world.study), *world.study.system.independent) if n and derivative(angle, n)), None)
+    slope = derivative(angle, free) if free else None
+    if free is None or slope is None or slope.number() is None:
+        raise StatementError(f"the angle of “{name}” is not told by one coordinate", instead="say where that has which value.")
+    rest = short(angle - slope * symbol(free))
+    leaning = scalar(read_infix(said["value"] or "0", world.names)) * (PI / 180 if said["degrees"] else 1)
+    turns = (PI * turn / 2 for turn in range(-4, 5) if bool(turn % 2) is (said["line"] == "vertical"))
+    angles = dict.fromkeys(short((turn + leaning * side - rest) / slope) for turn in turns for side in (1, -1))
+    places = (to_machine(present(angle)) for angle in angles)
+    found = [f"{free} = {place}" for place in places if _comes(asked, free, place)]
+    if len(found) != 1:
+        told = " or ".join(f"“where {place}”" for place in found)
+        raise StatementError(
+            f"“{name}” stands so at {len(found) or 'no'} places to which the motion is known to come",
+            instead=f"write {told}." if found else f"say where: “where {free} = VALUE”.",
+        )
+    return found[0]
+
+
+def _comes(asked: Asked, name: str, place: str) -> bool:
+    """Whether the motion comes to a place, other than its start; where that is not known, whether it is in the range."""
+    world = scene(asked)
+    try:
+        if is_zero(place_in(world, name, place) - world.motion.scope.start.get(name, symbol(name))):
+            return False
+        moment_of(asked, When("reaches", (name, place), f"where {name} = {place}"), Question("", name))
+    except NoClosedForm:
+        return True
+    except RbpsymError:
+        return False
+    return True
