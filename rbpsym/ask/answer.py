@@ -161,7 +161,7 @@ def _work(asked: Asked, question: Question, when: When) -> Found:
     if between or before:
         if said := SIZE.fullmatch(question.quantity):
             return _size_of(asked, question, when, said)
-        if re.search(r"\b(?:magnitude|number) of ", question.quantity):
+        if re.search(r"\b(?:magnitude|number) of (?!.*, counter-clockwise)", question.quantity):
             what = "sizes of parts are not added: in between it may go back"
             raise StatementError(what, instead="name one phase, or ask without.")
     ends = [moment_of(asked, When("end", (name,)), question) for name in between]

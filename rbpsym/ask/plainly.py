@@ -15,7 +15,7 @@ from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, names_in, short
+from rbpsym.field import NOTHING, is_zero, names_in, short
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips_on, stops
 from rbpsym.present.forms import present
@@ -99,6 +99,7 @@ STAYS = r"\bfor which (it|\w+) (?:(?:stays|remains) at rest|is (?:in equilibrium
 DRIVES = ("couple", "force", "pull", "prescribed", "prescribed-angle")
 HEAT = re.compile(r"(?:heat (?:produced|generated)|(?:mechanical )?energy dissipated)\b.* (?:until|up to|during|over|from) ")
 TURNED = r"^angle (?:through|by) which (\w+) (?:turns|rotates|has turned|has rotated)\b"
+OF_TURNS = r"^(number of (?:turns|revolutions|rotations))(?! of| made)"
 SLOWED = re.compile(r"\b(?:angular )?deceleration(?: of ([\w-]+))?(?=$|[ ,])")
 STOPS = re.compile(r"\b((?:it|\w+) (?:stops|comes to rest)) (after|in|within) (.+?)(?=$|,? with )")
 TURNS = re.compile(r"(\d+(?:[./]\d+)?|[A-Za-z]\w*) (?:full )?(?:turn|revolution|rotation)s?")
@@ -248,6 +249,9 @@ def plain_words(asked: Asked, text: str) -> str:
         plain = f"{plain.removeprefix('final ')} in phase {phases[-1]}"
     plain = HEIGHT.sub(lambda said: _extreme(asked, said), plain)
     plain = re.sub(TURNED, r"angle turned by \1", plain)
+    if re.match(OF_TURNS, plain):
+        turning = [name for name, state in asked.study(asked.lasting).system.bodies.items() if not is_zero(state.omega)]
+        plain = re.sub(OF_TURNS, rf"\1 of {turning[0]}", plain) if len(turning) == 1 else plain
     plain = SLOWED.sub(lambda said: _slowed(asked, said), plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))
