@@ -10,6 +10,7 @@ from difflib import get_close_matches
 from rbpsym.errors import DimensionError
 from rbpsym.expr.tree import ZERO, Div, Neg, Node, Num, Sym, names, neg
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
+from rbpsym.statement.fitting import fitting
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import AXES, RESERVED, check_name, fault_of_name
@@ -147,7 +148,9 @@ class CoordinateReader:
     def __init__(self, table: SourceTable, scope: Scope) -> None:
         self.section = table.table("coordinates", "coordinates")
         self.scope = scope
-        self.dimensions = {name: self._dimension(name) for name in self.section.names()}
+        said = {name: self._dimension(name) for name in self.section.names()}
+        told = {name: found for name, found in said.items() if found is not None}
+        self.dimensions = told | fitting(table.data, {**scope.parameters, **told}, [name for name in said if name not in told])
         self.implicit: dict[str, Quantity] = {}
 
     def read(self) -> Iterator[Coordinate]:
@@ -155,12 +158,10 @@ class CoordinateReader:
         for name in self.section.names():
             yield self._coordinate(name, self.section.table(name, f"coordinates.{name}"))
 
-    def _dimension(self, name: str) -> Dimension:
+    def _dimension(self, name: str) -> Dimension | None:
         table = self.section.table(name, f"coordinates.{name}")
         check_name(name, table)
-        if "dimension" not in table:
-            return NUMBER
-        return _dimension(table.item("dimension"), table.string("dimension"))
+        return _dimension(table.item("dimension"), table.string("dimension")) if "dimension" in table else None
 
     def _coordinate(self, name: str, table: SourceTable) -> Coordinate:
         where = f"the coordinate “{name}”"
