@@ -90,6 +90,7 @@ def _owed(told: list[str], derivation: Derivation) -> list[str]:
             for duty in step.certificate.verdict.open_obligations:
                 left, op, _ = next(relations(duty.relation))
                 value = derivation.letters.value(left)
+                value = tidy(value * value) if op == "!=" and has_roots(value) else value  # a root is 0 where its square is
                 asked = _demands([Demand(value, op), *([Demand(-value, op)] if op == "!=" else [])], derivation.study)
                 found += [] if {*told, *found} & {*asked} else asked[:1]
     return found

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
+from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, Value, short, value
+from rbpsym.field import Scalar, Value, has_roots, short, value
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.study import Study
 
@@ -77,6 +78,7 @@ def _claim(study: Study, node: t.Node) -> Claim | None:
     found: dict[t.Node, Claim | None] = study.meanings
     if node not in found:
         value = meaning(study, node) if is_telling(node) else None
+        value = neat(value, study.assumptions) if isinstance(value, Scalar) and has_roots(value) else value
         found[node] = unsigned(value) if isinstance(value, Scalar) and value else None
     return found[node]
 

@@ -76,7 +76,8 @@ def fractions_on_both_sides_of_a_bracket(node: t.Node) -> bool:
 
 
 def _divides_by_parameter(part: t.Div) -> bool:
-    return any(isinstance(base(f), t.Sym) and base(f) != t.Sym("pi") for f in factors(part.den))
+    letters = (base(f).name for f in factors(part.den) if isinstance(base(f), t.Sym))
+    return any(name != "pi" and not name.startswith("s_") for name in letters)  # the length of a spring is no parameter
 
 
 def needless_one(node: t.Node) -> bool:

@@ -8,6 +8,7 @@ import pytest
 
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import relations
+from rbpsym.proof.forms import lettered
 from rbpsym.proof.rules import RULES, certify
 
 
@@ -52,7 +53,9 @@ def test_what_was_asked_for_is_boxed_and_what_leads_to_it_is_not(draft):
     is_moving = any(step.phrase == "torque.solved" for step in answers)
     coordinates = set(draft.study.system.coordinates)
     resting = {step.id for step in answers if step.phrase == "torque.solved_zero" and is_moving}
-    steady = {s.id for s in answers if s.rule == "first_integral" and not coordinates & t.names(s.statement.items[-1])}
+    whole = lettered(draft.steps)  # a length with a letter of its own moves
+    squares = {s.id: t.names(t.renamed(s.statement.items[-1], whole)) for s in answers if s.rule == "first_integral"}
+    steady = {id for id, found in squares.items() if not coordinates & found}
     assert all(step.is_result != (step.id in undamped | resting | steady) for step in answers)
     assert not [step.id for step in draft.steps if first[step.id] in MEANS and step.is_result]
 

@@ -26,6 +26,7 @@ from rbpsym.pictures.plots.following import Journey, Leg, PlottedMotion, leg, le
 from rbpsym.pictures.plots.panel import Panel, PlotCurve, PlotMark
 from rbpsym.pictures.plots.scales import Scale, Scales, scales
 from rbpsym.pictures.pose import at, require_motion
+from rbpsym.proof.forms import lettered
 from rbpsym.proof.step import Derivation, Step
 from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, LENGTH, NUMBER, TIME, Dimension
 
@@ -123,19 +124,20 @@ def column(way: Journey, name: str, scale: Scale) -> np.ndarray:
     return way.values(symbol(name)) / scale.size
 
 
-def stated(step: Step) -> tuple[t.Node, Scalar] | None:
-    """The name and the value of a step that says “name = ... = value”."""
+def stated(step: Step, roots: Mapping[str, t.Node] = {}) -> tuple[t.Node, Scalar] | None:
+    """The name and the value of a step that says “name = ... = value”; `roots`: those that have a letter."""
     if not isinstance(step.statement, t.Chain) or set(step.statement.ops) != {"="}:
         return None
     try:
-        return step.statement.items[0], scalar(step.statement.items[-1])
+        return step.statement.items[0], scalar(t.renamed(step.statement.items[-1], roots))
     except RbpsymError:
         return None
 
 
 def curves(chosen: Chosen, way: Journey, scale: Scale) -> Iterator[PlotCurve]:
     """A curve for each name that steps state, where it has numbers along most of the way."""
-    tables = {id(leg): dict(filter(None, map(stated, chosen(leg)))) for leg in way.legs}
+    roots = lettered(step for leg in way.legs for step in leg.derivation.steps)
+    tables = {id(leg): dict(filter(None, (stated(step, roots) for step in chosen(leg)))) for leg in way.legs}
     for name in dict.fromkeys(name for table in tables.values() for name in table):
         values = _along(way, tables, name) / scale.size
         count = sum(len(leg.moments) for leg in way.legs if name in tables[id(leg)])
