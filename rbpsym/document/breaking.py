@@ -49,12 +49,7 @@ def lines(node: Node, notation: Notation, column: float) -> tuple[DisplayLine, .
     widest_left = max((left for left in lefts if left <= 0.5 * column), default=0.0)
     room = [column - max(widest_left - left, 0.0) for left in lefts]
     found = tuple(line for part, own in zip(parts, room, strict=True) for line in chain_lines(part, notation, own))
-    is_clear = not any(map(_begins_with_sign, found))  # at the margin, a sum would seem to go on
-    return tuple(map(unaligned, found)) if is_clear and widest(found) > column else found
-
-
-def _begins_with_sign(line: DisplayLine) -> bool:
-    return isinstance(next(iter(flat(line.left)), None), b.Operator)
+    return found if widest(found) <= column else tuple(map(unaligned, found))
 
 
 def unaligned(line: DisplayLine) -> DisplayLine:

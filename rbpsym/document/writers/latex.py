@@ -105,7 +105,8 @@ def formula_text(lines: tuple[breaking.DisplayLine, ...]) -> str:
     """One line as it is, several aligned."""
     if len(lines) == 1:
         return f"  {lines[0].shown(render)}"
-    inner = " \\\\\n  ".join(line.shown(render, "&", r"\qquad {}") for line in lines)
+    rows = (line.shown(render, "&", r"\qquad {}") for line in lines)
+    inner = " \\\\\n  ".join(f"&{{-}}{row[2:]}" if row.startswith("&-") else row for row in rows)  # else the sum above goes on
     return f"\\begin{{aligned}}\n  {inner}\n\\end{{aligned}}"
 
 

@@ -163,8 +163,12 @@ class _Layout:
         return self._minus(k, token, several > 0) if behind.text == "-" else replace(token, text="")
 
     def _minus(self, k: int, token: Token, beside: bool) -> Token | None:
-        """A row that begins with a minus goes on where its first cell is empty or it is no relation."""
+        """A row that begins with a minus goes on where its first cell is empty or it is no relation; {-} is the sign of what
+        stands behind it."""
         row = self._row_behind(k)
+        minus = self._near(k, 1)
+        if minus is not None and self.source.text[: minus.start].endswith("{") and self._relates(k):
+            return replace(token, text="")
         first = next((place for place in row if not _is_blank(self.all[place])), k)
         if any(self.all[place].text == "&" for place in row if place < first):
             return None
