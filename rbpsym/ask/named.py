@@ -9,6 +9,7 @@ from typing import Any
 from rbpsym.expr import tree as t
 from rbpsym.field import is_zero
 from rbpsym.field.evaluate import scalar
+from rbpsym.quantities import NUMBER
 from rbpsym.quantity.bound import without_articles
 from rbpsym.statement.model import Element, Line, Problem
 
@@ -28,7 +29,9 @@ SURFACES: Mapping[str, Callable[[Line], bool]] = {
 }
 # what a parameter is called that stands under one of these keys
 PARAMETERS = {
-    "coefficient of (?:static |kinetic |sliding )?friction": ("coefficient", "limit"),
+    "coefficient of friction": ("coefficient", "limit"),
+    "coefficient of static friction": ("limit",),
+    "coefficient of (?:kinetic|sliding) friction": ("coefficient",),
     "coefficient of restitution": ("restitution",),
     "spring constant": ("stiffness",),
 }
@@ -69,6 +72,8 @@ def _elements(problem: Problem, text: str) -> str:
     stated = (*problem.constraints, *problem.interactions, *(e for phase in problem.phases for e in phase.impulses))
     for words, keys in PARAMETERS.items():
         values = {e.values[key] for e in stated for key in keys if isinstance(e.values.get(key), t.Sym)}
+        if words.startswith("coefficient"):  # a damper has one, too, that is no number
+            values = {value for value in values if problem.dimensions.get(value.name) == NUMBER}
         if len(values) == 1:
             text = re.sub(rf"\b{words}\b(?! (?:needed|required))", values.pop().name, text)
     return text

@@ -6,6 +6,7 @@ import pytest
 
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered
+from rbpsym.ask.named import in_names
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
@@ -63,3 +64,11 @@ def test_what_could_mean_two_things_is_refused(name: str, question: str, told: s
     with pytest.raises(RbpsymError) as refused:
         answered(Asked(load_problem(find_problem(name))), question)
     assert told in f"{refused.value.what} {refused.value.instead}"
+
+
+def test_a_word_for_a_parameter_means_one_of_its_kind() -> None:
+    """The coefficient of a damper is none of friction, nor is that of sliding the one of rest."""
+    damped, sliding = (load_problem(find_problem(name)) for name in ("rod-with-damper", "block-sliding-or-tipping"))
+    assert in_names(damped, "coefficient of friction for which") == "coefficient of friction for which"
+    assert in_names(sliding, "coefficient of kinetic friction for which") == "mu for which"
+    assert in_names(sliding, "coefficient of static friction for which") == "coefficient of static friction for which"
