@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import click
@@ -23,7 +25,7 @@ def command(name: str, record: Path | None) -> int:
       rbpsym tutor my-problem.toml --record ana.json
 
     Lines are typed plainly (theta_ddot = -3*g/(4*ell)*cos(theta)) or in LaTeX. “?” gives a hint for the next
-    step, more with each “?”; an empty line ends.
+    step, more with each “?”; an empty line or the end of input ends.
     """
     import json
 
@@ -38,13 +40,13 @@ def command(name: str, record: Path | None) -> int:
     with Progress(f"deriving {path.stem}"):
         tutor = Tutor(derive(load_problem(path), simulation=False))
     lines, given, depth = list[str](), list[str](), 0
-    while (line := click.prompt("", default="", show_default=False, prompt_suffix="> ").strip()) not in END:
+    for line in _typed():
         if line in HINT:
             depth += 1
-            told, line = tutor.hint((*lines, *given), depth)
+            told, step = tutor.hint((*lines, *given), depth)
             click.echo(f"  {told}")
-            if line:  # the next hint is of the step after it
-                given, depth = [*given, line], 0
+            if step:  # the next hint is of the step after it
+                given, depth = [*given, step], 0
             continue
         judged = tutor.judge(line, lines)
         click.echo(f"  {judged.verdict}. {judged.says}")
@@ -53,3 +55,10 @@ def command(name: str, record: Path | None) -> int:
     if record:
         click.echo(str(write_whole(record, json.dumps(tutor.record(lines), indent=2, ensure_ascii=False) + "\n")))
     return 0
+
+
+def _typed() -> Iterator[str]:
+    """The lines up to an empty one; Ctrl-D and Ctrl-C end as well, and the record is still written."""
+    with suppress(click.Abort):
+        while (line := click.prompt("", default="", show_default=False, prompt_suffix="> ").strip()) not in END:
+            yield line

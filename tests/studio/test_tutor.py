@@ -264,8 +264,10 @@ def test_a_multiple_of_a_work_is_that_of_its_integral(form: str) -> None:
     assert tutor("torsion-pendulum").judge(form.format(work, integral)).verdict == UNUSED
 
 
-def test_in_the_terminal(tmp_path: Path) -> None:
-    typed = "?\ntheta_ddot = 3*g/(4*ell)*cos(theta)\ntheta_ddot = -3*g/(4*ell)*cos(theta)\n\n"
+@pytest.mark.parametrize("end", ["\n", ""])
+def test_in_the_terminal(end: str, tmp_path: Path) -> None:
+    """An empty line or the end of input ends; the record is written in both cases."""
+    typed = "?\ntheta_ddot = 3*g/(4*ell)*cos(theta)\ntheta_ddot = -3*g/(4*ell)*cos(theta)\n" + end
     done = CliRunner().invoke(main, ["tutor", "sliding-ladder", "--record", str(tmp_path / "a.json")], input=typed)
     assert "wrong. The sign of" in done.output
     verdicts = [row["verdict"] for row in json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))["lines"]]
