@@ -8,7 +8,7 @@ from itertools import combinations
 
 from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
-from rbpsym.field import derivative
+from rbpsym.field import NOTHING, Vector, cartesian, derivative, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.pictures.figures.outlines import turned
 from rbpsym.pictures.figures.scene import Point
@@ -82,15 +82,32 @@ def _triangle_height(pose: DrawnPose, name: str, size: t.Node) -> Iterator[Lengt
 
 
 def _displacements(pose: DrawnPose) -> Iterator[LengthMark]:
-    """A length coordinate, from the origin to the point whose place it gives."""
+    """A length coordinate: the way along a straight line, of a body or across an axis, from where the coordinate is 0."""
+    coordinates = [c.name for c in pose.study.problem.coordinates]
     for coordinate in pose.study.problem.coordinates:
-        letter = t.Sym(coordinate.name)
-        for body in pose.study.problem.bodies:
-            if coordinate.quantity.dimension.length and body.placed and letter in body.placed[1]:
-                x, y = (pose.node(n) for n in body.placed[1])
-                start = (0.0, y) if body.placed[1][0] == letter else (x, 0.0)
-                if math.dist(start, (x, y)) > CLOSE:
-                    yield LengthMark(start, (x, y), letter)
+        name = coordinate.name
+        if not coordinate.quantity.dimension.length or abs(pose.numbers[name]) < CLOSE:
+            continue
+        ways = [(place, way) for place in _places(pose) for way in _straight(pose, place.derivative(name), name)]
+        starts = [(place - way * symbol(name), place) for place, way in ways]
+        if starts:
+            start, end = min(starts, key=lambda both: sum(bool(both[0].derivative(other)) for other in coordinates))
+            yield LengthMark(pose.point(start), pose.point(end), t.Sym(name))
+
+
+def _straight(pose: DrawnPose, rate: Vector, name: str) -> Iterator[Vector]:
+    """The unit vector along which a place moves with a coordinate; else its part along an axis that is one."""
+    for way in (rate, cartesian(rate.x, NOTHING), cartesian(NOTHING, rate.y)):
+        if not way.derivative(name) and abs(math.hypot(*pose.point(way)) - 1) < CLOSE:
+            yield way
+            return
+
+
+def _places(pose: DrawnPose) -> Iterator[Vector]:
+    """The point of each body by which it is placed, as it is stated; else its centre of mass."""
+    for body in pose.study.problem.bodies:
+        x, y = map(scalar, body.placed[1]) if body.placed else (None, None)
+        yield pose.study.system.bodies[body.name].center if x is None or y is None else cartesian(x, y)
 
 
 def _distances(pose: DrawnPose, shown: set[str]) -> Iterator[LengthMark]:
@@ -231,19 +248,17 @@ def _hanging(pose: DrawnPose, name: str, at: Point, turned: float) -> float | No
 
 
 def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:
-    """An angle that turns the line from a fixed centre to a body, as on a circular track."""
-    for state in pose.study.system.bodies.values():
-        x, y = pose.point(state.center)
-        u, v = pose.point(state.center.derivative(coordinate))
-        square, turn = u * u + v * v, x * v - y * u
-        if square < CLOSE or abs(abs(turn) - math.hypot(x, y) * math.sqrt(square)) > CLOSE:
+    """An angle that turns the line to a body from a centre that it does not move, as on a circular track."""
+    for place in _places(pose):
+        way = place.derivative(coordinate)
+        bend = way.derivative(coordinate)
+        centre = pose.point(place + bend)
+        if (ray := math.hypot(*pose.point(bend))) < CLOSE or not (way + bend.derivative(coordinate)).vanishes():
             continue
-        distance, sense = math.hypot(x, y), 1 if turn > 0 else -1
-        if abs(distance - math.sqrt(square)) < CLOSE:
-            direction = math.atan2(y, x)
-            start = direction - sense * pose.numbers[coordinate]
-            yield AngleMark((0.0, 0.0), start, direction, t.Sym(coordinate), ray=distance)
-            return
+        sense = 1 if pose.value(way.cross(bend)) > 0 else -1
+        direction = math.atan2(*reversed(pose.point(-bend)))
+        yield AngleMark(centre, direction - sense * pose.numbers[coordinate], direction, t.Sym(coordinate), ray=ray)
+        return
 
 
 def _is_middle(pose: DrawnPose, name: str, at: Point) -> bool:
