@@ -194,3 +194,15 @@ def origins(system: System) -> dict[str, Vector]:
 def is_fixed(place: Vector, system: System) -> bool:
     """Whether a place does not move."""
     return all(place.derivative(name).vanishes() for name in (*system.coordinates, "t"))
+
+
+def stated_place(body: Body) -> Vector | None:
+    """The point by which a body is placed, as it is stated."""
+    return cartesian(*map(scalar, body.placed[1])) if body.placed else None
+
+
+def straight(place: Vector, name: str) -> Vector | None:
+    """The unit vector along which a place moves with a coordinate; else its part along an axis that is one."""
+    rate = place.derivative(name)
+    ways = (rate, cartesian(rate.x, NOTHING), cartesian(NOTHING, rate.y))
+    return next((way for way in ways if not way.derivative(name) and way.dot(way).number() == 1), None)

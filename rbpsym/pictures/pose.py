@@ -14,7 +14,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.compiled import entries_of
 from rbpsym.mechanics.numbers import bound, number, sample
-from rbpsym.mechanics.placing import where_in
+from rbpsym.mechanics.placing import stated_place, straight, where_in
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.quantities import LENGTH, NUMBER
@@ -243,11 +243,10 @@ def _joins(element: Element) -> bool:
 
 
 def _is_plain(coordinate: Coordinate, problem: Problem) -> bool:
-    """Is it the x or y of a body, with no string that ties it to others?"""
-    letter = t.Sym(coordinate.name)
+    """Is it a way of a body along a straight line, with no string that ties it to others?"""
     if any(element.kind == "string" for element in problem.constraints):
         return False
-    return any(body.placed and letter in body.placed[1] for body in problem.bodies)
+    return any(straight(place, coordinate.name) for body in problem.bodies if (place := stated_place(body)))
 
 
 def _shown(coordinate: Coordinate, numbers: Mapping[str, float], wanted: float) -> float:

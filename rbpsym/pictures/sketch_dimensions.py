@@ -8,8 +8,9 @@ from itertools import combinations
 
 from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, Vector, cartesian, derivative, symbol
+from rbpsym.field import Vector, derivative, symbol
 from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.placing import stated_place, straight
 from rbpsym.pictures.figures.outlines import turned
 from rbpsym.pictures.figures.scene import Point
 from rbpsym.pictures.figures.sketch import AngleMark, LengthMark, RadiusMark, SketchLine
@@ -88,26 +89,16 @@ def _displacements(pose: DrawnPose) -> Iterator[LengthMark]:
         name = coordinate.name
         if not coordinate.quantity.dimension.length or abs(pose.numbers[name]) < CLOSE:
             continue
-        ways = [(place, way) for place in _places(pose) for way in _straight(pose, place.derivative(name), name)]
-        starts = [(place - way * symbol(name), place) for place, way in ways]
+        starts = [(p - way * symbol(name), p) for p in _places(pose) if (way := straight(p, name))]
         if starts:
             start, end = min(starts, key=lambda both: sum(bool(both[0].derivative(other)) for other in coordinates))
             yield LengthMark(pose.point(start), pose.point(end), t.Sym(name))
 
 
-def _straight(pose: DrawnPose, rate: Vector, name: str) -> Iterator[Vector]:
-    """The unit vector along which a place moves with a coordinate; else its part along an axis that is one."""
-    for way in (rate, cartesian(rate.x, NOTHING), cartesian(NOTHING, rate.y)):
-        if not way.derivative(name) and abs(math.hypot(*pose.point(way)) - 1) < CLOSE:
-            yield way
-            return
-
-
 def _places(pose: DrawnPose) -> Iterator[Vector]:
-    """The point of each body by which it is placed, as it is stated; else its centre of mass."""
+    """The point of each body by which it is placed; else its centre of mass."""
     for body in pose.study.problem.bodies:
-        x, y = map(scalar, body.placed[1]) if body.placed else (None, None)
-        yield pose.study.system.bodies[body.name].center if x is None or y is None else cartesian(x, y)
+        yield stated_place(body) or pose.study.system.bodies[body.name].center
 
 
 def _distances(pose: DrawnPose, shown: set[str]) -> Iterator[LengthMark]:
@@ -218,21 +209,20 @@ def angles(pose: DrawnPose) -> Iterator[AngleMark]:
 def _coordinate_angles(pose: DrawnPose) -> Iterator[AngleMark]:
     """Each angle coordinate from its reference direction to the body that turns with it."""
     for coordinate in pose.study.problem.coordinates:
-        if coordinate.quantity.dimension.length:
+        value = math.fmod(pose.numbers[coordinate.name], math.tau)  # full turns are not seen
+        if coordinate.quantity.dimension.length or abs(value) < UNSEEN:
             continue
-        found, polar = _turning_body(pose, coordinate.name), tuple(_polar_angle(pose, coordinate.name))
+        found, polar = _turning_body(pose, coordinate.name), tuple(_polar_angle(pose, coordinate.name, value))
         at = _vertex(pose, found[0]) if found else (0.0, 0.0)
         if found is None or (polar and _is_middle(pose, found[0], at)):  # rather than a turn about its own axis
             yield from polar
             continue
         name, sense = found
         direction = pose.value(pose.study.system.bodies[name].pose.angle)
-        value = pose.numbers[coordinate.name]
         hung = _hanging(pose, name, at, sense * value)
         direction = _drawn_axis(pose, name, at, direction) if hung is None else hung
         reach = _reach(pose, name, at, direction)
-        if abs(value) > UNSEEN:
-            yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), reach)
+        yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), reach)
 
 
 def _hanging(pose: DrawnPose, name: str, at: Point, turned: float) -> float | None:
@@ -247,7 +237,7 @@ def _hanging(pose: DrawnPose, name: str, at: Point, turned: float) -> float | No
     return direction if is_away and abs(quarters - round(quarters)) < CLOSE else None
 
 
-def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:
+def _polar_angle(pose: DrawnPose, coordinate: str, value: float) -> Iterator[AngleMark]:
     """An angle that turns the line to a body from a centre that it does not move, as on a circular track."""
     for place in _places(pose):
         way = place.derivative(coordinate)
@@ -257,7 +247,7 @@ def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:
             continue
         sense = 1 if pose.value(way.cross(bend)) > 0 else -1
         direction = math.atan2(*reversed(pose.point(-bend)))
-        yield AngleMark(centre, direction - sense * pose.numbers[coordinate], direction, t.Sym(coordinate), ray=ray)
+        yield AngleMark(centre, direction - sense * value, direction, t.Sym(coordinate), ray=ray)
         return
 
 

@@ -195,3 +195,34 @@ def test_lengths_of_the_statement_are_dimensions(name: str, letters: str) -> Non
 def test_slopes_are_angles() -> None:
     sketch = sketch_of_pose(pose(study("disk-on-incline"), None))
     assert "beta" in {mark.label.name for mark in sketch.angles}
+
+
+@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("share", SHARES)
+def test_coordinates_are_drawn_as_long_and_as_wide_as_they_are(name: str, share: float | None) -> None:
+    found = pose(study(name), share)
+    sketch, coordinates = sketch_of_pose(found), {c.name for c in found.study.problem.coordinates}
+    for mark in sketch.lengths:
+        if isinstance(mark.label, t.Sym) and mark.label.name in coordinates:
+            assert math.isclose(math.dist(mark.start, mark.end), abs(found.numbers[mark.label.name])), mark
+    for angle in sketch.angles:
+        turn = angle.end - angle.start
+        assert 0.0 < abs(turn) < math.tau, angle
+        if isinstance(angle.label, t.Sym) and angle.label.name in coordinates:
+            gap = abs(turn) - abs(found.numbers[angle.label.name])
+            assert math.isclose(math.remainder(gap, math.tau), 0.0, abs_tol=1e-9), angle
+
+
+@pytest.mark.parametrize(
+    ("name", "letters"),
+    [
+        ("cylinder-on-wedge", {"x", "s", "phi"}),
+        ("ball-on-incline", {"s", "phi"}),
+        ("elastic-pendulum", {"r", "theta"}),
+        ("bead-in-rolling-hoop", {"x", "theta", "phi"}),
+        ("rod-on-two-strings", {"phi", "theta"}),
+    ],
+)
+def test_ways_and_angles_along_any_line_and_about_any_centre_are_drawn(name: str, letters: set[str]) -> None:
+    sketch = sketch_of_pose(pose(study(name), None))
+    assert letters <= {mark.label.name for mark in (*sketch.lengths, *sketch.angles) if isinstance(mark.label, t.Sym)}
