@@ -70,6 +70,7 @@ NAMES = {
     "dots": r"\dots", "dots.v": r"\vdots", "dots.down": r"\ddots", "dotless.i": r"\imath", "dotless.j": r"\jmath",
     "grad": r"\nabla", "curl": r"\nabla \times", "laplacian": r"\nabla^2", "dprod": r"\cdot", "cprod": r"\times",
     "times.o": r"\otimes", "plus.o": r"\oplus", "dot.o": r"\odot", "arrow.l.r": r"\leftrightarrow",
+    "arrow.long": r"\to", "union.big": r"\bigcup", "inter.big": r"\bigcap", "div": r"\nabla\cdot",
     "TT": r"\mathsf{T}", "slash": "/",
 }  # fmt: skip
 CALLS: dict[str, str | Callable[..., str]] = {

@@ -9,6 +9,7 @@ from contextlib import suppress
 from itertools import takewhile
 
 from rbpsym.errors import LimitError, RbpsymError, ReadError
+from rbpsym.expr.letters import LETTERS
 from rbpsym.frozen import Frozen
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
@@ -108,9 +109,15 @@ _OWN = {r"\mathchoice": Macro("#1", 4)}  # in displays, the first
 _LOOKS = (r"\vec", r"\hat", r"\bar", r"\tilde", r"\dot", r"\ddot")  # defined anew, they look otherwise and mean the same
 
 
+def _only_looks(name: str, macro: Macro) -> bool:
+    r"""Does it but change how a mark, or a letter, is drawn: \\let\\epsilon\\varepsilon?"""
+    letter = name.removeprefix("\\").removeprefix("var") in LETTERS
+    return name in _LOOKS or (letter and bool(_COMMAND.fullmatch(macro.body.strip())))
+
+
 def expanded(latex: str, macros: Mapping[str, Macro]) -> str:
     """The formula with all macros put in. Raises LimitError for what does not end."""
-    macros = {**_OWN, **{name: macro for name, macro in macros.items() if name not in _LOOKS}}
+    macros = {**_OWN, **{name: macro for name, macro in macros.items() if not _only_looks(name, macro)}}
     for _ in range(DEEPEST):
         latex, count = _once(_DROPPED.sub(" ", latex), macros)
         if not count:

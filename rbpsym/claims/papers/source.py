@@ -16,6 +16,7 @@ from rbpsym.statement.files import latin_or_utf8_in
 
 SITES = ("conf.py", "_config.yml", "myst.yml", "_quarto.yml", "mathjax-config.js")  # where the macros of a site may be said
 _TEX = re.compile(r"""["']([\w./-]{1,200}\.tex)["']""")
+_SCRIPT = re.compile(r"""<script[^>]{0,200}?\ssrc=["']([\w./-]{1,200}\.js)["']""")
 MAX_BYTES = 4 * 1024 * 1024
 MAX_LINE = 200_000
 MAX_FILES = 100
@@ -162,9 +163,9 @@ class _Files:
         """
         found: dict[Path, str] = {}
         waiting = [(path.parent, text)]
-        for one in files_above(path.parent, SITES):
+        for one in (*files_above(path.parent, SITES), *self._scripts(path)):
             said = self._content(one)
-            found[one] = site_macros(said)
+            found[one] = site_macros(said) + (said.replace("\\\\", "\\") if one.suffix == ".js" else "")
             named = (one.parent / name for name in _TEX.findall(said))
             found |= {other: self._definitions(other) for other in named if is_inside(other, one.parent)}
         for whole in self._wholes(path, text):
@@ -181,10 +182,15 @@ class _Files:
             beside, told = waiting.pop()
             names = [name.strip() for group in _PACKAGE.findall(told) for name in group.split(",")]
             for one in (beside / f"{name}{end}" for name in names for end in (".sty", ".cls", "")):
-                if one not in found and is_inside(one, beside):
+                if one not in found and is_inside(one, run_of(beside.resolve())):
                     found[one] = self._definitions(one)
                     waiting.append((beside, found[one]))
         return "\n".join(found.values())
+
+    def _scripts(self, path: Path) -> list[Path]:
+        """A page and the scripts beside it that it loads, in which macros may be said."""
+        named = _SCRIPT.findall(self._content(path)) if path.suffix.lower() in (".html", ".htm") else None
+        return [] if named is None else [path, *(one for name in named if is_inside(one := path.parent / name, self.folder))]
 
     def _wholes(self, path: Path, text: str, below: tuple[Path, ...] = ()) -> list[Path]:
         """The document beside a chapter or above it that puts the chapter in, or a chapter that does."""
@@ -210,12 +216,10 @@ class _Files:
         return text.replace("\r\n", "\n").replace("\r", "\n")
 
     def _followed(self, found: re.Match[str], path: Path, line: int, around: tuple[Path, ...]) -> Path | None:
-        """The file that is put in. One that LaTeX could not find is an error, one that a page does not find is told."""
+        """The file that is put in. One that can't be is told, and the rest is read."""
         try:
             return self._beside(found, path, line, around)
         except ReadError as error:
-            if path.suffix.lower() in LATEX:
-                raise
             self.remarks.append((str(path), line, f"not read: {error.what}"))
             return None
 

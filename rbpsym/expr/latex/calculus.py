@@ -6,10 +6,10 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.formal import formal, over_an_index, taken_at
 from rbpsym.expr.latex.functions import SIGNS, operand
-from rbpsym.expr.latex.grammar import argument, begins_factor, between, expression, factor, goes_on, multiplied
+from rbpsym.expr.latex.grammar import argument, atom, begins_factor, between, expression, factor, goes_on, multiplied
 from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import Token
+from rbpsym.expr.latex.tokens import COLUMN, Token
 from rbpsym.expr.symbol_table import Drawn, LatexReader, begins
 from rbpsym.frozen import replace
 
@@ -260,6 +260,8 @@ def _differential(reader: LatexReader) -> t.Node:
     if begins_name(token):
         mass = token.text == "m" and reader.ahead().text not in ("_", "'")
         return _mass(reader) if mass else read_name(reader)
+    if reader.sees_sign(COLUMN):
+        return atom(reader)
     raise reader.error("a symbol is expected after d", "", token)
 
 

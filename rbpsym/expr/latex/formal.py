@@ -189,11 +189,33 @@ def _product_over(reader: LatexReader) -> t.Node:
 
 def over_an_index(reader: LatexReader, kind: str, start: int) -> t.Node:
     """A sum (or product) of what follows, from what stands below the sign to what stands above."""
-    ends: list[t.Node] = []
+    ends, begin = list[t.Node](), reader.position
     while reader.sees_sign("_", "^") and len(ends) < 2:
         reader.take()
         ends.append(_end(reader))
-    return formal(reader, start, kind, term_of(reader), *ends)
+    return formal(reader, start, kind, bounded(reader, term_of(reader), begin), *ends)
+
+
+def bounded(reader: LatexReader, term: t.Node, begin: int) -> t.Node:
+    """What is summed. Raises ReadError where the index below the sign, at `begin`, stands below a further term too."""
+    index = next((one for one in reader.tokens[begin + 1 : begin + 4] if one.kind == "letter"), None)
+    depth, first = 0, max(token.end for token in reader.tokens[: reader.position])  # a subscript may have been read before a power
+    end = first
+    for token in reader.tokens[reader.position :] if index and reader.sees_sign("+", "-") else ():
+        depth += (token.text in ("(", "[", "{")) - (token.text in (")", "]", "}"))
+        if depth < 0 or token.kind in ("row", "end") or token.text in (",", r"\sum", *SIGNS):
+            break
+        end = token.end
+    if index and is_below(reader, reader.source.text[index.start : index.end], slice(first, end)):
+        raise reader.error("does this belong to the sum?", "Put what is summed in parentheses, or use another index.")
+    return term
+
+
+def is_below(reader: LatexReader, index: str, where: slice = slice(None)) -> bool:
+    """Does the index stand below a letter?"""
+    letter = re.escape(index.strip())
+    inner = rf"(?:[a-z]?{letter}|{letter}[a-z])(?![A-Za-z])"  # r_{ij}, but no F_{kin}
+    return bool(re.search(rf"_\s*(?:{inner}|\{{(?:[^{{}}]*[^{{}}A-Za-z\\])?{inner}[^{{}}]*\}})", reader.source.text[where]))
 
 
 def _end(reader: LatexReader) -> t.Node:

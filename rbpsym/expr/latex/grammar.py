@@ -68,7 +68,7 @@ def term_of(reader: LatexReader) -> t.Node:
 
 def _sees_evaluation(reader: LatexReader) -> bool:
     """Does a bar follow behind which is said where what stands before it is taken: f|_{x=0}?"""
-    return reader.sees_sign(r"\lvert", *_PLAIN_BARS) and reader.ahead().text == "_"
+    return not reader.bars and reader.sees_sign(r"\lvert", *_PLAIN_BARS) and reader.ahead().text == "_"
 
 
 def _evaluated(reader: LatexReader, term: t.Node, first: int | None = None) -> t.Node:
@@ -94,6 +94,9 @@ def multiplied(reader: LatexReader) -> t.Node:
             label_after(reader)  # ⊗_A
         begin, negative = reader.token.start, reader.pass_sign("-")
         right = reader.spanned(t.Neg(_product(reader)), begin) if negative else _product(reader)
+        while sign.text == r"\cdot" and reader.sees_sign(r"\times"):  # a · b × c
+            cross = reader.take()
+            right = reader.spanned(_joined(reader, right, _product(reader), cross), begin)
         wedge = sign.text == r"\wedge" and is_vector(node) and is_vector(right)  # how French and Italian texts print a cross
         formal = t.Formal(_OPERATORS[sign.text], (node, right)) if sign.text in _OPERATORS and not wedge else None
         node = reader.spanned(formal or _joined(reader, node, right, sign), start)
@@ -116,7 +119,7 @@ def _joined(reader: LatexReader, left: t.Node, right: t.Node, sign: Token) -> t.
         return (t.Dot if sign.text == r"\cdot" else t.Cross)(left, right)
     directed = [is_vector(side) or any(map(reader.table.directed, t.names(side))) for side in (left, right)]
     half = is_vector(left) != is_vector(right) and bool(t.names(left) and t.names(right))
-    unknown = reader.table.open and bool(t.names(left) and t.names(right))
+    unknown = reader.table.open and all(t.names(side) or isinstance(side, t.Formal) for side in (left, right))
     if sign.text == r"\times" and (half or unknown or all(directed)):
         return t.Formal("crossed", (left, right))
     if sign.text == r"\cdot" and unknown:
@@ -365,9 +368,8 @@ def between(reader: LatexReader, closing: str) -> t.Node:
     waiting = reader.integrals, reader.bars
     reader.integrals, reader.bars = 0, closing in _PLAIN_BARS
     node = COMMANDS["relation"](reader) if closing in _LISTS else expression(reader)
-    if isinstance(node, t.Chain) or (isinstance(node, t.Formal) and node.kind in LOOSE.values()):
-        node = reader.spanned(t.Formal(_LISTS[closing], (node,)), opening.start)
-    if reader.sees_sign(",", ";") and closing in _LISTS:
+    related = isinstance(node, t.Chain) or (isinstance(node, t.Formal) and node.kind in LOOSE.values())
+    if closing in _LISTS and (related or reader.sees_sign(",", ";")):
         node = _listed(reader, node, _LISTS[closing], opening.start)
     reader.integrals, reader.bars = waiting
     two = isinstance(node, t.Formal) and node.kind in ("list", "brackets") and len(node.parts) == 2
@@ -387,4 +389,12 @@ def _listed(reader: LatexReader, first: t.Node, kind: str, start: int) -> t.Node
         raise reader.error("is this a decimal comma?", "Write 1.5, or a blank.", comma)
     while reader.pass_sign(",", ";"):
         found.append(COMMANDS["relation"](reader))
-    return reader.spanned(t.Formal(kind, tuple(found)), start)
+    place = next((k for k, one in enumerate(found) if isinstance(one, t.Formal) and one.kind == "|"), None)
+    if place is None:
+        return reader.spanned(t.Formal(kind, tuple(found)), start)
+    sides = (*found[:place], found[place].parts[0]), (found[place].parts[1], *found[place + 1 :])  # P(x, y | z, u)
+    return reader.spanned(t.Formal(kind, (t.Formal("|", tuple(map(_several, sides))),)), start)
+
+
+def _several(parts: tuple[t.Node, ...]) -> t.Node:
+    return parts[0] if len(parts) == 1 else t.Formal("list", parts)

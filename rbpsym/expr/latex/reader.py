@@ -179,7 +179,10 @@ def _parted(reading: Reading) -> tuple[bool, ...]:
     return tuple(chosen for question, chosen in pairs if question[0] == BELOW)
 
 
-_FRAME = re.compile(r"\\(?:A?boxed|fbox|shrunk|small|large|underline|lefteqn)\s*\{|\{(?=\s*\\color(?![A-Za-z]))")
+_FRAME = re.compile(
+    r"\\(?:A?boxed|fbox|shrunk|small|large|underline|lefteqn)\s*\{|\{(?=\s*\\color(?![A-Za-z]))"
+    r"|(?:(?<=quad)|(?<=quad )|(?<=\\ )|(?<=~)|\A)\{"
+)
 _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 
 

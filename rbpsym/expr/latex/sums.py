@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.formal import over_an_index
+from rbpsym.expr.latex.formal import bounded, is_below, over_an_index
 from rbpsym.expr.latex.grammar import argument, multiplied, term_of
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.tokens import Token
@@ -33,17 +33,11 @@ def _sum(reader: LatexReader) -> t.Node:
     if [reader.ahead(k).text for k in range(4)] == ["^", "{", index.text, "="]:  # up to i = N
         reader.tokens = (*reader.tokens[: reader.position + 2], *reader.tokens[reader.position + 4 :])
     upper = argument(reader) if whole and reader.pass_sign("^") else None
-    counts = isinstance(upper, t.Sym) and upper.span and _is_index(reader, reader.source.text[slice(*upper.span)].strip())
+    counts = isinstance(upper, t.Sym) and upper.span and is_below(reader, reader.source.text[slice(*upper.span)])
     if index.kind == "letter" and whole and isinstance(upper, (t.Sym, type(None))) and not counts:
-        return reader.spanned(t.Sum(term_of(reader), index.text), sign.start)
+        return reader.spanned(t.Sum(bounded(reader, term_of(reader), begin), index.text), sign.start)
     reader.position = begin
     return _written_out(reader, sign) or over_an_index(reader, "sum", sign.start)
-
-
-def _is_index(reader: LatexReader, upper: str) -> bool:
-    """Does it stand below a letter, so that the sum goes up to each of them in turn: s_k = m_1 + ... + m_k?"""
-    inner = re.escape(upper) + r"(?![A-Za-z])"
-    return bool(re.search(rf"_\s*(?:{inner}|\{{(?:[^{{}}]*[^{{}}A-Za-z\\])?{inner}[^{{}}]*\}})", reader.source.text))
 
 
 def _written_out(reader: LatexReader, sign: Token) -> t.Node | None:

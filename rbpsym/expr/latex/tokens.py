@@ -28,9 +28,9 @@ _SYSTEMS = "array|aligned|alignedat|gathered|split|cases"  # what one brace may 
 _MARK = r"(?:\\textcircled\s*\{[\w*]+\}|[①-⑳]|\\circledast(?![A-Za-z]))"  # the number of an equation in a circle
 _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}|\{\}(?=\s*\})"
-    r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
+    r"|\\(?:nonumber|notag|displaystyle|textstyle|(?:display|no)?limits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
+    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|boxed|fbox|Aboxed|[pb]qty|ab|smash|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
     r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
@@ -76,7 +76,7 @@ _PATTERNS = (
     rf"|(?P<gap>{_GAP})"
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
-    r"|(?P<differential>\\(?:mathrm|text|textrm|textup|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
+    r"|(?P<differential>\\(?:mathrm|text|textrm|textup|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|o?dif|partial|pdif)(?![A-Za-z]))(?:\s*\{\s*\})?"
     r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up|tt)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
     rf"|\\q(?:c|comma|{_QUICK})\*?(?![A-Za-z])"
     r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}|\\(?:text(?:rm|it|bf)?|mathrm|mbox)\s+[A-Za-z\d]"
@@ -220,8 +220,9 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
         if token.text == r"\indices" and texts[1:2] == ["{"]:
             dropped |= {k, k + 1, closed(tokens, k + 1)}
         free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
-        if free and texts[:2] == ["{", "("] and closed(tokens, k + 1) == closed(tokens, k) - 1:  # f{\left(x \right)}
-            dropped |= {k, closed(tokens, k)}
+        within = {k, closed(tokens, k)} if texts[:2] in (["{", "{"], ["{", "("]) else set()
+        if (free or texts[1:2] == ["{"]) and closed(tokens, k + 1) + 1 in within:  # {{x}}, f{\left(x \right)}
+            dropped |= within
         for size in (2, 3) if token.text == "{" else ():
             inner = tokens[k + 1 : k + size]
             named = size == 2 or (bool(inner) and inner[0].kind == "command" and inner[0].text[1:] not in FUNCTION_WORDS)
@@ -309,7 +310,7 @@ def _text(text: str) -> tuple[str, str]:
     word = re.sub(r"\s+", " ", bare).strip()
     if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
         return "command", rf"\{word}"
-    if text.startswith(r"\operatorname") and re.fullmatch(r"\\[A-Za-z]+", word):
+    if re.fullmatch(r"\\[A-Za-z]+", word):
         return _command(word)
     if word == "d" and text[0] == "{":
         return "differential", word
@@ -334,7 +335,7 @@ _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in seve
     "command": _command,
     "mark": lambda text: ("sign", text.strip("{}") if "." in text else text),
     "plain": lambda text: ("command", rf"\{text}"),  # sin(x) is no product of three letters
-    "differential": lambda text: ("differential", "∂" if "partial" in text else "d"),
+    "differential": lambda text: ("differential", "∂" if "p" in text else "d"),
     "bar": lambda text: ("sign", r"\rvert" if text.startswith((r"\right", r"\bigr")) else r"\lvert"),
     "row": lambda text: ("row", "\\\\" if text == r"\newline" else text if text[1] == "\\" else _ARROWS.get(text, "so")),
     "over": lambda text: _command(text[text.rindex("{") + 1 : -1].strip()),  # a word on a sign, which says why
