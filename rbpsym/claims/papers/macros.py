@@ -26,6 +26,7 @@ _HEAD = re.compile(
 )
 _NAMED = re.compile(r"\\?[a-z]+\s*:(?!=)")  # fill: red, which only says how it looks
 _COMMAND = re.compile(r"\\[A-Za-z]+")
+_UPRIGHT = re.compile(r"\\(?:text|math)(?:rm)?\s*\{([^{}]*)\}")
 _DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax)(?![A-Za-z])")
 
 
@@ -70,7 +71,7 @@ def _macro(head: re.Match[str], body: str) -> Macro:
         first = re.match(r"\s*+[oO]\s*+(?:\{([^{}]*)\})?", arguments)
         return Macro(body, len(re.findall(r"[moO]", re.sub(r"\{[^{}]*\}", "", arguments))), first and (first[1] or ""))
     if operator:
-        return Macro(rf"\operatorname{{{body}}}")
+        return Macro(r"\operatorname{" + _UPRIGHT.sub(r"\1", body) + "}")
     if by_def:
         return Macro(body, parameters.count("#"), called=parameters.startswith("("))
     return Macro(body, int(count or provided_count or 0), default)

@@ -10,7 +10,7 @@ from rbpsym.expr.latex.grammar import argument, atom, begins_factor, between, ex
 from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import COLUMN, Token
-from rbpsym.expr.symbol_table import Drawn, LatexReader, begins
+from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 from rbpsym.frozen import replace
 
 Limits = tuple[t.Node | str | None, t.Node | str | None]
@@ -256,13 +256,17 @@ def _differential(reader: LatexReader) -> t.Node:
         return reader.spanned(t.Formal("differential", (factor(reader), order)), start)
     token = reader.token
     if reader.sees_sign("(", "{"):
-        return between(reader, ")" if reader.sees_sign("(") else "}")
-    if begins_name(token):
+        found = between(reader, ")" if reader.sees_sign("(") else "}")
+    elif begins_name(token):
         mass = token.text == "m" and reader.ahead().text not in ("_", "'")
-        return _mass(reader) if mass else read_name(reader)
-    if reader.sees_sign(COLUMN):
-        return atom(reader)
-    raise reader.error("a symbol is expected after d", "", token)
+        found = _mass(reader) if mass else read_name(reader)
+    elif reader.sees_sign(COLUMN):
+        found = atom(reader)
+    else:
+        raise reader.error("a symbol is expected after d", "", token)
+    texts = [reader.ahead(k).text for k in range(4)]
+    of_way = texts[0] == "[" and texts[2] == "]" and texts[3] and texts[3] not in SIGNS
+    return COMMANDS["called"](reader, found) if of_way else found  # dμ[c] of a way c
 
 
 def _mass(reader: LatexReader) -> t.Node:

@@ -77,6 +77,7 @@ SENTENCES: Mapping[str, Sentence] = {
     "drawn": ("what does this code print?", "Write the symbol, or define it by #let with a formula."),
     "cancelled": ("is what is crossed out still meant?", "Leave it out, or write it without the stroke."),
     "order": ("terms that are left out have no value", r"Leave them out, and write \approx."),
+    "log": ("to which base is this logarithm?", r"Write \ln, or \log_{10}."),
     "asked": ("what is asked here?", "Write the formula."),
 }  # fmt: skip
 
@@ -131,7 +132,7 @@ def _binomial(reader: LatexReader) -> t.Node:
 def _quantified(reader: LatexReader) -> t.Node:
     """∀ x, y ∈ M"""
     token, found = reader.take(), list[t.Node]()
-    while not found or reader.pass_sign(","):
+    while not found or (reader.pass_sign(",") and reader.token.kind != "row"):  # ∀ x, \quad a = b
         found.append(relation(reader))
     return formal(reader, token.start, _QUANTIFIERS[token.text], *found)
 

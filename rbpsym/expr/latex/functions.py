@@ -89,18 +89,20 @@ def _name(reader: LatexReader) -> t.Node:
 
 
 _NAMED = (t.Sym, t.Vec, t.Deriv)
-_VALUES = ("binomial", "factorial", "measured", "state", "mean", "…")  # no functions
+_VALUES = ("binomial", "factorial", "measured", "state", "mean", "…", "log")  # no functions
 
 
 def called(reader: LatexReader, node: t.Node) -> t.Node:
     """In a text of which nothing is known: with what stands in brackets behind it, of which it may be a function."""
     parts = (node.num, node.den) if isinstance(node, t.Div) else (node,)
-    may = reader.table.open and all(isinstance(one, (*_NAMED, t.Pow, t.Formal, t.Delta)) for one in parts)
+    may = reader.table.open and not (isinstance(node, t.Formal) and node.kind == "differential")
+    may = may and all(isinstance(one, (*_NAMED, t.Pow, t.Formal, t.Delta)) for one in parts)
     may = may and not any(isinstance(one, t.Formal) and one.kind in _VALUES for one in parts)
     while may and reader.sees_sign("(", "["):
         if reader.sees_sign("[") and reader.ahead(len(_inside(reader))).text == "_":
             break
         node = _value(reader, node)
+        may = node.parts[1] != t.Formal("·")  # du[·] [a + b]
     return node
 
 
@@ -269,6 +271,8 @@ def _function(reader: LatexReader) -> t.Node:
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
     arg = _argument(reader, token)
+    if token.text == r"\log" and base is None:
+        return reader.spanned(t.Formal("log", (arg,)), token.start)
     made: t.Node = t.Group(HYPERBOLIC[name](arg)) if name in HYPERBOLIC else t.Fn(name, arg)
     made = made if base is None else t.Div(made, t.Fn(name, base))
     call = reader.spanned(made, token.start)

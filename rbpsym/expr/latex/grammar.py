@@ -239,7 +239,7 @@ def factor(reader: LatexReader) -> t.Node:
         reader.take()
         base = COMMANDS["at"](reader, base, start)
     while reader.sees_sign("^"):
-        if not isinstance(base, t.Num) and (mark := mark_above(reader, isinstance(base, (t.Sym, t.Vec)))):
+        if (not isinstance(base, t.Num) or base == t.ZERO) and (mark := mark_above(reader, isinstance(base, (t.Sym, t.Vec)))):
             base = base if is_open else COMMANDS["applied"](reader, base, first)  # q^T(t)
             whole = t.Formal("marked", (base, t.Word(mark))) if mark != "transposed" else t.Formal(mark, (base,))
             base = COMMANDS["called"](reader, reader.spanned(whole, start))
@@ -257,6 +257,8 @@ def factor(reader: LatexReader) -> t.Node:
         label = (t.Word(label_after(reader)),) if reader.sees_sign("_") else ()
         kind = "marked" if label or reader.take().text != "!" else "factorial"
         base = COMMANDS["called"](reader, reader.spanned(t.Formal(kind, (base, *label)), start))
+        if reader.pass_sign("^"):
+            base = reader.power(base, argument(reader), start)
     return base
 
 
@@ -289,6 +291,8 @@ def bare_atom(reader: LatexReader) -> t.Node:
             return _differential(reader)
         if token.text in COMMANDS and token.kind in ("sign", "command"):
             return COMMANDS[token.text](reader)
+        if token.text == r"\cdot" and reader.ahead().text in (")", "]", ","):  # f(x, ·)
+            return reader.spanned(t.Formal("·"), reader.take().start)
         if (power := _exponential(reader)) is not None:
             return power
         if begins_name(token):

@@ -28,6 +28,7 @@ def number(reader: LatexReader) -> t.Node:
         what = "a number of more than 30 digits" if len(digits) > 30 else "two decimal marks"
         raise reader.source.limit(what, start, reader.previous_end)
     value = Rational(digits)
+    value = value / 100 if reader.pass_sign(r"\%") else value
     found = reader.spanned(t.Num(int(value) if value.denominator == 1 else value), start)
     if not reader.pass_sign("°"):
         return found

@@ -16,15 +16,16 @@ def _derivative(reader: LatexReader) -> t.Node:
     head = reader.take()
     reader.pass_sign("*")
     order = _option(reader)
-    begin = reader.position
-    of = argument(reader)
-    parts: list[str | t.Node] = []
+    begin, parts = reader.position, list[str | t.Node]()
+    empty = reader.sees_sign("{") and reader.ahead().text == "}"
+    reader.position += 2 * empty
+    of = None if empty else argument(reader)
     while reader.sees_sign("{") and len(parts) < (1 if order > 1 or head.text == r"\dv" else 3):
         parts.append(_variable(reader))
     if not parts:
         reader.position = begin
-        parts.append(_variable(reader))
-        of = operand(reader)
+        parts, of = [_variable(reader)], None
+    of = operand(reader) if of is None else of
     named = [wrt for wrt in parts if isinstance(wrt, str)]
     if len(named) < len(parts):
         return formal(reader, head.start, "differential", of, *(one for one in parts if not isinstance(one, str)))

@@ -90,7 +90,7 @@ _PATTERNS = (
     rf"|(?P<plain>(?<![a\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) > 2)})(?=\s*[(\[{{^\\]|\s+[A-Za-z\d])"
     rf"|(?<![A-Za-z\\])(?:{'|'.join(word for word in FUNCTION_WORDS if len(word) == 2)})(?=\s*(?:\(|\\left|\\[a-z])))"
     r"|(?P<arrow>\\x(?:right|Right|mapsto)arrow\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})"
-    r"|(?P<command>\\(?:v[abu]\*|[A-Za-z]+|[|{}]))"
+    r"|(?P<command>\\(?:v[abu]\*|[A-Za-z]+|[|{}%]))"
     r"|(?P<word>[\u3040-\u30ff\u4e00-\u9fff\uac00-\ud7af]+)|(?P<dots>\.\.\.)"
     r"|(?P<digit>[0-9])|(?P<mark>\{[,.]\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!?])"
@@ -133,7 +133,7 @@ CONDITIONS = re.compile(
 LOOSE = {
     r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
     r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
-    ":": ":", r"\leftrightarrow": "↔", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯",
+    ":": ":", r"\leftrightarrow": "↔", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯", r"\upuparrows": "⇈",
 }  # fmt: skip
 GIVEN = r"\given"
 LOOSE |= {GIVEN: "|", r"\longmapsto": "↦", r"\colon": ":"}
@@ -161,7 +161,7 @@ def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
             f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read",
             instead="Split it into smaller parts.",
         )
-    found = _given(_unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"]))))
+    found = _given(_lowered(_unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"])))))
     return (*found, Token("end", "", len(source.text), len(source.text)))
 
 
@@ -174,6 +174,25 @@ def _arrayed(tokens: list[Token]) -> list[Token]:
             opening, closing = (replace(tokens[at], kind="sign", text=text) for at, text in ((k, COLUMN), (end, END_COLUMN)))
             return _arrayed([*tokens[:k], opening, *tokens[k + 2 : end], closing, *tokens[end + 1 :]])
     return tokens
+
+
+def _lowered(tokens: list[Token]) -> list[Token]:
+    """The tokens with what stands below a bracket in front of what stands above it, ]^b_a."""
+    for k in range(len(tokens) - 3):
+        if tokens[k].text in ("]", r"\rvert") and tokens[k + 1].text == "^":
+            below = _behind_script(tokens, k + 2)
+            if below < len(tokens) - 1 and tokens[below].text == "_":
+                end = _behind_script(tokens, below + 1)
+                tokens = [*tokens[: k + 1], *tokens[below:end], *tokens[k + 1 : below], *tokens[end:]]
+    return tokens
+
+
+def _behind_script(tokens: list[Token], k: int) -> int:
+    """Where the argument of ^ or _ ends that begins there: a sign, braces, or a command with its braces."""
+    end = closed(tokens, k) + 1
+    while tokens[k].kind == "command" and end < len(tokens) and tokens[end].text == "{":
+        end = closed(tokens, end) + 1
+    return end
 
 
 _OPENING, _CLOSING = ("(", "[", "{", r"\{", r"\lvert"), (")", "]", "}", r"\}", r"\rvert")
@@ -220,9 +239,9 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
         if token.text == r"\indices" and texts[1:2] == ["{"]:
             dropped |= {k, k + 1, closed(tokens, k + 1)}
         free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
-        within = {k, closed(tokens, k)} if texts[:2] in (["{", "{"], ["{", "("]) else set()
-        if (free or texts[1:2] == ["{"]) and closed(tokens, k + 1) + 1 in within:  # {{x}}, f{\left(x \right)}
-            dropped |= within
+        twice = texts[:2] == ["{", "{"] != texts[1:3]
+        if (twice or (free and texts[:2] == ["{", "("])) and closed(tokens, k + 1) == closed(tokens, k) - 1:
+            dropped |= {k, closed(tokens, k)}  # {{x}}, f{\left(x \right)}
         for size in (2, 3) if token.text == "{" else ():
             inner = tokens[k + 1 : k + size]
             named = size == 2 or (bool(inner) and inner[0].kind == "command" and inner[0].text[1:] not in FUNCTION_WORDS)
@@ -252,14 +271,14 @@ _BRACED_SIGNS = [["{", sign, "}"] for sign in (r"\cdot", r"\times", "+", "-", "=
 
 
 def _argued(tokens: list[Token]) -> set[int]:
-    """Where braces that are no script end: what stands behind may be a command's further argument."""
+    """Where braces end that are a command's argument: what stands behind may be a further one."""
     found, begun = set[int](), list[int]()
     for k, token in enumerate(tokens):
         if token.text == "{":
             begun.append(k)
         elif token.text == "}" and begun:
             begin = begun.pop()
-            if begin == 0 or tokens[begin - 1].text not in ("^", "_"):
+            if begin and (tokens[begin - 1].kind in _TAKING or tokens[begin - 1].text == "]" or begin - 1 in found):
                 found.add(k)
     return found
 
