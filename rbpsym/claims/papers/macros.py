@@ -14,13 +14,12 @@ from rbpsym.frozen import Frozen
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
 MOST_FAULTS = 20  # definitions that are never closed
-LET, NAMES = 7, (1, 2, 5, 7, 10, 12, 14)  # the group of _HEAD that holds what is let be another, and those that hold a name
+LET, NAMES = 7, (1, 2, 5, 7, 10, 12)  # the group of _HEAD that holds what is let be another, and those that hold a name
 COUNTERS = (r"\theequation",)  # left where they stand: numbers of equations depend on the place
 _HEAD = re.compile(
-    r"\\(?:re|provide)?newcommand\*?\s*+(?:\{\s*+(\\[A-Za-z]++)\s*+\}|(\\[A-Za-z]++))\s*+(?:\[(\d)\])?\s*+(?:\[([^\[\]]{0,999}+)\])?\s*+(?=\{)"
+    r"\\(?:(?:re)?new|provide)command\*?\s*+(?:\{\s*+(\\[A-Za-z]++)\s*+\}|(\\[A-Za-z]++))\s*+(?:\[(\d)\])?\s*+(?:\[([^\[\]]{0,999}+)\])?\s*+(?=\{)"
     r"|\\(?:New|Renew|Provide|Declare)(?:Expandable)?DocumentCommand\s*+\{?\s*+(\\[A-Za-z]++)\s*+\}?\s*+\{([\smoO{}]{0,99})\}\s*+(?=\{)"
     r"|\\let\s*+(\\[A-Za-z]++)\s*+=?\s*+(\\[A-Za-z]++)()"
-    r"|\\providecommand\*?\s*+\{?\s*+(\\[A-Za-z]++)\s*+\}?\s*+(?:\[(\d)\])?\s*+(?=\{)"
     r"|\\(?:long\s*+\\)?def\s*+(\\[A-Za-z]++)(\((?:#\d,?)++\)|(?:#\d)*+)\s*+(?=\{)"
     r"|\\DeclareMathOperator\*?\s*+\{\s*+(\\[A-Za-z]++)\s*+\}\s*+(?=\{)"
 )
@@ -64,7 +63,7 @@ def definitions(text: str) -> tuple[dict[str, Macro], str, list[tuple[int, str]]
 
 
 def _macro(head: re.Match[str], body: str) -> Macro:
-    _, _, count, default, document, arguments, let, same, _, _, provided_count, by_def, parameters, operator = head.groups()
+    _, _, count, default, document, arguments, let, same, _, by_def, parameters, operator = head.groups()
     if let:
         return Macro(same)
     if document:
@@ -74,7 +73,7 @@ def _macro(head: re.Match[str], body: str) -> Macro:
         return Macro(r"\operatorname{" + _UPRIGHT.sub(r"\1", body) + "}")
     if by_def:
         return Macro(body, parameters.count("#"), called=parameters.startswith("("))
-    return Macro(body, int(count or provided_count or 0), default)
+    return Macro(body, int(count or 0), default)
 
 
 _SITE = re.compile(

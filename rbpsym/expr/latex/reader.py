@@ -181,7 +181,7 @@ def _parted(reading: Reading) -> tuple[bool, ...]:
 
 _FRAME = re.compile(
     r"\\(?:A?boxed|fbox|shrunk|small|large|underline|lefteqn)\s*\{|\{(?=\s*\\color(?![A-Za-z]))"
-    r"|(?:(?<=quad)|(?<=quad )|(?<=\\ )|(?<=~)|\A)\{"
+    r"|(?:(?<=quad)|(?<=quad )|(?<=\\ )|(?<=~)|\A\s*)\{"
 )
 _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 
