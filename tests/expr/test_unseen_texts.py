@@ -60,6 +60,13 @@ def read(latex):
         (r"a = b\;(\text{F61})", "a = b"),
         (r"a = b ~~~\text{vector form: } c = d", "a = b\nc = d"),
         (r"-a = b_j \quad j = x,y,z", "−a = bⱼ"),
+        (r"\frac{d^2 r}{{dt'^2}} = a \quad {b = c}", "d²r/dt′² = a\nb = c"),
+        (r"{ a = b } \ \ \ {c = d}", "a = b\nc = d"),
+        (r"a = \bm{\mathrm{\tau}} \cdot \vec b \times \vec c", "a = τ⃗ · (b⃗ × c⃗)"),
+        (r"f = \odv{}{t} v + \int F \odif{y} + \cos\ab(\omega t)", "f = dv/dt + ∫F dy + cos(ωt)"),
+        (r"F = \sum_i a_i + \sum_i b_i + c_{kin}", "F = ∑ᵢ aᵢ + ∑ᵢ bᵢ + cₖᵢₙ"),
+        (r"I = \left[\frac13 r^3\right]^\frac{\ell}{2}_0", "I = [⅓r³]_(r = 0)^(r = ℓ/2)"),
+        (r"e = 4\% \quad {\bf M}{\bf v}^+ = {\bf n}{\bf v}_i", "e = 0.04\nM⃗v⃗ₚₗᵤₛ = n⃗v⃗ᵢ"),
     ],
 )
 def test_is_read_as_it_is_meant(latex, told):
@@ -78,6 +85,13 @@ def test_is_read_as_it_is_meant(latex, told):
         (r"r \in [0, \infty)", "∈"),
         (r"S = \{(x, v) : x = v\}", "braces"),
         (r"\phi_k = \sum_{i=1}^{k} \theta_i", "sum"),
+        (r"\nabla\cdot E = \rho", "dotted"),
+        (r"p = P(x, y|b, u)", "|"),
+        (r"a = \log x", "log"),
+        (r"L = S[q(\cdot)]", "·"),
+        (r"n = \|a\|_2^2", "marked"),
+        (r"\forall \vec x, \quad a = b", "∀"),
+        (r"\vec a \upuparrows \vec b", "⇈"),
         (r"f'(a) = f(a + h)/h", "value"),
         (r"\operatorname{\Box} A = 0", "□"),
         (r"h = \left. v \right)_0 r", "at"),
@@ -112,7 +126,13 @@ def test_what_has_no_value_is_a_formal_part(latex, kind):
     assert kind in {part.kind for part in t.walk(read(latex)) if isinstance(part, t.Formal)}
 
 
-@pytest.mark.parametrize("latex", [r"v = \sqrt{22,24}", r"\partial_{[2} E_{3]} = 0", r"F^{01} = 3", r"a = b + \quad c = d"])
+OPEN = [
+    r"v = \sqrt{22,24}", r"\partial_{[2} E_{3]} = 0", r"F^{01} = 3", r"a = b + \quad c = d",
+    r"F = \sum_{n>0} f_n \cos n + g_n \sin n", r"L = \sum_{i\ne j} r_i F_{ij} + r_j F_{ji}",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("latex", OPEN)
 def test_what_may_mean_something_else_is_refused(latex):
     with pytest.raises(RbpsymError):
         read(latex)

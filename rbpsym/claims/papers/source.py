@@ -129,6 +129,7 @@ class _Files:
     def __init__(self, folder: Path, given: Path) -> None:
         self.folder, self.given, self.size = folder, given, 0
         self.remarks: list[Remark] = []
+        self.read: dict[Path, str] = {}
         self.imported: list[Path] = []  # by Typst: what they define is meant
 
     def lines(self, path: Path, around: tuple[Path, ...]) -> Iterator[_Line]:
@@ -209,11 +210,14 @@ class _Files:
         return "\n".join(_COMMENT.sub(r"\1", line) for line in self._content(path).split("\n"))
 
     def _content(self, path: Path) -> str:
+        if path in self.read:
+            return self.read[path]
         text, is_utf8 = latin_or_utf8_in(path, MAX_BYTES - self.size, "the text")
         if not is_utf8:
             self.remarks.append((str(path), 1, "this file is not UTF-8; it was read as Latin-1"))
         self.size += len(text)
-        return text.replace("\r\n", "\n").replace("\r", "\n")
+        self.read[path] = text.replace("\r\n", "\n").replace("\r", "\n")
+        return self.read[path]
 
     def _followed(self, found: re.Match[str], path: Path, line: int, around: tuple[Path, ...]) -> Path | None:
         """The file that is put in. One that can't be is told, and the rest is read."""

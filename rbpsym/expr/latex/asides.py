@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from itertools import pairwise
 
 from rbpsym.expr.latex.tokens import CONDITION, PUNCTUATION, Token
 
@@ -16,7 +15,7 @@ Span = tuple[int, int]
 
 def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
     """The tokens without hand-written numbers, and with (x > 0) behind a gap at the end of a row as a condition."""
-    tokens = _labelled(_with_and(_unnumbered(tokens), relations), relations)
+    tokens = _labelled(_unnumbered(tokens), relations)
     found = list(tokens)
     for begin, end in reversed(_pairs(tokens)):
         inner = tokens[begin + 1 : end]
@@ -38,21 +37,6 @@ def _unnumbered(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
     """Without its number in a list in front of a formula: 1. \\quad v = a t."""
     apart = len(tokens) > 2 and tokens[0].kind == "digit" and tokens[1].text in (".", ")") and _wide(tokens[2:3])
     return tokens[3:] if apart else tokens
-
-
-_AND = ("e", "y")  # in Italian and Portuguese, in Spanish
-
-
-def _with_and(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
-    r"""With a lone e or y as the word that it is, which stands between wide gaps and two relations: a = b \quad e \quad c = d."""
-    found = list(tokens)
-    ends = [-1, *(k for k, token in enumerate(tokens) if token.kind in ("row", "end"))]
-    for begin, end in pairwise(ends):
-        for k in range(begin + 2, end - 1):
-            apart = tokens[k].text in _AND and all(one.kind == "gap" and _wide((one,)) for one in (tokens[k - 1], tokens[k + 1]))
-            if apart and _relates(tokens[begin + 1 : k], relations) and _relates(tokens[k:end], relations):
-                found[k] = replace(tokens[k], kind="row", text="")
-    return tuple(found)
 
 
 def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:

@@ -200,14 +200,14 @@ def over_an_index(reader: LatexReader, kind: str, start: int) -> t.Node:
 def bounded(reader: LatexReader, term: t.Node, begin: int) -> t.Node:
     """What is summed. Raises ReadError where the index below the sign, at `begin`, stands below a further term too."""
     index = next((one for one in reader.tokens[begin + 1 : begin + 4] if one.kind == "letter"), None)
-    depth, first = 0, max(token.end for token in reader.tokens[: reader.position])  # a subscript may have been read before a power
-    end = first
+    depth, read = 0, max(token.end for token in reader.tokens[: reader.position])  # a subscript may stand behind a power
+    end = read
     for token in reader.tokens[reader.position :] if index and reader.sees_sign("+", "-") else ():
         depth += (token.text in ("(", "[", "{")) - (token.text in (")", "]", "}"))
         if depth < 0 or token.kind in ("row", "end") or token.text in (",", r"\sum", *SIGNS):
             break
         end = token.end
-    if index and is_below(reader, reader.source.text[index.start : index.end], slice(first, end)):
+    if index and is_below(reader, reader.source.text[index.start : index.end], slice(read, end)):
         raise reader.error("does this belong to the sum?", "Put what is summed in parentheses, or use another index.")
     return term
 

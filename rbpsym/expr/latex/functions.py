@@ -265,8 +265,6 @@ def _function(reader: LatexReader) -> t.Node:
         if exponent == t.Neg(t.ONE) and f"a{name}" in FUNCTION_WORDS.values():
             asked = f"this power of {name} can be read in two ways", rf"Write \arc{name}, or ({token.text} x)^n."
             name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
-        elif name == "exp" and not (begins_factor(reader) or isinstance(exponent, t.Num)):
-            return reader.spanned(t.Fn(name, exponent), token.start)  # \exp^{-t/T}, printed for e^{-t/T}
         elif name in _INVERSE_POWER or (number_of(exponent) is None and not t.names(exponent)):  # sin^n x is no n-th inverse
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip

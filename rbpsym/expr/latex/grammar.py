@@ -78,9 +78,6 @@ def _evaluated(reader: LatexReader, term: t.Node, first: int | None = None) -> t
             raise reader.error("how much of this sum is taken there?", r"Write \left. ... \right|_{...}, or parentheses.")
         reader.take()
         term = COMMANDS["at"](reader, term, reader.previous_end)
-        if begins_factor(reader):
-            with reader.deeper():
-                term = reader.spanned(t.Mul((term, multiplied(reader))), (term.span or (0, 0))[0])
     return term
 
 

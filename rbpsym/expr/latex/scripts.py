@@ -77,9 +77,6 @@ def label_above(reader: LatexReader) -> str:
     tokens = reader.tokens[reader.position + 1 : reader.position + 6]
     braces = tokens[0].text == "{"
     inner = tokens[braces:]
-    if braces and inner[0].text == "_" and "letter" in (inner[1].kind, inner[2].kind):
-        reader.position += 1
-        return label_after(reader, begun=True)
     bracketed = inner[0].text == "(" and inner[1].kind in ("letter", "digit") and inner[2].text == ")"
     marked = inner[0].text in ("*", "+", "-", *_NAMED)
     named = marked or (inner[0].kind == "text" and Drawn(inner[0].text) not in reader.table.names)

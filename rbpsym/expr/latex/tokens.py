@@ -236,8 +236,6 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
             dropped |= {k, k + 1, k + 3}
         if texts[:3] in _BRACED_SIGNS and k and tokens[k - 1].text not in ("^", "_"):
             dropped |= {k, k + 2}
-        if token.text == r"\indices" and texts[1:2] == ["{"]:
-            dropped |= {k, k + 1, closed(tokens, k + 1)}
         free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
         twice = texts[:2] == ["{", "{"] != texts[1:3]
         if (twice or (free and texts[:2] == ["{", "("])) and closed(tokens, k + 1) == closed(tokens, k) - 1:
