@@ -26,7 +26,7 @@ def draft_of(path: Path) -> str:
 
     begin, end = COMMENTS.get(path.suffix.lower(), ("% rbpsym{}", ""))
     comments: dict[tuple[str, int], list[str]] = {}
-    for formula, said in draft(read_paper(path)):
+    for formula, said in draft(read_paper(path), path.parent):
         gap = "\n" if path.suffix.lower() == ".rst" else ""
         comments.setdefault((formula.file, formula.line), []).extend(begin.format(one) + end + "\n" + gap for one in said)
     cells = path.suffix.lower() == ".ipynb"

@@ -10,6 +10,7 @@ from rbpsym.claims.papers.check import printed
 from rbpsym.claims.papers.walk import read_paper
 from rbpsym.cli import main
 from rbpsym.errors import RbpsymError
+from rbpsym.statement.library import problem_files
 
 SAID = (r"problem = sliding-ladder", r"\vec V is the velocity of ladder.cm", r"\omega is the speed of theta")
 RIGHT, WRONG = r"V^2 = \ell^2\omega^2", r"V^2 = \ell^2\omega^3"
@@ -273,6 +274,16 @@ def test_each_section_has_the_problem_that_it_is_about(folder, capsys):
     assert found == ["= rod-pendulum", "= sliding-ladder"]
     code, rows = checked(folder, capsys, "a.md", "\n".join(lines) + "\n")
     assert code == 0 and [row["outcome"] for row in rows] == ["PROVED"] * 4
+
+
+def test_a_first_draft_tries_the_problems_beside_the_text(folder, capsys):
+    """A shell in place of the ball."""
+    shipped = problem_files()["ball-on-incline"].read_text()
+    (folder / "mine.toml").write_text(shipped.replace('"ball"\nmass', '"shell"\nmass').replace("2*tan(beta)/7", "2*tan(beta)/5"))
+    (folder / "a.md").write_text("$$ a = \\frac{3}{5} g\\sin\\beta $$\n\nand\n\n$$ K = \\frac{5}{6} M v^2 $$\n")
+    main.main(["check", "--init", "a.md"], standalone_mode=False)
+    told = capsys.readouterr().out
+    assert "rbpsym: problem = mine" in told and told.count("rbpsym: claim") == 2
 
 
 def test_a_draft_without_a_fit_is_all_guesses(folder, capsys):

@@ -1,7 +1,8 @@
 """A first draft of the comments by which a text carries its claims.
 
-The symbols of its displays are found, problems that ship are tried by proving displays, with symbols of the text matched to
-their names and to what such letters usually mean; what is not proved is a guess, and marked so that nothing takes it for said.
+The symbols of its displays are found, problems beside the text and those that ship are tried by proving displays, with
+symbols of the text matched to their names and to what such letters usually mean; what is not proved is a guess, and marked
+so that nothing takes it for said.
 """
 
 from __future__ import annotations
@@ -11,11 +12,13 @@ import tomllib
 from collections.abc import Mapping
 from functools import cache
 from itertools import islice, product
+from pathlib import Path
 from typing import Any
 
 from rbpsym.claims.check import Checker
 from rbpsym.claims.ground import glossary, name_of
 from rbpsym.claims.integrals import with_dimensions
+from rbpsym.claims.loader import is_claims
 from rbpsym.claims.model import Claim, Meaning, Outcome, Setting
 from rbpsym.claims.papers.check import printed
 from rbpsym.claims.papers.walk import Formula, Paper
@@ -29,6 +32,7 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.quantity.bound import parts
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_table
 
 FEW, MOST_SECTIONS = 2, 40
 _EMPTY = frozenset(["the", "and", "its", "for", "with", "from", "whose", "that", "this", "are", "has", "one", "two"])
@@ -56,8 +60,11 @@ class _Any(dict[Drawn, tuple[str, ...]]):
 ANY = SymbolTable(_Any(), varies=lambda name: True, open=True)
 
 
+_Told = tuple[frozenset[str], frozenset[str]]
+
+
 class Fit(Frozen):
-    """A problem that ships, the displays that hold in it, and what the symbols of the text mean there."""
+    """A problem, the displays that hold in it, and what the symbols of the text mean there."""
 
     problem: str
     symbols: Mapping[str, str]
@@ -118,27 +125,29 @@ def fits(paper: Paper, worlds: Worlds) -> list[Fit]:
     readable = {formula: symbols for formula, symbols in found.items() if 1 < len(symbols) < 9}
     tried = list(islice(readable.items(), MOST_FORMULAS))
     left, fitting = [MOST_TRIES], []
-    for name in _likely(paper, {symbol for symbols in found.values() for symbol in symbols}):
+    for name in _likely(paper, {symbol for symbols in found.values() for symbol in symbols}, _told(worlds.folder)):
         one = _fit(name, tried, paper, worlds, left)
         fitting += [one] if one.formulas else []
     return sorted(fitting, key=lambda fit: -len(fit.formulas))
 
 
-def _likely(paper: Paper, symbols: set[str]) -> list[str]:
-    """The names of the problems whose title and letters are most like those of the text."""
+def _likely(paper: Paper, symbols: set[str], told: Mapping[str, _Told]) -> list[str]:
+    """The names of the problems whose title and letters are most like those of the text, those of files beside it first."""
     words, letters = set(_words(paper.text.text)), {s.strip("\\ ") for s in symbols}
 
     def likeness(name: str) -> float:
-        told, own = _told()[name]
-        return 3 * len(told & words) / max(len(told), 1) + len(own & letters) / max(len(own), 1)
+        title, own = told[name]
+        return 3 * len(title & words) / max(len(title), 1) + len(own & letters) / max(len(own), 1)
 
-    return sorted(_told(), key=lambda name: (-likeness(name), name))[:MOST_PROBLEMS]
+    return sorted(told, key=lambda name: (name in problem_files(), -likeness(name), name))[:MOST_PROBLEMS]
 
 
 @cache
-def _told() -> Mapping[str, tuple[frozenset[str], frozenset[str]]]:
-    """Of each problem that ships, the words of its title and its letters, taken from its file as it stands."""
-    tables = {name: tomllib.loads(path.read_text("utf-8")) for name, path in problem_files().items()}
+def _told(folder: Path) -> Mapping[str, _Told]:
+    """Of each problem beside a text, and each that ships, the words of its title and its letters, as its file stands."""
+    tables = {path.stem: load_table(path).data for path in folder.glob("*.toml") if not is_claims(path)}
+    tables = {name: table for name, table in tables.items() if "bodies" in table}
+    tables |= {name: tomllib.loads(path.read_text("utf-8")) for name, path in problem_files().items()}
     letters = {name: {*table.get("parameters", ()), *table.get("coordinates", ())} for name, table in tables.items()}
     return {name: (frozenset(_words(f"{name} {_title(tables[name])}")), frozenset(own)) for name, own in letters.items()}
 
@@ -157,10 +166,7 @@ def _fit(name: str, tried: list[tuple[Formula, tuple[str, ...]]], paper: Paper, 
     """What of the text holds in one problem; a symbol keeps the meaning with which a display was proved first."""
     known: dict[str, str] = {}
     held: list[Formula] = []
-    try:
-        world = worlds.problem(name)
-    except RbpsymError:
-        return Fit(name, {}, ())
+    world = worlds.problem(name)
     for formula, symbols in tried:
         for meanings in islice(product(*(_meanings(s, world, known) for s in symbols)), MOST_WAYS):
             left[0] -= 1
@@ -209,9 +215,9 @@ def _holds(formula: Formula, meanings: Mapping[str, str], name: str, paper: Pape
     return fits and Checker(worlds, witnesses=False).check_safely(claim).outcome is Outcome.PROVED
 
 
-def draft(paper: Paper) -> list[tuple[Formula, list[str]]]:
-    """(the display before which they stand, what comments say) of each section."""
-    worlds = Worlds()
+def draft(paper: Paper, folder: Path) -> list[tuple[Formula, list[str]]]:
+    """(the display before which they stand, what comments say) of each section; problems of one's own lie in `folder`."""
+    worlds = Worlds(folder.resolve())
     return [told for part in sections(paper) for told in _of_section(part, worlds)]
 
 
