@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 
 from rbpsym.claims.papers.formats import LATEX, lines_of
 from rbpsym.claims.papers.macros import site_macros
 from rbpsym.claims.papers.marks import NOTE, NOTE_END
-from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
+from rbpsym.errors import LimitError, Place, RbpsymError
 from rbpsym.frozen import Frozen
 from rbpsym.statement.files import latin_or_utf8_in
 
@@ -220,29 +221,23 @@ class _Files:
         return self.read[path]
 
     def _followed(self, found: re.Match[str], path: Path, line: int, around: tuple[Path, ...]) -> Path | None:
-        """The file that is put in. One that can't be is told, and the rest is read."""
-        try:
-            return self._beside(found, path, line, around)
-        except ReadError as error:
-            self.remarks.append((str(path), line, f"not read: {error.what}"))
-            return None
-
-    def _beside(self, found: re.Match[str], path: Path, line: int, around: tuple[Path, ...]) -> Path:
-        r"""The file of an \input, which must be in the folder of the text or below it."""
-        name = (found["part"] or found["name"] or found["word"] or "").strip()
-        place = Place(str(path), line, found.start() + 1)
-        try:
-            target = self._existing(path.parent, (found["folder"] or "").strip(), name, place)
-        except (OSError, ValueError):
-            raise ReadError(f"“{name[:60]}” is no name of a file", place=place) from None
-        _check_inside(target, self.folder, name, place)
-        if target in around or target == path.resolve():
-            raise ReadError(f"“{name}” inputs itself", place=place)
+        r"""The file of an \\input, which must be in the folder of the text or below it. One that can't be read is told."""
+        name, place = (found["part"] or found["name"] or found["word"] or "").strip(), Place(str(path), line, found.start() + 1)
         if len(around) >= MAX_FILES:
             raise LimitError(f"more than {MAX_FILES} files are nested", place=place)
-        if not target.is_file():
-            raise ReadError(f"there is no file “{name}” beside the text", place=place)
-        return self.given / target.relative_to(self.folder)
+        what = f"“{name[:60]}” is no name of a file"
+        with suppress(OSError, ValueError):
+            target = self._existing(path.parent, (found["folder"] or "").strip(), name, place)
+            if not target.is_relative_to(self.folder):
+                what = f"“{name[:60]}” is outside the folder of the text"
+            elif target in around or target == path.resolve():
+                what = f"“{name}” inputs itself"
+            elif target.is_file():
+                return self.given / target.relative_to(self.folder)
+            else:
+                what = f"there is no file “{name}” beside the text"
+        self.remarks.append((str(path), line, f"not read: {what}"))
+        return None
 
     def _existing(self, beside: Path, below: str, name: str, place: Place) -> Path:
         """The file of this name, beside the text or the file that names it; small letters may stand for large ones."""
@@ -257,13 +252,6 @@ class _Files:
                 self.remarks.append((place.file, place.line, f"“{name}” is the file {alike[0].name}, in other letters"))
                 return alike[0].resolve()
         return found or tried[1].resolve()
-
-
-def _check_inside(target: Path, folder: Path, name: str, place: Place) -> None:
-    if not target.is_relative_to(folder):
-        raise ReadError(
-            f"“{name[:60]}” is outside the folder of the text", instead="only files beside it are read.", place=place
-        )
 
 
 def told_at(error: RbpsymError, text: PaperText, offset: int) -> RbpsymError:

@@ -101,8 +101,8 @@ def called(reader: LatexReader, node: t.Node) -> t.Node:
     while may and reader.sees_sign("(", "["):
         if reader.sees_sign("[") and reader.ahead(len(_inside(reader))).text == "_":
             break
+        may = reader.ahead().text != r"\cdot"  # du[·] [a + b]
         node = _value(reader, node)
-        may = node.parts[1] != t.Formal("·")  # du[·] [a + b]
     return node
 
 

@@ -386,16 +386,12 @@ def _listed(reader: LatexReader, first: t.Node, kind: str, start: int) -> t.Node
     """What commas part."""
     found, before, comma = [first], reader.tokens[reader.position - 1], reader.token
     decimal = before.kind == reader.ahead().kind == "digit" and before.end == comma.start and comma.end == reader.ahead().start
-    if decimal and reader.tokens[reader.position - 1].kind == "digit" and reader.source.text[start] == "{":
+    if decimal and reader.source.text[start] == "{":
         raise reader.error("is this a decimal comma?", "Write 1.5, or a blank.", comma)
     while reader.pass_sign(",", ";"):
         found.append(COMMANDS["relation"](reader))
-    place = next((k for k, one in enumerate(found) if isinstance(one, t.Formal) and one.kind == "|"), None)
-    if place is None:
-        return reader.spanned(t.Formal(kind, tuple(found)), start)
-    sides = (*found[:place], found[place].parts[0]), (found[place].parts[1], *found[place + 1 :])  # P(x, y | z, u)
-    return reader.spanned(t.Formal(kind, (t.Formal("|", tuple(map(_several, sides))),)), start)
-
-
-def _several(parts: tuple[t.Node, ...]) -> t.Node:
-    return parts[0] if len(parts) == 1 else t.Formal("list", parts)
+    if given := next((one for one in found if isinstance(one, t.Formal) and one.kind == "|"), None):  # P(x, y | z, u)
+        place = found.index(given)
+        sides = (*found[:place], given.parts[0]), (given.parts[1], *found[place + 1 :])
+        found = [t.Formal("|", tuple(side[0] if len(side) == 1 else t.Formal("list", side) for side in sides))]
+    return reader.spanned(t.Formal(kind, tuple(found)), start)
