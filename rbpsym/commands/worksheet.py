@@ -170,7 +170,7 @@ def _from_code(order: Order, code: str) -> int:
     order = replace(order, source=source, formats=tuple(f for f in order.formats if f in PAPERS))
     with Progress("the form"):
         plan = known_plan(order.source)
-        paths = written(plan.from_code(code, order.secret), plan, order)
+        paths = written(order.files(plan.from_code(code, order.secret), plan), order.folder)
     for path in paths:
         click.echo(path)
     return 0

@@ -146,8 +146,7 @@ def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Ite
         if not isinstance(items, Wish):
             table = given_table(part.bench.derivation, situation, said)
             title = words(said.title(problem.title))
-            at = dict([situation.place]) if situation.place else {}
-            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items, place=at)
+            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items, place=situation.places)
     raise AssertionError("situations end with an error")
 
 
