@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from rbpsym.commands.arguments import Entry, shelf
-from rbpsym.commands.listing import place
+from rbpsym.commands.list import place
 from rbpsym.commands.progress import Progress
 from rbpsym.commands.solve import exit_code
 from rbpsym.commands.watching import KeptDerivations, watch
