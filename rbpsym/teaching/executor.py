@@ -80,13 +80,11 @@ class Journal:
 
 
 def _entry(line: bytes) -> tuple[int, str] | None:
-    if not line.endswith(b"\n"):
-        return None
-    try:
+    with suppress(ValueError, TypeError):
         place, text = json.loads(line)
-    except (ValueError, TypeError):
-        return None
-    return (place, text) if isinstance(place, int) and isinstance(text, str) else None
+        if line.endswith(b"\n") and isinstance(place, int) and isinstance(text, str):
+            return place, text
+    return None
 
 
 def _opened(path: Path) -> BinaryIO:

@@ -94,7 +94,9 @@ class WorksheetPlan(Frozen):
     def worksheet(self, student: Student | None = None, secret: str = "", language: str = "") -> Worksheet:
         """The paper of a student (of nobody in particular if None), with its key."""
         seed = codes.seed_of(secret, self.sheet.name, "" if student is None else student.id)
-        return self._made(codes.FormCode(self.sheet.name, self._language(language), seed), student, secret)
+        language = language or self.sheet.language
+        phrases(language)  # that there are some
+        return self._made(codes.FormCode(self.sheet.name, language, seed), student, secret)
 
     def from_code(self, text: str, secret: str = "", student: Student | None = None) -> Worksheet:
         """The paper with this form code. Raises RbpsymError if the code does not fit."""
@@ -105,11 +107,6 @@ class WorksheetPlan(Frozen):
                 instead=f"give the file of “{code.worksheet}”.",
             )
         return self._made(code, student, secret)
-
-    def _language(self, language: str) -> str:
-        found = language or self.sheet.language
-        phrases(found)
-        return found
 
     def _made(self, code: codes.FormCode, student: Student | None, secret: str) -> Worksheet:
         said = Words(code.language)
