@@ -8,7 +8,7 @@ import pytest
 
 from rbpsym.teaching.formats import Options
 from rbpsym.teaching.model import Student
-from rbpsym.teaching.paper_files import export_tex, export_pdf
+from rbpsym.teaching.paper_files import export_pdf, export_tex
 from rbpsym.teaching.papers.layout import has_letters, without_letters
 from tests.teaching.sample_worksheet import worksheet
 
