@@ -92,7 +92,7 @@ def papers(order: Order, students: Sequence[Student | None], who: Crew, told: Ca
     """
     plan = known_plan(order.source)  # before the processes part, so that they share it
     path = Path(order.folder) / JOURNAL if len(students) > PART else None
-    journal = Journal(path, _about(order, plan, students))
+    journal = Journal(path, sha256(repr((order, plan.fingerprint, students)).encode()).hexdigest())
     if who.address:
         order = replace(order, source=findable(order.source), fingerprint=plan.fingerprint)
     jobs = [StudentPaper(order, student) for student in students]
@@ -110,11 +110,6 @@ def findable(source: str) -> str:
     """How a process elsewhere finds a source."""
     path = Path(source)
     return str(path.resolve()) if path.is_file() else source
-
-
-def _about(order: Order, plan: WorksheetPlan, students: Sequence[Student | None]) -> str:
-    """What a journal belongs to: the same order of the same text for the same students."""
-    return sha256(repr((order, plan.fingerprint, students)).encode()).hexdigest()
 
 
 def write_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:

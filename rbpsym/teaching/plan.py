@@ -300,9 +300,5 @@ def _prepared(bench: ProblemBench, sight: Scenery, wish: Wish, used: set[str]) -
         if len(fresh) >= wish.number + SPARE:
             break
     found = fresh if len(fresh) >= wish.number else [*fresh, *again]
-    return found if _may_vary(wish) else found[: wish.number]
-
-
-def _may_vary(wish: Wish) -> bool:
-    """Whether a wish leaves open which quantity is asked."""
-    return len(wish.about) != 1 or any(mark in wish.about[0] for mark in "*?[")
+    may_vary = len(wish.about) != 1 or any(mark in wish.about[0] for mark in "*?[")
+    return found if may_vary else found[: wish.number]
