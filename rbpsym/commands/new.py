@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import ShelfName, output_option
+from rbpsym.commands.arguments import ShelfName, found, output_option
 from rbpsym.errors import ReadError
 
 
@@ -61,7 +61,6 @@ def course_text(name: str) -> str:
 
 def problem_text(name: str, template: str | None) -> str:
     """The text of the new file, from the starter or from a problem that ships."""
-    from rbpsym.commands.arguments import found
     from rbpsym.statement.starter import starter_text
 
     text = starter_text(name)  # also refuses a name that can't be
