@@ -16,7 +16,7 @@ from pathlib import Path
 import click
 
 from rbpsym.commands.arguments import Entry, shelf
-from rbpsym.commands.listing import place
+from rbpsym.commands.list import place
 from rbpsym.commands.solve import lines
 from rbpsym.derive import derive
 from rbpsym.document.model import Live, numbered

@@ -23,26 +23,9 @@ from rbpsym.errors import RbpsymError
 SELDOM = 200_000  # objects more, until the collector looks for circles: a derivation makes none
 FINE, DOUBTFUL, BAD_INPUT, BROKEN, INTERRUPTED = 0, 1, 2, 70, 130
 
-# name -> module that holds its `command`, in the order of --help
-COMMANDS: dict[str, str] = {
-    "list": "rbpsym.commands.listing",
-    "notes": "rbpsym.commands.notes",
-    "plot": "rbpsym.commands.plot",
-    "derive": "rbpsym.commands.derive",
-    "solve": "rbpsym.commands.solve",
-    "ask": "rbpsym.commands.ask",
-    "check": "rbpsym.commands.check",
-    "certify": "rbpsym.commands.certify",
-    "explore": "rbpsym.commands.explore",
-    "worksheet": "rbpsym.commands.worksheet",
-    "grade": "rbpsym.commands.grade",
-    "new": "rbpsym.commands.new",
-    "tutor": "rbpsym.commands.tutor",
-    "studio": "rbpsym.commands.studio",
-    "schema": "rbpsym.commands.schema",
-    "lsp": "rbpsym.commands.lsp",
-    "doctor": "rbpsym.commands.doctor",
-}
+# each a module of `rbpsym.commands` that holds its `command`; in the order of --help
+COMMANDS = ("list", "notes", "plot", "derive", "solve", "ask", "check", "certify", "explore", "worksheet", "grade", "new",
+            "tutor", "studio", "schema", "lsp", "doctor")  # fmt: skip
 
 
 class Rbpsym(click.Group):
@@ -54,7 +37,7 @@ class Rbpsym(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of that name, imported now."""
-        return import_module(COMMANDS[cmd_name]).command if cmd_name in COMMANDS else None
+        return import_module(f"rbpsym.commands.{cmd_name}").command if cmd_name in COMMANDS else None
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
         """The command that the first argument names; an unknown one is met with the nearest."""

@@ -85,7 +85,7 @@ def _geometric(draft: Draft, element: Element) -> None:
     rows = rows or _moving_line_rows(draft, element)
     if not rows:
         return
-    ties = any(not _is_identity(row) for row in rows)
+    ties = any(not is_zero(scalar(row.items[0]) - scalar(row.items[-1])) for row in rows)  # no identities
     body = element.values.get("body")
     draft.add(
         f"condition.{element.name}",
@@ -134,11 +134,6 @@ def _moving_line_rows(draft: Draft, element: Element) -> list[t.Chain]:
         return []
     gaps = (c.value for c in draft.study.system.conditions if c.constraint == element.name and c.what == "gap")
     return [t.equation(draft.show(gap), t.ZERO) for gap in gaps if not is_zero(gap)]
-
-
-def _is_identity(row: t.Chain) -> bool:
-    """Does it hold whatever the coordinates are, before anything is put in?"""
-    return is_zero(scalar(row.items[0]) - scalar(row.items[-1]))
 
 
 def _plain(node: t.Node) -> t.Node:

@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from rbpsym.commands.arguments import name_argument
+from rbpsym.commands.arguments import found, name_argument, stated
+from rbpsym.commands.certify import lines as certificate
+from rbpsym.commands.certify import report_on_answer
+from rbpsym.errors import RbpsymError, ReadError
 
 if TYPE_CHECKING:
     from rbpsym.ask.asked import Asked
@@ -44,9 +47,6 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     """
     from rbpsym.ask.asked import Asked
     from rbpsym.ask.numbers import read_numbers
-    from rbpsym.commands.arguments import found, stated
-    from rbpsym.commands.certify import report_on_answer
-    from rbpsym.errors import ReadError
 
     problem = stated(found(name, ("problem",))[1], questions)
     questions = questions or tuple(problem.questions)
@@ -95,7 +95,6 @@ def _told_or_refused(asked: Asked, text: str, numbers: GivenNumbers | None) -> t
     """The same; for a question without an answer the sentence that says why, as the reason and as the "error": what fails in one
     question, by a fault of ours too, leaves the others theirs."""
     from rbpsym.ask.telling import unanswered
-    from rbpsym.errors import RbpsymError
 
     try:
         return _told(asked, text, numbers)
@@ -109,7 +108,6 @@ def lines(
 ) -> Iterator[str]:
     """An answer with its short road, as a textbook prints it, its numbers, and what Rocq says, if it was asked."""
     from rbpsym.ask.telling import numbered
-    from rbpsym.commands.certify import lines as certificate
     from rbpsym.decide.verdict import PROVED, Kind
     from rbpsym.document.writers.terminal import MARKS, UNCERTIFIED
     from rbpsym.expr.glyphs import Notation

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rbpsym.commands.arguments import FOLDER, ShelfName
+from rbpsym.commands.arguments import FOLDER, ShelfName, found
+from rbpsym.commands.progress import Progress
 
 if TYPE_CHECKING:
     from rbpsym.ask.found import Answer
@@ -43,7 +44,6 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, check: boo
     written), 1 not.
     """
     from rbpsym.claims.run import default_folder
-    from rbpsym.commands.arguments import found
     from rbpsym.statement.library import problem_files
 
     if every == bool(names):
@@ -63,7 +63,6 @@ def command(names: tuple[str, ...], every: bool, output: Path | None, check: boo
 def _theory(output: Path | None, folder: Path | None, *, check: bool) -> Report:
     """The report on the general theory."""
     from rbpsym.chapters.theory import plane_motion
-    from rbpsym.commands.progress import Progress
     from rbpsym.document.files import write_all
     from rbpsym.kernel.coqc import BODY, MODEL, PRELUDE, compiled
     from rbpsym.kernel.theory import Theory
@@ -101,7 +100,6 @@ def report_on_answer(found: Answer) -> Report:
 def certified(path: Path, output: Path | None, folder: Path | None, *, check: bool = False) -> Report:
     """The report on a problem; its files are written if there is an `output`. What was found before stands in `folder`."""
     from rbpsym.claims.run import digest, engine
-    from rbpsym.commands.progress import Progress
     from rbpsym.derive import derive
     from rbpsym.document.files import write_all
     from rbpsym.kernel.begins import parts

@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rbpsym.commands.arguments import detail_option, name_argument
+from rbpsym.commands.arguments import detail_option, found, name_argument, stated
+from rbpsym.commands.certify import lines as told
+from rbpsym.commands.certify import report_on
+from rbpsym.commands.solve import exit_code, verdict_line
+from rbpsym.commands.why import readings
+from rbpsym.commands.why import why as traced
 
 if TYPE_CHECKING:
     from rbpsym.decide.verdict import Verdict
@@ -51,10 +56,7 @@ def command(
     The mark before a formula says what became of its check: ✓ proved, ✗ refuted, ? undecided; with --certified
     ○ proved, and not certified by Rocq.
     """
-    from rbpsym.commands.arguments import found, stated
-    from rbpsym.commands.certify import report_on
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.solve import exit_code
     from rbpsym.derive import derive
 
     _, path = found(name, ("problem",))
@@ -64,7 +66,6 @@ def command(
     with Progress(f"deriving {name}"):
         derivation = derive(stated(path), simulation=simulation)
     if why:
-        from rbpsym.commands.why import why as traced
 
         click.echo("\n".join(traced(derivation, why, document_of(derivation, detail, method, lang), lang)))
     else:
@@ -92,8 +93,6 @@ def roads_of(problem: Problem, language: str) -> list[str]:
 
 def lines(derivation: Derivation, detail: str, method: str, language: str, report: Report | None = None) -> Iterator[str]:
     """The chapters with their steps, then what was proved, and what Rocq says, if it was asked."""
-    from rbpsym.commands.certify import lines as told
-    from rbpsym.commands.solve import verdict_line
     from rbpsym.document.writers.terminal import terminal_lines
 
     document = document_of(derivation, detail, method, language)
@@ -108,7 +107,6 @@ def lines(derivation: Derivation, detail: str, method: str, language: str, repor
 
 def verdicts(derivation: Derivation) -> dict[str, Verdict]:
     """What became of the checks of each step, by the label of its formula."""
-    from rbpsym.commands.why import readings
 
     return {prefix + id: step.certificate.verdict for _, prefix, steps in readings(derivation) for id, step in steps.items()}
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import ShelfName, name_argument, output_option
+from rbpsym.commands.arguments import ShelfName, found, name_argument, output_option
 
 
 @click.command("explore")
@@ -25,7 +25,6 @@ def command(name: str, other: str | None, lang: str, output: Path) -> int:
     One HTML file without a network: the motion is computed in the browser from the derived
     accelerations and forces. OTHER is a second problem, started together with the first.
     """
-    from rbpsym.commands.arguments import found
     from rbpsym.commands.progress import Progress
     from rbpsym.document.files import write_whole
     from rbpsym.explorer.page import explorer

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import ShelfName, output_option
+from rbpsym.commands.arguments import ShelfName, found, output_option
 from rbpsym.errors import ReadError
 
 
@@ -31,12 +31,16 @@ def command(name: str, template: str | None, is_course: bool, output: Path) -> N
       rbpsym derive my-problem.toml
       rbpsym new week-5 --course
     """
+    from rbpsym.document.files import write_whole
+
     if is_course and template:
         raise click.UsageError("--template gives a problem to begin from; a course has none.")
     name = name.removesuffix(".toml")
     text = course_text(name) if is_course else problem_text(name, template)
-    path = written(output / f"{name}.toml", text)
-    click.echo(f"{path} is written. Now: rbpsym {'notes' if is_course else 'derive'} {path}")
+    path = output / f"{name}.toml"
+    if path.exists() or path.is_symlink():
+        raise ReadError(f"{path} is there already", instead="choose another name, or remove the file first.")
+    click.echo(f"{write_whole(path, text)} is written. Now: rbpsym {'notes' if is_course else 'derive'} {path}")
 
 
 def course_text(name: str) -> str:
@@ -57,7 +61,6 @@ def course_text(name: str) -> str:
 
 def problem_text(name: str, template: str | None) -> str:
     """The text of the new file, from the starter or from a problem that ships."""
-    from rbpsym.commands.arguments import found
     from rbpsym.statement.starter import starter_text
 
     text = starter_text(name)  # also refuses a name that can't be
@@ -65,12 +68,3 @@ def problem_text(name: str, template: str | None) -> str:
         return text
     _, path = found(template, ("problem",))
     return f"# {name}: begun from {path.stem}.\n" + path.read_text(encoding="utf-8")
-
-
-def written(path: Path, text: str) -> Path:
-    """Write a file that must not be there yet."""
-    from rbpsym.document.files import write_whole
-
-    if path.exists() or path.is_symlink():
-        raise ReadError(f"{path} is there already", instead="choose another name, or remove the file first.")
-    return write_whole(path, text)

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, output_option
+from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, found, output_option
 
 FORMATS = ("pdf", "html", "tex", "beamer", "ipynb", "md", "docx", "typ")
 ENGINES = ("typst", "pdflatex")
@@ -42,7 +42,6 @@ def command(name: str | None, is_all: bool, simulation: bool | None, is_watched:
     --studio (of a problem or a course) 'rbpsym[qr]'.
     With --all, each format but HTML is one book, and HTML a site that begins at index.html.
     """
-    from rbpsym.commands.arguments import found
     from rbpsym.commands.written import NotesWish, library, once, watched
 
     wish = NotesWish(simulation=not is_watched if simulation is None else simulation, **told)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rbpsym.commands.arguments import ShelfName, formats_option, output_option
+from rbpsym.commands.arguments import ShelfName, formats_option, found, output_option
 
 if TYPE_CHECKING:
     from rbpsym.expr.glyphs import Notation
@@ -33,7 +33,6 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
     quantities. The files are called NAME-works, NAME-energies, NAME-forces;
     where there are more, also NAME-speeds, NAME-positions.
     """
-    from rbpsym.commands.arguments import found
     from rbpsym.document.files import write_all
     from rbpsym.document.pictures import RESOLUTION, drawings
 

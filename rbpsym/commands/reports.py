@@ -167,7 +167,7 @@ def as_junit(found: CheckRun) -> str:
         )
         told = printable("\n".join(lines(result)))
         if not result.expected:
-            xml.SubElement(case, "failure", message=f"{word(result)}: {first(told)}").text = printable(
+            xml.SubElement(case, "failure", message=f"{word(result)}: {told.partition(chr(10))[0]}").text = printable(
                 f"{result.latex}\n{told}"
             )
         elif result.outcome is Outcome.NOT_COMPUTED:
@@ -179,11 +179,6 @@ def as_junit(found: CheckRun) -> str:
 def printable(text: str) -> str:
     """The text without characters that XML can't hold."""
     return "".join(char if char in "\n\t" or char.isprintable() else " " for char in text)
-
-
-def first(text: str) -> str:
-    """The first line."""
-    return text.split("\n", 1)[0]
 
 
 def as_annotations(found: CheckRun) -> str:

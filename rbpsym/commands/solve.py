@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from rbpsym.commands.arguments import name_argument
+from rbpsym.commands.arguments import found, name_argument, stated
+from rbpsym.commands.certify import lines as told
+from rbpsym.commands.certify import report_on
 from rbpsym.frozen import Frozen
 
 if TYPE_CHECKING:
@@ -36,9 +38,6 @@ def command(name: str, as_json: bool, simulation: bool, certified: bool) -> int:
     In JSON, expressions are text that Python and sympy read: `**`, `sin`, `cos`, `sqrt`; the speed
     of a coordinate theta is `theta_dot`. What has no closed form is null.
     """
-    from rbpsym.commands.arguments import found
-    from rbpsym.commands.certify import lines as told
-    from rbpsym.commands.certify import report_on
 
     problem, answer = _answer(name, simulation)
     report = report_on(found(name, ("problem",))[1]) if certified else None
@@ -55,7 +54,6 @@ def command(name: str, as_json: bool, simulation: bool, certified: bool) -> int:
 
 
 def _answer(name: str, simulation: bool) -> tuple[Problem, dict[str, Any]]:
-    from rbpsym.commands.arguments import found, stated
     from rbpsym.commands.progress import Progress
     from rbpsym.solve import solve
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import FILE, name_argument
+from rbpsym.commands.arguments import FILE, found, name_argument
 
 HINT, END = ("?", "hint"), ("", "quit", "exit")
 
@@ -29,7 +29,6 @@ def command(name: str, record: Path | None) -> int:
     """
     import json
 
-    from rbpsym.commands.arguments import found
     from rbpsym.commands.progress import Progress
     from rbpsym.derive import derive
     from rbpsym.document.files import write_whole

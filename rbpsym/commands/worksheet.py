@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from rbpsym.commands.arguments import FILE, FOLDER, ShelfName, formats_option
+from rbpsym.commands.arguments import FILE, FOLDER, ShelfName, formats_option, shelf
+from rbpsym.commands.progress import Progress
 
 if TYPE_CHECKING:
     from rbpsym.teaching.batch import Order
@@ -85,7 +87,6 @@ def _check_choice(name: str | None, students: Path | None, variants: int | None,
 
 def _what_there_is() -> str:
     """What a worksheet can be made of."""
-    from rbpsym.commands.arguments import shelf
 
     ready = "\n".join(f"  {entry.name:<34}{entry.title()}" for entry in shelf() if entry.kind == "worksheet")
     return (
@@ -121,9 +122,7 @@ def _tell_names(order: Order, people: tuple[Student | None, ...]) -> None:
 
 def _papers(order: Order, people: tuple[Student | None, ...], who: Crew) -> list[str]:
     """The formats with a file a student; a line for each file, or one for all if there are many."""
-    from dataclasses import replace
 
-    from rbpsym.commands.progress import Progress
     from rbpsym.teaching.batch import papers
 
     own = replace(order, formats=tuple(f for f in order.formats if f in PAPERS))
@@ -158,9 +157,7 @@ def _platforms(order: Order, people: tuple[Student | None, ...]) -> list[str]:
 
 def _from_code(order: Order, code: str) -> int:
     """The form of a code, and its key if asked for; the worksheet is found by the name in the code."""
-    from dataclasses import replace
 
-    from rbpsym.commands.progress import Progress
     from rbpsym.teaching.batch import known_plan, written
     from rbpsym.teaching.codes import name_in
 
@@ -170,7 +167,7 @@ def _from_code(order: Order, code: str) -> int:
     order = replace(order, source=source, formats=tuple(f for f in order.formats if f in PAPERS))
     with Progress("the form"):
         plan = known_plan(order.source)
-        paths = written(plan.from_code(code, order.secret), plan, order)
+        paths = written(order.files(plan.from_code(code, order.secret), plan), order.folder)
     for path in paths:
         click.echo(path)
     return 0

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import Entry, shelf
-from rbpsym.commands.listing import place
+from rbpsym.commands.arguments import shelf
+from rbpsym.commands.list import place
 from rbpsym.commands.progress import Progress
 from rbpsym.commands.solve import exit_code
 from rbpsym.commands.watching import KeptDerivations, watch
@@ -97,7 +97,7 @@ def library(name: str | None, is_watched: bool, wish: NotesWish) -> int:
         click.echo(str(file))
     for error in failed:
         click.echo(error, err=True)
-    return 0 if not failed and all(is_fine(chapter) for chapter in problems) else 1
+    return 0 if not failed and all(exit_code(chapter.derivation.summary()) == 0 for chapter in problems) else 1
 
 
 def _written(document: Document, stem: str, wish: NotesWish) -> list[Path]:
@@ -127,11 +127,6 @@ def derived(wish: NotesWish, kept: KeptDerivations) -> tuple[list[Chapter], list
     return found, failed
 
 
-def is_fine(chapter: Chapter) -> bool:
-    """Is all of a problem proved?"""
-    return exit_code(chapter.derivation.summary()) == 0
-
-
 def book_files(problems: list[Chapter], wish: NotesWish) -> Iterator[tuple[str, str | bytes]]:
     """The book in all formats but HTML, which is the site."""
     document = book(problems, wish.language, wish.detail, plots=wish.plots)
@@ -150,7 +145,7 @@ def site_files(problems: list[Chapter], wish: NotesWish, kept: KeptDerivations) 
             wish.detail,
             plots=wish.plots,
         )
-        courses.append((card(entry, wish.language), page(document)))
+        courses.append((Card(entry.name, entry.title(wish.language), "", entry.source), page(document)))
     levels = {entry.name: entry.level(wish.language) for entry in shelf()}
     cards = [problem_card(chapter, wish.language, levels[chapter.name]) for chapter in problems]
     whole = f"{STEM}.pdf" if "pdf" in wish.formats else ""
@@ -162,8 +157,3 @@ def site_files(problems: list[Chapter], wish: NotesWish, kept: KeptDerivations) 
         document = notes(chapter.derivation, wish.language, wish.detail, plots=wish.plots)
         found[f"{chapter.name}.html"] = page(document, around(problems, number, wish.language))
     return found
-
-
-def card(entry: Entry, language: str) -> Card:
-    """A course on the index page."""
-    return Card(entry.name, entry.title(language), "", entry.source)

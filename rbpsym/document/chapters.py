@@ -16,20 +16,8 @@ from rbpsym.expr import tree as t
 from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import Derivation, Step
 
-ORDER = (
-    "kinematics",
-    "inertia",
-    "momentum",
-    "forces",
-    "instant",
-    "motion",
-    "reactions",
-    "work",
-    "energy",
-    "contact",
-    "oscillations",
-    "course",
-)
+ORDER = ("kinematics", "inertia", "momentum", "forces", "instant", "motion", "reactions", "work", "energy", "contact",
+         "oscillations", "course")  # fmt: skip
 Groups = tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]
 SINGLE: Groups = tuple(((name,), (name,)) for name in ORDER)
 # chapters under one heading: that of the first of them in the second row that is there
@@ -364,13 +352,6 @@ def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Ite
 
 
 BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]] = {
-    "kinematics": _kinematics,
-    "inertia": _inertia,
-    "motion": _motion,
-    "forces": _forces,
-    "reactions": _reactions,
-    "work": _work,
-    "done": _done,
-    "contact": _contact,
-    "oscillations": _oscillations,
+    of.__name__[1:]: of
+    for of in (_kinematics, _inertia, _motion, _forces, _reactions, _work, _done, _contact, _oscillations)
 }

@@ -148,16 +148,11 @@ def whose(step: Step, several: bool, said: Words) -> Inlines:
 
 def _halves(step: Step) -> tuple[Inlines, ...]:
     """The two works with their symbols; a half that there is not is zero."""
-    found = {_half(row): row for row in t.rows(step.statement)}
+    found = {"theta" if row.items[0].name.startswith("cal_W_theta") else "T": row for row in t.rows(step.statement)}
     return tuple(
         (Math(t.equation(found[half].items[0], found[half].items[-1])),) if half in found else (Math(t.ZERO),)
         for half in ("T", "theta")
     )
-
-
-def _half(row: Any) -> str:
-    """T or theta, from the name of the work."""
-    return "theta" if row.items[0].name.startswith("cal_W_theta") else "T"
 
 
 def done_table(steps: list[Step], said: Words) -> Table:

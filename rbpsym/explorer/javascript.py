@@ -13,16 +13,7 @@ from rbpsym.errors import StatementError
 from rbpsym.field import ONE, Poly, Scalar, atoms
 from rbpsym.field.poly import Monomial
 
-FUNCTIONS = {
-    "cos": "cos",
-    "sin": "sin",
-    "root": "sqrt",
-    "exp": "exp",
-    "ln": "log",
-    "atan": "atan",
-    "asin": "asin",
-    "acos": "acos",
-}
+FUNCTIONS = {"root": "sqrt", "ln": "log", **{name: name for name in ("cos", "sin", "exp", "atan", "asin", "acos")}}
 LARGEST_EXACT = 2**53
 
 

@@ -208,12 +208,5 @@ def gravity(seen: SeenStudy) -> Iterator[Part]:
 
 
 KINDS: Mapping[str, Callable[[SeenStudy], Iterator[Part]]] = {
-    "bodies": bodies,
-    "points": points,
-    "lines": lines,
-    "circles": circles,
-    "links": links,
-    "cords": cords,
-    "coils": coils,
-    "gravity": gravity,
+    of.__name__: of for of in (bodies, points, lines, circles, links, cords, coils, gravity)
 }

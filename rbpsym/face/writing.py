@@ -104,10 +104,6 @@ def _integral(node: t.Integral, names: Alphabet) -> sympy.Expr:
     return sympy.Integral(inner.write(node.integrand), (inner.scalar(node.var), *ends))
 
 
-def _over_body(node: t.BodyIntegral, names: Alphabet) -> sympy.Expr:
-    return sympy.Function("BodyIntegral")(names.write(node.integrand), sympy.Symbol(node.body))
-
-
 def _along(node: t.PathIntegral, names: Alphabet) -> sympy.Expr:
     clock, force = names.scalar(CLOCK), names.write(node.integrand)
     rate = sympy.Derivative(names.write(node.path), clock)
@@ -153,7 +149,7 @@ TABLE: dict[type[t.Node], Callable[[Any, Alphabet], Any]] = {
     t.Dot: lambda node, names: _dot(names.write(node.left), names.write(node.right)),
     t.Deriv: lambda node, names: sympy.Derivative(names.write(node.of), (names.scalar(node.wrt), node.order)),
     t.Integral: _integral,
-    t.BodyIntegral: _over_body,
+    t.BodyIntegral: lambda node, names: sympy.Function("BodyIntegral")(names.write(node.integrand), sympy.Symbol(node.body)),
     t.PathIntegral: _along,
     t.Delta: _change,
     t.At: lambda node, names: sympy.Subs(names.write(node.arg), names.scalar(CLOCK), 0),

@@ -219,14 +219,6 @@ def _limit(node: t.Limit, scope: Meanings) -> Scalar:
     return substitute(found, {node.var: to})
 
 
-def _cross(node: t.Cross, scope: Meanings) -> Space:
-    return vector(node.left, scope).cross(vector(node.right, scope))
-
-
-def _dot(node: t.Dot, scope: Meanings) -> Scalar:
-    return vector(node.left, scope).dot(vector(node.right, scope))
-
-
 def _no_value(node: t.Node, scope: Meanings) -> Value:
     raise ReadError(f"{type(node).__name__.lower()} has no value")
 
@@ -245,8 +237,8 @@ VALUES: dict[type, Callable[[Any, Meanings], Value]] = {
     t.Fn: lambda node, scope: function(node.name, scalar(node.arg, scope)),
     t.Abs: _absolute,
     t.Group: lambda node, scope: value(node.arg, scope),
-    t.Cross: _cross,
-    t.Dot: _dot,
+    t.Cross: lambda node, scope: vector(node.left, scope).cross(vector(node.right, scope)),
+    t.Dot: lambda node, scope: vector(node.left, scope).dot(vector(node.right, scope)),
     t.Deriv: _derivative,
     t.Integral: _integral,
     t.BodyIntegral: _body_integral,

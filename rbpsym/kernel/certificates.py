@@ -114,12 +114,8 @@ class AtomPivot(Frozen):
         """The row without the pivot."""
         while (top := max(_powers(row.value, self.atom), default=0)) >= self.power:
             head = Scalar(row.value.num.by_power(self.atom)[top], row.value.den)
-            row = row.less(head * _atom(self.atom) ** (top - self.power) / self.slope, self.row)
+            row = row.less(head * Scalar(Poly({((self.atom, 1),): 1})) ** (top - self.power) / self.slope, self.row)
         return row
-
-
-def _atom(index: int) -> Scalar:
-    return Scalar(Poly({((index, 1),): 1}))
 
 
 def _powers(value: Scalar, index: int) -> list[int]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from typing import Any
 
@@ -112,10 +113,8 @@ class DrawnPose(Frozen, eq=False):
         """The unknown forces of the motion in this pose, as far as they have numbers."""
         found = {}
         for name, value in self.study.solved.reactions.items():
-            try:
+            with suppress(RbpsymError, ZeroDivisionError):
                 found[name] = self.value(value)
-            except (RbpsymError, ZeroDivisionError):
-                continue
         return found
 
 
@@ -284,10 +283,9 @@ REASONS = {  # why there is no motion that can be followed
 
 def at(value: Scalar, numbers: Mapping[str, Any]) -> float:
     """A quantity at one moment; not a number where it has none."""
-    try:
+    with suppress(NoNumber):
         return float(number(value, numbers))
-    except NoNumber:
-        return math.nan
+    return math.nan
 
 
 def reactions(study: Study) -> dict[str, Scalar]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
-from itertools import combinations
+from collections.abc import Callable, Iterator
+from itertools import combinations, islice
 
 from rbpsym.elements.shapes import PARTLY_ROUND
 from rbpsym.expr import tree as t
@@ -103,45 +103,24 @@ def _places(pose: DrawnPose) -> Iterator[Vector]:
 
 def _distances(pose: DrawnPose, shown: set[str]) -> Iterator[LengthMark]:
     """Parameters that are the distance of two points: for these numbers and for others."""
-    here, there = _marked(pose), _marked(other_numbers(pose))
-    for name in parameters(pose, LENGTH):
-        if name in shown:
-            continue
-        for (k, one), (j, two) in combinations(enumerate(here), 2):
-            others = there[k], there[j]
-            found = next(
-                (
-                    way
-                    for way in WAYS
-                    if is_parameter(way(one, two), pose, name) and is_parameter(way(*others), other_numbers(pose), name)
-                ),
-                None,
-            )
-            if found:
-                yield LengthMark(*ENDS_OF[found](one, two), t.Sym(name))
-                break
+    other = other_numbers(pose)
+    pairs = [(ends, others) for ends, others in zip(*(combinations(_marked(of), 2) for of in (pose, other)), strict=True)]
+    for name in (name for name in parameters(pose, LENGTH) if name not in shown):
+        fits = (
+            drawn(*ends)
+            for ends, others in pairs
+            for far, drawn in WAYS
+            if is_parameter(far(*ends), pose, name) and is_parameter(far(*others), other, name)
+        )
+        yield from (LengthMark(*ends, t.Sym(name)) for ends in islice(fits, 1))
 
 
-def _apart(p: Point, q: Point) -> float:
-    return math.dist(p, q)
-
-
-def _across(p: Point, q: Point) -> float:
-    return abs(p[0] - q[0])
-
-
-def _upright(p: Point, q: Point) -> float:
-    return abs(p[1] - q[1])
-
-
-WAYS = (_apart, _across, _upright)
-ENDS_OF: Mapping[object, Callable[[Point, Point], tuple[Point, Point]]] = {
-    _apart: lambda p, q: (p, q),
-    _across: lambda p, q: ((p[0], min(p[1], q[1])), (q[0], min(p[1], q[1]))),
-    _upright: lambda p, q: ((max(p[0], q[0]), p[1]), (max(p[0], q[0]), q[1])),
-}
-
-
+Pair = Callable[[Point, Point], tuple[Point, Point]]
+WAYS: tuple[tuple[Callable[[Point, Point], float], Pair], ...] = (  # how far apart two points are, and where that is drawn
+    (math.dist, lambda p, q: (p, q)),
+    (lambda p, q: abs(p[0] - q[0]), lambda p, q: ((p[0], min(p[1], q[1])), (q[0], min(p[1], q[1])))),
+    (lambda p, q: abs(p[1] - q[1]), lambda p, q: ((max(p[0], q[0]), p[1]), (max(p[0], q[0]), q[1]))),
+)
 def _marked(pose: DrawnPose) -> list[Point]:
     """Points between which distances may be shown: of bodies, fixed ones, feet on lines."""
     problem = pose.study.problem

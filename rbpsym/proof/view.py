@@ -30,19 +30,10 @@ from rbpsym.proof.told import READERS
 
 NOTHING_KNOWN = Known((), ())
 SHARED = tuple(item.name for item in fields(Context))
-GRANTS = {  # what of the mechanics has to be granted by a premise
-    "dynamics": MOTION,
-    "kinetic": MOTION,
-    "potential": MOTION,
-    "on_motion": MOTION,
-    "motion_rows": MOTION,
-    "power_balance": MOTION,
-    "newton_euler_rows": MOTION,
-    "first_integral": MOTION,
-    "squares": MOTION,
-    "reactions_along_motion": MOTION,
-    "works": MOTION,
-}
+GRANTS = dict.fromkeys((  # what of the mechanics has to be granted by a premise
+    "dynamics", "kinetic", "potential", "on_motion", "motion_rows", "power_balance", "newton_euler_rows", "first_integral",
+    "squares", "reactions_along_motion", "works",
+), MOTION)  # fmt: skip
 
 
 class Granted:

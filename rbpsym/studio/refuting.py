@@ -67,11 +67,10 @@ class Refuter(Frozen):
         return substitute(value, {})
 
     def _value(self, node: t.Node) -> Value | None:
-        try:
+        with suppress(RbpsymError, ZeroDivisionError):
             found: Value = self.context.value(node)
             return found
-        except (RbpsymError, ZeroDivisionError):
-            return None
+        return None
 
     @cached_property
     def _motion(self) -> list[f.FollowedPoint]:

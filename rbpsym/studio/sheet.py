@@ -170,20 +170,18 @@ class PhaseSheet(Frozen):
     def value(self, node: t.Node) -> Value | None:
         """In coordinates, speeds, accelerations and unknown forces; None where it has none."""
         if node not in self._values:
-            try:
+            self._values[node] = None
+            with suppress(RbpsymError, ZeroDivisionError):
                 self._values[node] = self.context.value(node)
-            except (RbpsymError, ZeroDivisionError):
-                self._values[node] = None
         return self._values[node]
 
     def rate(self, node: t.Node) -> Value | None:
         """How what is summed up along the motion grows."""
         key = t.Deriv(node, "t")
         if key not in self._values:
-            try:
+            self._values[key] = None
+            with suppress(RbpsymError, ZeroDivisionError):
                 self._values[key] = self.context.on_motion(self.context.rate(node)) if self.context.grows(node) else None
-            except (RbpsymError, ZeroDivisionError):
-                self._values[key] = None
         return self._values[key]
 
     def step_of(self, read: t.Node) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import gc
 import json
 from base64 import b64decode, b64encode
-from collections.abc import Callable, Iterable, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
 from threading import Lock
@@ -58,6 +58,11 @@ class Order(Handout):
         """What exporters are told: with solutions go keys."""
         return Options(self.key or self.solution, self.engine, self.solution, plan.derivations, self.studio)
 
+    def files(self, worksheet: Worksheet, plan: WorksheetPlan) -> dict[str, str | bytes]:
+        """The files of one worksheet by name."""
+        made = (exporter(name)((worksheet,), self.options(plan)).files for name in self.formats)
+        return {name: content for files in made for name, content in files.items()}
+
 
 class StudentPaper(Frozen):
     """A student of an order."""
@@ -65,10 +70,10 @@ class StudentPaper(Frozen):
     order: Order
     student: Student | None
 
-    def made(self) -> tuple[Worksheet, WorksheetPlan]:
-        """The worksheet of the student, and the plan that it comes from."""
+    def files(self) -> dict[str, str | bytes]:
+        """The files of the student's worksheet by name."""
         plan = self.order.plan()
-        return plan.worksheet(self.student, self.order.secret, self.order.language), plan
+        return self.order.files(plan.worksheet(self.student, self.order.secret, self.order.language), plan)
 
 
 @lru_cache(maxsize=4)
@@ -87,15 +92,12 @@ def papers(order: Order, students: Sequence[Student | None], who: Crew, told: Ca
     """
     plan = known_plan(order.source)  # before the processes part, so that they share it
     path = Path(order.folder) / JOURNAL if len(students) > PART else None
-    journal = Journal(path, _about(order, plan, students))
+    journal = Journal(path, sha256(repr((order, plan.fingerprint, students)).encode()).hexdigest())
     if who.address:
         order = replace(order, source=findable(order.source), fingerprint=plan.fingerprint)
     jobs = [StudentPaper(order, student) for student in students]
-    if who.address:
-        found = run(send_papers, jobs, who, journal, told, PART, lambda text: _taken(text, order.folder))
-    else:
-        found = run(write_papers, jobs, who, journal, told, PART)
-    made: list[list[str]] = [json.loads(text) for text in found]
+    work, received = (send_papers, partial(_taken, folder=order.folder)) if who.address else (write_papers, str)
+    made: list[list[str]] = [json.loads(text) for text in run(work, jobs, who, journal, told, PART, received)]
     names = {Path(name) for those in made for name in those}
     for rest in (rest for folder in {name.parent for name in names} for rest in folder.glob(".?*.????????")):
         if rest.with_name(rest.name[1:-9]) in names:  # what a run that was killed was about to rename
@@ -110,49 +112,30 @@ def findable(source: str) -> str:
     return str(path.resolve()) if path.is_file() else source
 
 
-def _about(order: Order, plan: WorksheetPlan, students: Sequence[Student | None]) -> str:
-    """What a journal belongs to: the same order of the same text for the same students."""
-    return sha256(repr((order, plan.fingerprint, students)).encode()).hexdigest()
-
-
 def write_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:
     """The work of one process: each paper written whole; the paths as JSON."""
-    return [json.dumps(_written(job)) for job in jobs]
-
-
-def _written(job: StudentPaper) -> list[str]:
-    return written(*job.made(), job.order)
+    return [json.dumps(written(job.files(), job.order.folder)) for job in jobs]
 
 
 def send_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:
     """The work of a worker elsewhere: the files of each paper, by name, as JSON."""
     with TURN:
-        return [json.dumps({name: b64encode(data).decode() for name, data in _files_of(job).items()}) for job in jobs]
+        return [json.dumps({name: b64encode(data).decode() for name, data in encoded(job.files())}) for job in jobs]
 
 
-def _files_of(job: StudentPaper) -> dict[str, bytes]:
-    found = files_of(*job.made(), job.order)
-    return {name: content.encode() if isinstance(content, str) else content for name, content in found.items()}
+def encoded(files: Mapping[str, str | bytes]) -> Iterator[tuple[str, bytes]]:
+    """Files as bytes."""
+    yield from ((name, data.encode() if isinstance(data, str) else data) for name, data in files.items())
 
 
 def _taken(text: str, folder: str) -> str:
     """Writes what a worker sent; the paths as JSON."""
-    files = json.loads(text)
-    return json.dumps([str(write_whole(Path(folder) / name, b64decode(data))) for name, data in files.items()])
+    return json.dumps(written({name: b64decode(data) for name, data in json.loads(text).items()}, folder))
 
 
-def written(worksheet: Worksheet, plan: WorksheetPlan, order: Order) -> list[str]:
-    """One worksheet in the formats of an order; the paths of its files. All are made before the first is written."""
-    files = files_of(worksheet, plan, order)
-    return [str(write_whole(Path(order.folder) / name, content)) for name, content in files.items()]
-
-
-def files_of(worksheet: Worksheet, plan: WorksheetPlan, order: Order) -> dict[str, str | bytes]:
-    """The files of one worksheet by name."""
-    files: dict[str, str | bytes] = {}
-    for name in order.formats:
-        files |= exporter(name)((worksheet,), order.options(plan)).files
-    return files
+def written(files: Mapping[str, str | bytes], folder: str) -> list[str]:
+    """The paths of files that were all made before the first is written."""
+    return [str(write_whole(Path(folder) / name, content)) for name, content in files.items()]
 
 
 # --- what was handed out, kept beside the papers: `NAME.papers.json` stands for what each student's paper draws

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence, Set
 from typing import Any, TypeVar
 
 from rbpsym.document.model import Inlines
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
-from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.field import Scalar, is_zero
@@ -103,12 +102,6 @@ class ItemSetting(Frozen):
     values: Sequence[float]
     before: tuple[Item, ...] = ()
 
-    @property
-    def language(self) -> str:
-        """Of the paper."""
-        return self.said.language
-
-
 Make = Callable[[ItemSetting], Item | None]
 
 
@@ -191,14 +184,7 @@ def asks_for(bench: ProblemBench, target: Target) -> Content:
 
 def formula_of(bench: ProblemBench, target: Target) -> t.Node:
     """The right value of a target as it is printed in answers."""
-    return bench.once(("formula", target.id), lambda: _formula(bench, target))
-
-
-def _formula(bench: ProblemBench, target: Target) -> t.Node:
-    value = target.value(bench.study)
-    if value is None:
-        raise RbpsymError(f"“{target.id}” has no value in “{bench.name}”")
-    return shown(value, bench.study)
+    return bench.once(("formula", target.id), lambda: shown(target.known(bench.study), bench.study))
 
 
 def is_number(bench: ProblemBench, target: Target, scenery: Scenery) -> bool:
@@ -225,12 +211,9 @@ def asked_unit(target: Target) -> str:
 
 
 def sentence(bench: ProblemBench, step: Step, said: Words) -> Inlines:
-    """Why a step is made, in the words of the notes; () where they say nothing."""
-    return bench.once(("sentence", step.id, said.language), lambda: _sentence(step, said))
-
-
-def _sentence(step: Step, said: Words) -> Inlines:
-    return () if step.chapter == "forces" else Teller(said).sentence(step, step.phrase, **step.slots)  # these: a table
+    """Why a step is made, in the words of the notes; () where they say nothing (of forces: a table)."""
+    tell = lambda: () if step.chapter == "forces" else Teller(said).sentence(step, step.phrase, **step.slots)  # noqa: E731
+    return bench.once(("sentence", step.id, said.language), tell)
 
 
 def word(measure: Measure, notation: Notation) -> t.Word:
@@ -243,10 +226,6 @@ def given_as(name: str, measure: Measure, notation: Notation) -> t.Node:
     return t.equation(t.Sym(name), word(measure, notation))
 
 
-def numbers_at(situation: Situation, names: Iterable[str]) -> dict[str, Measure]:
+def numbers_at(situation: Situation, names: Set[str]) -> dict[str, Measure]:
     """The printed numbers of some names, in the order of the paper."""
-    known = dict(situation.given)
-    if situation.place is not None:
-        known[situation.place[0]] = situation.place[1]
-    wanted = set(names)
-    return {name: measure for name, measure in known.items() if name in wanted}
+    return {name: measure for name, measure in situation.printed.items() if name in names}

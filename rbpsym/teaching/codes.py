@@ -70,7 +70,7 @@ def read(text: str, secret: str, fingerprint: str) -> FormCode:
             f"the form code has {len(letters)} characters instead of {LETTERS + CHECKS} after the language",
             instead="copy it whole from the foot of the paper.",
         )
-    masked = sum(ALPHABET.index(letter) << shift for letter, shift in _places(letters))
+    masked = sum(ALPHABET.index(letter) << shift for letter, shift in zip(letters, range(BITS - 5, -1, -5), strict=False))
     bare = FormCode(worksheet, language, 0)
     code = FormCode(worksheet, language, masked ^ _mask(bare, secret))
     if _check(code, secret, fingerprint) != letters[LETTERS:]:
@@ -79,10 +79,6 @@ def read(text: str, secret: str, fingerprint: str) -> FormCode:
             instead="check the characters; give the --seed with which the papers were made, and the same file.",
         )
     return code
-
-
-def _places(letters: str) -> list[tuple[str, int]]:
-    return list(zip(letters[:LETTERS], range(BITS - 5, -1, -5), strict=True))
 
 
 def _mask(code: FormCode, secret: str) -> int:

@@ -123,20 +123,16 @@ def _reached(problem: Problem, number: int) -> Iterator[Study]:
 
 
 def _applied(misconception: Misconception, study: Study) -> Iterator[Wrong]:
-    try:
+    with suppress(RbpsymError, ZeroDivisionError):  # a site that needs what this problem has not
         for site in misconception.sites(study):
             yield from _made(misconception, site) if is_true(misconception.name, study, site) else ()
-    except (RbpsymError, ZeroDivisionError):
-        return  # a site that needs what this problem has not
 
 
 def _made(misconception: Misconception, site: Site) -> Iterator[Wrong]:
-    try:
+    with suppress(RbpsymError, ZeroDivisionError):
         with at_most(MOST_PRODUCTS):
             made = Wrong(misconception, site, site.wrong())
         yield made
-    except (RbpsymError, ZeroDivisionError):
-        return
 
 
 def bounded(pool: Pool, place: int, call: Callable[[], Scalar | None]) -> Scalar | None:
@@ -164,16 +160,11 @@ def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
         twin = next((k for k, other in enumerate(kept) if same(value, other.value)), None)
         if twin is not None:
             kept[twin] = _with_another(kept[twin], pool, place)
-        elif len(kept) < MOST and all(is_refuted(value, other, study.assumptions) for other in _values(right, kept)):
+        elif len(kept) < MOST and all(is_refuted(value, other, study.assumptions) for other in (right, *(d.value for d in kept))):
             wrong = pool.wrongs[place].study
             along = bounded(pool, place, partial(target.along, wrong, value))
             kept.append(Distractor(pool.slip(place), value, formula, along, wrong))
     yield from kept
-
-
-def _values(right: Scalar, kept: Iterable[Distractor]) -> Iterator[Scalar]:
-    yield right
-    yield from (distractor.value for distractor in kept)
 
 
 def _with_another(found: Distractor, pool: Pool, place: int) -> Distractor:
@@ -228,10 +219,9 @@ def fits(formula: t.Node, study: Study, dimension: Dimension) -> bool:
     """Whether a formula is dimensionally sound and of this dimension (zero has every one)."""
     if formula == t.ZERO:
         return True
-    try:
+    with suppress(RbpsymError):
         return dimension_of(formula, study.problem.dimensions) == dimension
-    except RbpsymError:
-        return False
+    return False
 
 
 NOISE = 1e-9  # of the largest: less than that is rounding, and stands for zero

@@ -80,13 +80,11 @@ class Journal:
 
 
 def _entry(line: bytes) -> tuple[int, str] | None:
-    if not line.endswith(b"\n"):
-        return None
-    try:
+    with suppress(ValueError, TypeError):
         place, text = json.loads(line)
-    except (ValueError, TypeError):
-        return None
-    return (place, text) if isinstance(place, int) and isinstance(text, str) else None
+        if line.endswith(b"\n") and isinstance(place, int) and isinstance(text, str):
+            return place, text
+    return None
 
 
 def _opened(path: Path) -> BinaryIO:
@@ -170,17 +168,12 @@ def run(
                 note(*found)
         except KeyboardInterrupt:
             with suppress(KeyboardInterrupt):
-                _note_rest(coming, note)
+                note(*coming.throw(KeyboardInterrupt))  # what was being done is done to its end
+                for found in coming:
+                    note(*found)
             done = f"interrupted: {len(journal.results)} of {len(jobs)} are done"
             raise Interrupted(done, instead="the same command goes on from there.") from None
         return [journal.results[place] for place in range(len(jobs))]
-
-
-def _note_rest(coming: Coming, note: Callable[[tuple[int, ...], list[str]], None]) -> None:
-    """What was being done when the interrupt came is done to its end, and noted."""
-    note(*coming.throw(KeyboardInterrupt))
-    for found in coming:
-        note(*found)
 
 
 Parts = list[tuple[int, ...]]

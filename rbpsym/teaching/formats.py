@@ -1,6 +1,6 @@
 """The table of formats: each exporter turns worksheets into files, and says what a format can't carry.
 
-A new format is a module of `exports` with a function `(worksheets, options) -> Exported`, and an entry here.
+A new format is a module of `exports` with such a function `(worksheets, options) -> Exported`, and an entry here.
 """
 
 from __future__ import annotations
@@ -35,17 +35,10 @@ class Exported(Frozen):
 
 Exporter = Callable[[tuple[Worksheet, ...], Options], Exported]
 
-# format -> (module, function); imported when asked for
-EXPORTERS: Mapping[str, tuple[str, str]] = {
-    "pdf": ("rbpsym.teaching.paper_files", "export_pdf"),
-    "tex": ("rbpsym.teaching.paper_files", "export_latex"),
-    "typ": ("rbpsym.teaching.paper_files", "export_typst"),
-    "html": ("rbpsym.teaching.paper_files", "export_html"),
-    "moodle": ("rbpsym.teaching.exports.moodle", "export_moodle"),
-    "qti": ("rbpsym.teaching.exports.qti", "export_qti"),
-    "canvas": ("rbpsym.teaching.exports.canvas", "export_canvas"),
-    "prairielearn": ("rbpsym.teaching.exports.prairielearn", "export_prairielearn"),
-    "gift": ("rbpsym.teaching.exports.gift", "export_gift"),
+# format -> module with its function `export_<format>`; imported when asked for
+EXPORTERS: Mapping[str, str] = {
+    **dict.fromkeys(("pdf", "tex", "typ", "html"), "paper_files"),
+    **{name: f"exports.{name}" for name in ("moodle", "qti", "canvas", "prairielearn", "gift")},
 }
 
 
@@ -53,6 +46,5 @@ def exporter(name: str) -> Exporter:
     """The exporter of a format. Raises RbpsymError with the known ones."""
     if name not in EXPORTERS:
         raise RbpsymError(f"unknown format “{name}”", instead=f"known: {', '.join(EXPORTERS)}.")
-    module, function = EXPORTERS[name]
-    found: Exporter = getattr(import_module(module), function)
+    found: Exporter = getattr(import_module(f"rbpsym.teaching.{EXPORTERS[name]}"), f"export_{name}")
     return found

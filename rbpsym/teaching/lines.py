@@ -15,26 +15,13 @@ from rbpsym.teaching.model import LinePiece, blank
 from rbpsym.teaching.spoilers import meaning
 
 # what a step does -> how much it matters to understand it (0: never asked)
-WEIGHTS: Mapping[str, int] = {
-    "parallel_axis": 5,
-    "angular_momentum": 5,
-    "torque": 4,
-    "work": 4,
-    "workless": 4,
-    "kinetic_energy": 4,
-    "mass_integral": 3,
-    "balance": 3,
-    "combination": 3,
-    "potential": 3,
-    "first_integral": 3,
-    "differentiation": 2,
-    "conservation": 2,
-    "solution": 2,
-    "identity": 2,
-    "linearization": 2,
-    "substitution": 1,
-    "work_done": 1,
-}
+WEIGHTS: Mapping[str, int] = {rule: weight for weight, rules in {
+    5: ("parallel_axis", "angular_momentum"),
+    4: ("torque", "work", "workless", "kinetic_energy"),
+    3: ("mass_integral", "balance", "combination", "potential", "first_integral"),
+    2: ("differentiation", "conservation", "solution", "identity", "linearization"),
+    1: ("substitution", "work_done"),
+}.items() for rule in rules}  # fmt: skip
 LARGEST_BLANK = 40  # parts of a formula that one has to write
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
@@ -13,24 +13,6 @@ from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.layout import file_stem, key_document, paper_document, printable, solution_document
 
 Made = Callable[[str], str | bytes]
-
-
-def export_pdf(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
-    """One paper a student; with keys also a key and, if asked for, a solution each."""
-    if options.engine not in ENGINES:
-        raise RbpsymError(f"unknown PDF engine “{options.engine}”", instead=f"known: {', '.join(ENGINES)}.")
-    _, compiled = ENGINES[options.engine]
-    return _papers(worksheets, options, "pdf", options.engine, compiled)
-
-
-def export_latex(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
-    """The same as sources in the exam class."""
-    return _papers(worksheets, options, "tex", "pdflatex")
-
-
-def export_typst(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
-    """The same as sources for Typst."""
-    return _papers(worksheets, options, "typ", "typst")
 
 
 def export_html(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
@@ -46,12 +28,15 @@ def export_html(worksheets: tuple[Worksheet, ...], options: Options) -> Exported
     return Exported(files)
 
 
-def _papers(
-    worksheets: tuple[Worksheet, ...], options: Options, ending: str, engine: str, made: Made = lambda source: source
-) -> Exported:
-    files: dict[str, str | bytes] = {}
-    module, _ = ENGINES[engine]
-    write = import_module(module).write_paper
+def _papers(ending: str, worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
+    """One paper a student in PDF (by the engine that was chosen), in the exam class of LaTeX (“tex”) or in Typst (“typ”); with
+    keys also a key and, if asked for, a solution each."""
+    engine = {"tex": "pdflatex", "typ": "typst"}.get(ending, options.engine)
+    if engine not in ENGINES:
+        raise RbpsymError(f"unknown PDF engine “{engine}”", instead=f"known: {', '.join(ENGINES)}.")
+    module, compiled = ENGINES[engine]
+    write, files = import_module(module).write_paper, dict[str, str | bytes]()
+    made: Made = compiled if ending == "pdf" else str
     for worksheet in (printable(worksheet, engine) for worksheet in worksheets):
         stem = file_stem(worksheet)
         files[f"{stem}.{ending}"] = made(write(paper_document(worksheet, options.studio), worksheet))
@@ -61,6 +46,9 @@ def _papers(
             document = solution_document(worksheet, options.derivations)
             files[f"keys/{stem}-solution.{ending}"] = made(write(document, worksheet, is_key=True))
     return Exported(files)
+
+
+export_pdf, export_tex, export_typ = (partial(_papers, ending) for ending in ("pdf", "tex", "typ"))
 
 
 def by_pdflatex(source: str) -> bytes:

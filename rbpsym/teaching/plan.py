@@ -94,7 +94,9 @@ class WorksheetPlan(Frozen):
     def worksheet(self, student: Student | None = None, secret: str = "", language: str = "") -> Worksheet:
         """The paper of a student (of nobody in particular if None), with its key."""
         seed = codes.seed_of(secret, self.sheet.name, "" if student is None else student.id)
-        return self._made(codes.FormCode(self.sheet.name, self._language(language), seed), student, secret)
+        language = language or self.sheet.language
+        phrases(language)  # that there are some
+        return self._made(codes.FormCode(self.sheet.name, language, seed), student, secret)
 
     def from_code(self, text: str, secret: str = "", student: Student | None = None) -> Worksheet:
         """The paper with this form code. Raises RbpsymError if the code does not fit."""
@@ -105,11 +107,6 @@ class WorksheetPlan(Frozen):
                 instead=f"give the file of “{code.worksheet}”.",
             )
         return self._made(code, student, secret)
-
-    def _language(self, language: str) -> str:
-        found = language or self.sheet.language
-        phrases(found)
-        return found
 
     def _made(self, code: codes.FormCode, student: Student | None, secret: str) -> Worksheet:
         said = Words(code.language)
@@ -146,8 +143,7 @@ def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Ite
         if not isinstance(items, Wish):
             table = given_table(part.bench.derivation, situation, said)
             title = words(said.title(problem.title))
-            at = dict([situation.place]) if situation.place else {}
-            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items, place=at)
+            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items, place=situation.places)
     raise AssertionError("situations end with an error")
 
 
@@ -304,9 +300,5 @@ def _prepared(bench: ProblemBench, sight: Scenery, wish: Wish, used: set[str]) -
         if len(fresh) >= wish.number + SPARE:
             break
     found = fresh if len(fresh) >= wish.number else [*fresh, *again]
-    return found if _may_vary(wish) else found[: wish.number]
-
-
-def _may_vary(wish: Wish) -> bool:
-    """Whether a wish leaves open which quantity is asked."""
-    return len(wish.about) != 1 or any(mark in wish.about[0] for mark in "*?[")
+    may_vary = len(wish.about) != 1 or any(mark in wish.about[0] for mark in "*?[")
+    return found if may_vary else found[: wish.number]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.chapters.methods.registry import METHODS
@@ -36,7 +37,8 @@ class Retelling:
             write = next(self._waiting, None)
             if write is None:
                 return None
-            _tried(write, self._draft)
+            with suppress(RbpsymError, KeyError, ZeroDivisionError), at_most(MOST_PRODUCTS):  # KeyError: it has no such premise
+                write(self._draft)
         known = {step.id: step for step in self._draft.steps}
         return tuple(known[id] for id in wanted)
 
@@ -45,14 +47,6 @@ class _Unchecked(Draft):
     def certified(self, step: Step, named: tuple[str, ...]) -> Step:
         """The step as it is, with what its author names."""
         return replace(step, cites=named)
-
-
-def _tried(write: Write, draft: Draft) -> None:
-    try:
-        with at_most(MOST_PRODUCTS):
-            write(draft)
-    except (RbpsymError, KeyError, ZeroDivisionError):  # KeyError: a premise that the wrong physics has not
-        return
 
 
 # --- the first step of a derivation that a misconception spoils: what the step states has another value in the wrong study

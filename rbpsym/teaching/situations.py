@@ -48,6 +48,16 @@ class Situation(Frozen):
     place: tuple[str, Measure] | None
     numbers: Mapping[str, float]
 
+    @property
+    def printed(self) -> dict[str, Measure]:
+        """All numbers that stand on the paper, in its order."""
+        return {**self.given, **self.places}
+
+    @property
+    def places(self) -> dict[str, Measure]:
+        """The place by its name; none where nothing is asked along a way."""
+        return dict([self.place]) if self.place else {}
+
 
 class Scenery(Frozen):
     """What numbers a problem takes: ranges of its constants, the coordinate along which it is followed.
@@ -72,7 +82,8 @@ class Scenery(Frozen):
         for _ in range(MOST_DRAWS):
             given = {name: self.ranges[name].draw(draws) for name in self.ranges}
             numbers = {name: si(measure) for name, measure in given.items()}
-            reason = self._failing_at_rest(numbers)
+            still = zip(self.still, self.evaluate_still(numbers), strict=True)
+            reason = next((what for (what, _), value in still if not value > SMALLEST), "")
             place = None if reason or self.coordinate is None else self.placed(self.coordinate, draws, numbers)
             reason = place if isinstance(place, str) else reason
             if reason or isinstance(place, str):
@@ -86,10 +97,6 @@ class Scenery(Frozen):
             f"no fitting numbers were found for “{self.study.problem.name}” in {MOST_DRAWS} draws: {REASONS[worst]}",
             instead="give other ranges under [problem.numbers], or ask for fewer things.",
         )
-
-    def _failing_at_rest(self, numbers: dict[str, float]) -> str:
-        values = self.evaluate_still(numbers)
-        return next((what for (what, _), v in zip(self.still, values, strict=True) if not v > SMALLEST), "")
 
     def placed(self, coordinate: str, draws: Draws, numbers: dict[str, float]) -> tuple[str, Measure] | str:
         """A place that is reached, nearer and nearer to the start; else what is in the way of it."""
@@ -107,12 +114,9 @@ class Scenery(Frozen):
     def _obstacle(self, numbers: dict[str, float], coordinate: str, start: float, end: float, way: float) -> str:
         if (end - start) * way <= 0:
             return "way"
-        for share in WAY:
-            values = self.evaluate_along({**numbers, coordinate: start + share * (end - start)})
-            for (what, _), value in zip(self.along, values, strict=True):
-                if not value > SMALLEST:
-                    return what
-        return ""
+        shares = (self.evaluate_along({**numbers, coordinate: start + share * (end - start)}) for share in WAY)
+        looks = (pair for values in shares for pair in zip(self.along, values, strict=True))
+        return next((what for (what, _), value in looks if not value > SMALLEST), "")
 
     def _places(self, draws: Draws, start: float, way: float, numbers: Mapping[str, float]) -> Iterator[Measure]:
         """Where it may be looked at: as wished, or a part of the room that there is, halved again and again."""
@@ -160,11 +164,8 @@ def scenery(study: Study, wishes: Mapping[str, NumberRange], is_timed: bool, end
 def _gets_anywhere(study: Study, ranges: Mapping[str, NumberRange], coordinate: str, ends: Mapping[str, Scalar]) -> bool:
     """Whether it leaves its start at all in some of the drawn situations."""
     trial, draws = _scenery(study, ranges, coordinate, ends), Draws(b"trial", study.problem.name)
-    for _ in range(TRIALS):
-        numbers = {name: si(range_.draw(draws)) for name, range_ in ranges.items()}
-        if not isinstance(trial.placed(coordinate, draws, numbers), str):
-            return True
-    return False
+    drawn = ({name: si(range_.draw(draws)) for name, range_ in ranges.items()} for _ in range(TRIALS))
+    return any(not isinstance(trial.placed(coordinate, draws, numbers), str) for numbers in drawn)
 
 
 def _scenery(
@@ -193,12 +194,9 @@ def _scenery(
 
 def followed(study: Study) -> str | None:
     """The coordinate along which the motion is known from its start: the first whose speed is a function of it alone."""
-    for name, square in study.squares.items():
-        if is_zero(square) or name not in study.system.scope.start:
-            continue
-        if names_in(square) <= {name, *named_quantities(study.problem)} and name in names_in(square):
-            return name
-    return None
+    given, start = {*named_quantities(study.problem)}, study.system.scope.start
+    squares = ((name, names_in(square)) for name, square in study.squares.items() if not is_zero(square) and name in start)
+    return next((name for name, names in squares if {name} <= names <= {name, *given}), None)
 
 
 def names_in(value: Scalar) -> frozenset[str]:
@@ -225,10 +223,8 @@ def _ordered(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[
     """Lengths keep the order that they have in the example (a hole stays smaller than its disk)."""
     lengths = [q.name for q in study.problem.parameters if q.dimension == LENGTH and q.sign == "positive"]
     middle = middles(ranges)
-    for first in lengths:
-        for second in lengths:
-            if middle[first] < middle[second]:
-                yield "order", symbol(second) - symbol(first)
+    pairs = ((one, other) for one in lengths for other in lengths if middle[one] < middle[other])
+    yield from (("order", symbol(other) - symbol(one)) for one, other in pairs)
 
 
 def _measurable(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[str, Scalar]]:

@@ -40,9 +40,7 @@ LONGEST = 120  # parts of a formula that is shown with numbers in the places of 
 def where_text(setting: b.ItemSetting) -> Inlines:
     """“ where θ = 40.0°”, if it is asked at a place."""
     place = setting.situation.place
-    if place is None:
-        return ()
-    return spoken(setting.said, "ask.place", place=b.given_as(*place, setting.said.notation))
+    return () if place is None else spoken(setting.said, "ask.place", place=b.given_as(*place, setting.said.notation))
 
 
 def hint(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, level: int) -> Inlines:
@@ -55,12 +53,8 @@ def hint(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, level: i
     return spoken(setting.said, "hint.relations", relations=relations) if relations else ()
 
 
-def worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float | None) -> tuple[Block, ...]:
+def worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float | None) -> Iterator[Block]:
     """Where the answer comes from, the formula and, if it is a number, the numbers put in."""
-    return tuple(_worked(bench, setting, target, value))
-
-
-def _worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float | None) -> Iterator[Block]:
     if target.step:
         yield Paragraph(spoken(setting.said, "solution.from", step=Ref(f"{bench.name}.{target.step}")))
     formula = b.formula_of(bench, target)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
+from typing import Any
 
 from rbpsym.ask.asking import found_in, letters
 from rbpsym.chapters.inertia import turns_about
@@ -53,14 +54,6 @@ def _with_step(target: Target, derivation: Derivation) -> Target:
 # --- kinds
 
 
-def _acceleration(name: str, study: Study) -> Scalar | None:
-    return (study.dynamics.accelerations or {}).get(f"{name}_ddot")
-
-
-def _square(name: str, study: Study) -> Scalar | None:
-    return study.squares.get(name)
-
-
 def _moment(name: str, square: Scalar, study: Study) -> Scalar:
     """About the axis at the distance whose square is given."""
     body = study.system.bodies[name]
@@ -74,7 +67,7 @@ def _accelerations(derivation: Derivation) -> Iterator[Target]:
             yield Target(
                 f"acceleration.{name}",
                 t.Sym(f"{name}_ddot"),
-                partial(_acceleration, name),
+                _by(lambda name, study: (study.dynamics.accelerations or {}).get(f"{name}_ddot"), name),
                 coordinate.quantity.dimension / TIME**2,
                 f"motion.{name}|motion.from_work|motion.from_energy",
                 {"coordinate": t.Sym(name)},
@@ -92,7 +85,7 @@ def _speeds(derivation: Derivation) -> Iterator[Target]:
         yield Target(
             f"speed.{name}",
             t.Pow(speed, t.TWO),
-            partial(_square, name),
+            _by(lambda name, study: study.squares.get(name), name),
             rate**2,
             f"square.{name}",
             {"coordinate": t.Sym(name), "speed": speed},
@@ -226,40 +219,29 @@ def _frequencies(derivation: Derivation) -> Iterator[Target]:
             yield Target(
                 f"frequency.{place}",
                 t.Pow(t.Sym("vartheta"), t.TWO),
-                partial(_frequency, at=place - 1),
+                _by(lambda k, study: next((f for p in study.equilibria[k - 1 : k] for f in p.frequencies_squared), None), place),
                 TIME**-2,
                 slots={"speed": t.Sym("vartheta")},
                 reading=_PERIOD,
             )
 
 
-def _frequency(study: Study, at: int) -> Scalar | None:
-    places = study.equilibria
-    return places[at].frequencies_squared[0] if at < len(places) and places[at].frequencies_squared else None
-
-
 def _frictions(derivation: Derivation) -> Iterator[Target]:
-    for need in derivation.study.friction_needs:
-        if need.needed is not None:
-            of, slots = partial(_needed, constraint=need.constraint), {"contact": t.Sym(need.constraint)}
-            yield Target(f"friction.{need.constraint}", t.Sym("mu_min"), of, NUMBER, slots=slots)
-
-
-def _needed(study: Study, constraint: str) -> Scalar | None:
-    return next((n.needed for n in study.friction_needs if n.constraint == constraint), None)
+    for name in (need.constraint for need in derivation.study.friction_needs if need.needed is not None):
+        of = _by(lambda name, study: next((n.needed for n in study.friction_needs if n.constraint == name), None), name)
+        yield Target(f"friction.{name}", t.Sym("mu_min"), of, NUMBER, slots={"contact": t.Sym(name)})
 
 
 def _losses(derivation: Derivation) -> Iterator[Target]:
-    for loss in derivation.study.losses:
-        if loss.at:
-            of = partial(_lost, force=loss.force, coordinate=loss.coordinate)
-            slots = {"force": t.Sym(loss.force), "coordinate": t.Sym(loss.coordinate)}
-            dimension = derivation.study.problem.dimensions[loss.coordinate]
-            yield Target(f"loss.{loss.force}", t.Sym(loss.coordinate), of, dimension, slots=slots, unit_name="angle")
+    for force, name in ((loss.force, loss.coordinate) for loss in derivation.study.losses if loss.at):
+        of = _by(lambda at, study: next((x.at.get(at[1]) for x in study.losses if x.force == at[0]), None), (force, name))
+        slots, dimension = {"force": t.Sym(force), "coordinate": t.Sym(name)}, derivation.study.problem.dimensions[name]
+        yield Target(f"loss.{force}", t.Sym(name), of, dimension, slots=slots, unit_name="angle")
 
 
-def _lost(study: Study, force: str, coordinate: str) -> Scalar | None:
-    return next((x.at.get(coordinate) for x in study.losses if x.force == force), None)
+def _by(find: Callable[[Any, Study], Scalar | None], key: object) -> Callable[[Study], Scalar | None]:
+    """How what has a key (a name, a place) is found in any study."""
+    return partial(find, key)
 
 
 def _questions(derivation: Derivation) -> Iterator[Target]:

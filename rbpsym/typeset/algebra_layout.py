@@ -264,7 +264,7 @@ def _stops_argument(after: t.Node) -> bool:
 
 def _between(left: t.Node, right: t.Node, style: LayoutStyle) -> b.Box:
     """What stands between two factors: a dot before a number, a thin space around words."""
-    if starts_with_digit(right) or (_is_number(left) and _is_numeric_fraction(right)):
+    if starts_with_digit(right) or (isinstance(left, t.Num) and _is_numeric_fraction(right)):
         return b.Operator("·")
     if isinstance(right, (t.Unit, t.Word)) or isinstance(left, t.Word):
         return b.Thin()
@@ -278,10 +278,6 @@ def starts_with_digit(node: t.Node) -> bool:
     if isinstance(node, t.Pow):
         return starts_with_digit(node.base)
     return isinstance(node, t.Num) and node.value >= 0 and not plain_fraction(node)
-
-
-def _is_number(node: t.Node) -> bool:
-    return isinstance(node, t.Num)
 
 
 def _is_numeric_fraction(node: t.Node) -> bool:

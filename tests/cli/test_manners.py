@@ -107,7 +107,7 @@ def failing(error: BaseException, monkeypatch: pytest.MonkeyPatch) -> Result:
     def fail(*_: object, **__: object) -> None:
         raise error
 
-    monkeypatch.setattr("rbpsym.commands.listing.shelf", fail)
+    monkeypatch.setattr("rbpsym.commands.list.shelf", fail)
     return run("list")
 
 

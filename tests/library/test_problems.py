@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 
 from rbpsym.commands.arguments import entry
-from rbpsym.commands.listing import LEVELS
+from rbpsym.commands.list import LEVELS
 from rbpsym.languages import languages, phrases
 from rbpsym.statement.library import library_folder, problem_files
 from tests.library.derived import AT_START, NAMES, derived, problem

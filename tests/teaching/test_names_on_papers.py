@@ -8,7 +8,7 @@ import pytest
 
 from rbpsym.teaching.formats import Options
 from rbpsym.teaching.model import Student
-from rbpsym.teaching.paper_files import export_latex, export_pdf
+from rbpsym.teaching.paper_files import export_pdf, export_tex
 from rbpsym.teaching.papers.layout import has_letters, without_letters
 from tests.teaching.sample_worksheet import worksheet
 
@@ -31,5 +31,5 @@ def test_papers_are_made(name: str) -> None:
     sheet = replace(worksheet(), student=Student("003", name))
     (paper,) = export_pdf((sheet,), Options()).files.values()
     assert paper.startswith(b"%PDF")
-    (source,) = export_latex((sheet,), Options()).files.values()
+    (source,) = export_tex((sheet,), Options()).files.values()
     assert "李" not in source and ("003" in source or "cmd" in source or "panic" in source)

@@ -66,14 +66,9 @@ def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Ste
             _kept_momentum(draft, balance, pushed)
         return pushed
     whole = _rate(draft, balance, _net_torque(draft, balance))
-    if _is_of_parts(draft, balance):
+    if balance.kind == "fixed" and len(balance.bodies) > 1 and not _is_rigid(draft, balance.bodies):
         by_bodies(draft, balance, settled)
     return whole
-
-
-def _is_of_parts(draft: Draft, balance: Balance) -> bool:
-    """Whether the whole is made of bodies that turn in different ways, so that one may see what acts between them."""
-    return balance.kind == "fixed" and len(balance.bodies) > 1 and not _is_rigid(draft, balance.bodies)
 
 
 def _is_rigid(draft: Draft, bodies: tuple[str, ...]) -> bool:

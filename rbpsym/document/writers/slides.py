@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import groupby
+from itertools import accumulate, groupby
+from operator import itemgetter
 
 from rbpsym.document import model as d
 from rbpsym.document.model import numbered
@@ -28,23 +29,13 @@ def digest(document: d.Document) -> d.Document:
     level, in which the results follow each other."""
     if len({section.label for section in document.sections if section.label.endswith(MOTION)}) < 2:
         return replace(document, sections=tuple(part for part in document.sections if not part.label.endswith(NEVER)))
-    parts = [list(group) for _, group in groupby(document.sections, _Counter())]
+    counted = zip(accumulate(part.level <= 1 for part in document.sections), document.sections, strict=True)
+    parts = [[part for _, part in group] for _, group in groupby(counted, itemgetter(0))]  # of the first level, with those below
     found = [section for part in parts for section in _gathered(part)]
     labels = {label for section in found for block in section.blocks for label in _labels(block)}
     labels |= {section.label for section in found}
     told = [replace(section, blocks=tuple(_without_gaps(section.blocks, labels))) for section in found]
     return replace(document, sections=tuple(section for section in told if section.blocks or section.level == 0))
-
-
-class _Counter:
-    """Numbers the sections of the first level, each with those below it."""
-
-    def __init__(self) -> None:
-        self.count = 0
-
-    def __call__(self, section: d.Section) -> int:
-        self.count += section.level <= 1
-        return self.count
 
 
 def _gathered(part: list[d.Section]) -> Iterator[d.Section]:

@@ -47,19 +47,14 @@ def terminal_lines(document: d.Document, verdicts: Mapping[str, Verdict], doubtf
     screen = Screen(document.notation, document.language, verdicts, max(width, 40), doubtful)
     yield click.style(screen.text(document.title), bold=True)
     for section in document.sections:
-        yield from _section(section, screen)
+        yield from ("", click.style(screen.text(section.title), bold=True, underline=True))
+        for block in section.blocks:
+            yield from BLOCKS[type(block)](block, screen)
 
 
 def plain_lines(document: d.Document) -> Iterator[str]:
     """The same without marks and colours."""
     yield from map(click.unstyle, terminal_lines(document, {}))
-
-
-def _section(section: d.Section, screen: Screen) -> Iterator[str]:
-    yield ""
-    yield click.style(screen.text(section.title), bold=True, underline=True)
-    for block in section.blocks:
-        yield from BLOCKS[type(block)](block, screen)
 
 
 def _paragraph(block: d.Paragraph, screen: Screen) -> Iterator[str]:
@@ -111,10 +106,6 @@ def _table(block: d.Table, screen: Screen) -> Iterator[str]:
         yield from _told("table", block.number, screen.text(block.caption), screen)
 
 
-def _figure(block: d.FigureBlock, screen: Screen) -> Iterator[str]:
-    yield from _told("figure", block.number, block.alt, screen)
-
-
 def _told(kind: str, number: str, text: str, screen: Screen) -> Iterator[str]:
     """Number and caption of a table or figure."""
     from rbpsym.document.phrases import plain
@@ -136,6 +127,6 @@ def _callout(block: d.Callout, screen: Screen) -> Iterator[str]:
 
 
 BLOCKS: Mapping[type, Callable[[Any, Screen], Iterator[str]]] = {
-    d.Paragraph: _paragraph, d.Display: _display, d.Table: _table, d.FigureBlock: _figure, d.ItemList: _items,
-    d.Callout: _callout,
+    d.Paragraph: _paragraph, d.Display: _display, d.Table: _table, d.ItemList: _items, d.Callout: _callout,
+    d.FigureBlock: lambda block, screen: _told("figure", block.number, block.alt, screen),
 }  # fmt: skip

@@ -270,13 +270,9 @@ def callout(block: d.Callout, page: Page) -> str:
 TONES = {"result": "1D5FA8", "why": "6B7280", "note": "6B7280", "check": "2A7548"}
 
 
-def reference(inline: d.Ref, page: Page) -> str:
-    """A link to what the number belongs to."""
-    return link(inline.label, inline.mark)
-
-
 WORD = prints(
-    reference, display, table, figure, item_list, callout, section,
+    display, table, figure, item_list, callout, section,
+    reference=lambda inline, page: link(inline.label, inline.mark),
     text=lambda inline, page: text_run(typographic(inline.text), page.look),
     math=lambda inline, page: to_omml(inline.node, page.notation),
     emph=lambda inline, page: marked(inline.inlines, page, "<w:i/>"),

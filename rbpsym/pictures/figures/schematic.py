@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from itertools import chain
 from typing import Any
 
 from rbpsym.expr.tree import Sym
@@ -23,27 +24,10 @@ ROUND = 1.15  # the greatest radius of a round body
 def schematic(sketch: sk.Sketch) -> s.Scene:
     """The system with its supports, springs, dimensions, angles and axes."""
     sketch = fitted(sketch)
-    drawn = [DRAW[type(part)](part, sketch) for part in in_order(sketch)]
-    scene = sum(drawn, s.Scene())
+    behind = (sketch.circles, sketch.lines, sketch.cords, sketch.links, sketch.coils, sketch.bodies)
+    before = (sketch.points, sketch.angles, sketch.lengths, sketch.radii, sketch.arrows)
+    scene = sum((DRAW[type(part)](part, sketch) for part in chain(*behind, *before)), s.Scene())
     return scene + compass(scene, sketch)
-
-
-def in_order(sketch: sk.Sketch) -> Iterator[object]:
-    """The parts from the back to the front."""
-    for name in (
-        "circles",
-        "lines",
-        "cords",
-        "links",
-        "coils",
-        "bodies",
-        "points",
-        "angles",
-        "lengths",
-        "radii",
-        "arrows",
-    ):
-        yield from getattr(sketch, name)
 
 
 def fitted(sketch: sk.Sketch) -> sk.Sketch:

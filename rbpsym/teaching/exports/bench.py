@@ -89,10 +89,6 @@ class ExportDesk(Frozen):
         sentence = {**LACKS, **self.platform.lacks}[what]
         self.missing.extend([(item, sentence)] if sentence else [])
 
-    def dropdown(self, field: Any) -> str:
-        """A drop-down within text."""
-        return self.platform.dropdown(field)
-
     def word(self, key: str) -> str:
         """A word in the language of the worksheet."""
         return word(key, self.worksheet.language)

@@ -100,10 +100,6 @@ def _number(form: q.Number, desk: ExportDesk) -> tuple[str, str]:
     return unit, "#" + _below_each_other(lines)
 
 
-def _matching(form: Matching, desk: ExportDesk) -> tuple[str, str]:
-    return "", _below_each_other([f"={escaped(left)} -> {right}" for left, right in form.pairs])
-
-
 def _below_each_other(lines: list[str]) -> str:
     return "\n" + "\n".join(lines) + "\n"
 
@@ -111,7 +107,7 @@ def _below_each_other(lines: list[str]) -> str:
 SHELLS: Mapping[type, Callable[[Any, ExportDesk], tuple[str, str]]] = {
     q.Choice: _choice,
     q.Number: _number,
-    Matching: _matching,
+    Matching: lambda form, desk: ("", _below_each_other([f"={escaped(left)} -> {right}" for left, right in form.pairs])),
     q.Essay: lambda form, desk: (form.before, ""),
 }
 LACKS: Mapping[str, str] = {

@@ -163,7 +163,7 @@ def signs(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> Fields:
             DropDown(f"{work}{place}", SIGNS, m.SIGNS.index(sign))
             for work, sign in (("T", row.translational), ("R", row.rotational))
         ]
-        cells = "".join(f"<td>{desk.dropdown(field)}</td>" for field in own)
+        cells = "".join(f"<td>{desk.platform.dropdown(field)}</td>" for field in own)
         rows += f"<tr><td>{force_of(row, desk)}</td>{cells}</tr>"
         fields += own
     head = "".join(f"<th>{desk.word(name)}</th>" for name in ("row", "translational", "rotational"))
@@ -192,7 +192,7 @@ def order_in_pairs(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> Fields:
     fields, asked, step = [], "", desk.word("step")
     for place, ((first, second), right) in enumerate(pairs, start=1):
         fields.append(DropDown(f"P{place}", words, right))
-        asked += f"<li>{step} {first + 1} {desk.dropdown(fields[-1])} {step.lower()} {second + 1}</li>"
+        asked += f"<li>{step} {first + 1} {desk.platform.dropdown(fields[-1])} {step.lower()} {second + 1}</li>"
     return Fields(f"{lines(key.pieces, desk)}<p>{desk.word('pair')}</p><ul>{asked}</ul>", tuple(fields))
 
 

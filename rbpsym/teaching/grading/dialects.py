@@ -51,13 +51,9 @@ def _power(first: str, second: str) -> str:
     return f"(({first})^({second}))"
 
 
-def _hypotenuse(first: str, second: str) -> str:
-    return f"sqrt(({first})^2+({second})^2)"
-
-
 TWO_ARGUMENTS: MappingProxyType[str, Callable[[str, str], str]] = MappingProxyType({
     "root": _root, "nthroot": _root, "surd": _root, "log": _logarithm, "lg": _logarithm, "pow": _power, "power": _power,
-    "hypot": _hypotenuse,
+    "hypot": lambda first, second: f"sqrt(({first})^2+({second})^2)",
 })  # fmt: skip
 _TWO = re.compile(rf"(?<![A-Za-z_])({'|'.join(TWO_ARGUMENTS)})\s*[(\[]")
 

@@ -56,18 +56,13 @@ SaySlip = Callable[[Slip, str], Inlines]
 
 
 def said(remark: Remark, language: str, say_slip: SaySlip, called: Mapping[str, str] = _NOTHING) -> Inlines:
-    """A remark as a sentence; `called` is what bodies are called in the language."""
-    slots = _in_language(remark.slots, language, called)
+    """A remark as a sentence; `called` is what bodies are called in the language, in which what the readers say is told too."""
+    error = remark.slots.get("error")
+    slots = {name: translated(value, language) if isinstance(value, str) else value for name, value in remark.slots.items()}
+    if isinstance(error, RbpsymError):
+        slots["why"] = _NAME.sub(lambda name: renamed(name[0], called), reason(error, language))
     told = {name: tuple(_inlines(value, language, say_slip)) for name, value in slots.items()}
     return phrase_of("worksheets", f"remark.{remark.key}", language, told)
-
-
-def _in_language(slots: Mapping[str, Any], language: str, called: Mapping[str, str]) -> dict[str, Any]:
-    """The slots with what the readers say of the answer in the language."""
-    error = slots.get("error")
-    spoken = {name: translated(value, language) if isinstance(value, str) else value for name, value in slots.items()}
-    why = reason(error, language) if isinstance(error, RbpsymError) else ""
-    return spoken | ({"why": _NAME.sub(lambda name: renamed(name[0], called), why)} if why else {})
 
 
 def _inlines(value: Any, language: str, say_slip: SaySlip) -> Iterator[Any]:

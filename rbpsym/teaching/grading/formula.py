@@ -247,11 +247,8 @@ def _near_miss(answer: t.Node, sought: Sought) -> Judgement | None:
     return j.wrong("sign") if ratio == -1 else j.wrong("factor", factor=t.Num(ratio))
 
 
-def _rounded(answer: t.Node, sought: Sought) -> Judgement | None:
-    return rounded(answer, sought.value, sought.ground)
-
-
-LOOKS = (_carried, _slip, _unfinished, _dimension, _rounded, _near_miss)
+LOOKS = (_carried, _slip, _unfinished, _dimension,
+         lambda answer, sought: rounded(answer, sought.value, sought.ground), _near_miss)  # fmt: skip
 
 
 # --- an equation that is not solved for what is asked

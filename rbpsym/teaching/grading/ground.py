@@ -100,10 +100,6 @@ def _table(
 # ---
 
 
-def _same(value: Scalar) -> Scalar:
-    return value
-
-
 class GradingGround(Frozen):
     """Meanings of names (`scope`), assumptions, dimensions, and how names may be typed (`book`).
 
@@ -114,8 +110,8 @@ class GradingGround(Frozen):
     assumptions: Assumptions = NONE
     scope: Meanings = BARE
     dimensions: Mapping[str, Dimension] = field(default_factory=dict)
-    on_motion: Callable[[Scalar], Scalar] = _same
-    along: Callable[[Scalar], Scalar] = _same
+    on_motion: Callable[[Scalar], Scalar] = lambda value: value
+    along: Callable[[Scalar], Scalar] = lambda value: value
     has_motion: bool = False
 
     @cached_property

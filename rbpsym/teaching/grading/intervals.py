@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 
 from rbpsym.decide import enclosure as e
@@ -81,15 +82,10 @@ class Sampling(Frozen):
         if key not in self.known:
             if len(self.known) > 4000:
                 self.known.clear()
-            self.known[key] = self._tried(node, point)
+            self.known[key] = None
+            with suppress(ArithmeticError, KeyError, LimitError, ReadError, Undecided):
+                self.known[key] = value_at(node, point, self.scope)
         return self.known[key]
-
-    def _tried(self, node: Node, point: Point) -> Number | None:
-        try:
-            return value_at(node, point, self.scope)
-        except (ArithmeticError, KeyError, LimitError, ReadError, Undecided):
-            return None
-
 
 def _angles(*nodes: Node) -> list[str]:
     """Names that stand alone in a sine or cosine: their points of the circle are chosen, not their values."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 
 from rbpsym.decide.domain import Condition, conditions, holds_at
 from rbpsym.decide.enclosure import sign_of
@@ -106,10 +107,9 @@ def _open_powers(node: Node, ground: GradingGround) -> set[Node]:
 
 
 def _is_positive(base: Node, ground: GradingGround) -> bool:
-    try:
+    with suppress(*OUTSIDE):
         return sign(scalar(base, ground.scope), ground.assumptions).kind == "positive"
-    except OUTSIDE:
-        return False
+    return False
 
 
 SIGNED = (">=", ">")
@@ -131,18 +131,16 @@ def has_other_domain(answer: Node, key: Node, ground: GradingGround) -> bool:
 
 def _is_broken(condition: Condition, point: Point) -> bool:
     """Does the condition surely not hold?"""
-    try:
+    with suppress(ArithmeticError, KeyError):
         return sign_of(point.value(condition.value)) == -1
-    except (ArithmeticError, KeyError):
-        return False
+    return False
 
 
 def value_of(node: Node, ground: GradingGround) -> Scalar | None:
     """The value of a formula; None where it has none, or is not soon multiplied out."""
-    try:
+    with suppress(*OUTSIDE):
         return scalar(node, ground.scope) if is_small(node, ground) else None
-    except OUTSIDE:
-        return None
+    return None
 
 
 def divides_by_zero(answer: Node, ground: GradingGround) -> bool:

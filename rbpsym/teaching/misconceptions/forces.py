@@ -175,10 +175,6 @@ def _whole_across(study: Study, force: Force, along: Vector) -> Force:
     return replace(force, vector=along * along.dot(force.vector) + across * (force.vector.y * -way))
 
 
-def _opposite(study: Study, force: Force) -> Force:
-    return change.opposite(force)
-
-
 # --- other values of the unknown forces
 
 
@@ -271,12 +267,12 @@ MISCONCEPTIONS = (
     _changed("turning-force-moves-nothing", _off_center,
              lambda s, f: replace(_with_couple(f, _turning(s, f)), vector=ORIGIN), MOTION),
     _changed("force-acts-at-center", _off_center, lambda s, f: _with_couple(f, -_turning(s, f)), MOTION),
-    _changed("weight-sign", _falling, _opposite, DRIVEN, NO_FORCES),
+    _changed("weight-sign", _falling, lambda s, f: change.opposite(f), DRIVEN, NO_FORCES),
     _changed("weight-left-out", lambda s: _falling(s) if len(s.system.bodies) > 1 else [], lambda s, f: None, MOTION, NO_FORCES),
     _changed("whole-weight-along-slope", *_weights_along(_slope, _whole_along), DRIVEN | {"friction"}),
     _changed("normal-force-is-weight", *_weights_along(_slope, _whole_across), MOTION),
     _changed("one-of-two-parts-of-string", _strings_with_two_parts, lambda s, f: replace(f, vector=f.vector * HALF), MOTION),
-    _changed("action-along-reaction", _reactions, _opposite, MOTION),
+    _changed("action-along-reaction", _reactions, lambda s, f: change.opposite(f), MOTION),
     _changed("third-law-forgotten", _reactions, lambda s, f: None, MOTION),
     Misconception("inertia-of-one-body-left-out", without("mass", _shifted), MOTION),  # its M a is for nothing
     Misconception("centripetal-outward", _speeds_squared(-1), FORCES, WELL),

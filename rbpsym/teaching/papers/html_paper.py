@@ -12,12 +12,11 @@ from collections.abc import Iterator, Mapping
 from markupsafe import Markup, escape
 
 from rbpsym.document.files import data_folder
-from rbpsym.document.model import Document, Inlines, Section, numbered
-from rbpsym.document.writers.html import HTML, font, style
+from rbpsym.document.model import Display, Document, Section, numbered
+from rbpsym.document.writers.html import HTML, display_math, font, style
 from rbpsym.document.writers.html import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
 from rbpsym.document.writers.page import plain_text as bare
-from rbpsym.expr.tree import Node
 from rbpsym.teaching import model as m
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked
 from rbpsym.teaching.papers.html_fields import fields_of
@@ -120,26 +119,15 @@ def lead(block: Lead, page: Page) -> str:
 
 def marked(block: Marked, page: Page) -> str:
     """Formulas with their marks."""
-    rows = "".join(f"<b>{mark}</b><div>{_wide(node, page)}</div>" for mark, node in block.lines)
+    rows = "".join(f"<b>{mark}</b><div>{display_math(Display(node, numbered=False), page)}</div>" for mark, node in block.lines)
     return f'<div class="marked">{rows}</div>'
-
-
-def _wide(node: Node, page: Page) -> str:
-    from rbpsym.document.model import Display
-    from rbpsym.document.writers.html import display_math
-
-    return display_math(Display(node, numbered=False), page)
 
 
 def form(block: Form, page: Page) -> str:
     """A table, filled in."""
     head = "".join(f'<th scope="col">{page.inlines(cell)}</th>' for cell in block.header)
-    rows = "".join(f"<tr>{''.join(_cell(cell, page) for cell in row)}</tr>" for row in block.rows)
+    rows = "".join(f"<tr>{''.join(f'<td>{page.inlines(cell)}</td>' for cell in row)}</tr>" for row in block.rows)
     return f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'
-
-
-def _cell(cell: Inlines, page: Page) -> str:
-    return f"<td>{page.inlines(cell)}</td>"
 
 
 PAPER: Mapping[type, Print] = {**HTML, Lead: lead, Marked: marked, Form: form}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -122,10 +123,6 @@ def _blank_rules(key: m.BlanksKey, item: m.Item, worksheet: m.Worksheet) -> Iter
     yield WritingRules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in key.blanks))
 
 
-def _space(key: m.ExplanationKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield EmptySpace(float(item.space))
-
-
 Area = Callable[[Any, m.Item, m.Worksheet], Iterator[d.Block]]
 
 AREAS: Mapping[type, Area] = {
@@ -137,7 +134,7 @@ AREAS: Mapping[type, Area] = {
     m.SlipKey: _lines,
     m.SignsKey: _sign_table,
     m.BlanksKey: _blank_rules,
-    m.ExplanationKey: _space,
+    m.ExplanationKey: lambda key, item, worksheet: iter([EmptySpace(float(item.space))]),
 }
 
 
@@ -338,11 +335,9 @@ def has_letters(text: str, engine: str) -> bool:
 
 def _is_latin(char: str) -> bool:
     for encoding in ENCODINGS:
-        try:
+        with suppress(UnicodeEncodeError):
             char.encode(encoding)
             return True
-        except UnicodeEncodeError:
-            continue
     return False
 
 

@@ -14,7 +14,6 @@ from rbpsym.expr import tree as t
 from rbpsym.proof.step import Derivation
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
-from rbpsym.teaching.model import Measure
 from rbpsym.teaching.papers.layout import numbers, solution_blocks
 from rbpsym.teaching.ranges import measure_text
 from rbpsym.teaching.situations import Situation
@@ -44,7 +43,7 @@ def _rows(problem: Problem, situation: Situation, said: Words) -> Iterator[tuple
     for name, measure in situation.given.items():
         meaning = said.meaning(name, known[name].meaning) if name in known else _start(problem, name, said)
         inlines = words(meaning) if isinstance(meaning, str) else meaning
-        yield (Math(t.Sym(name)),), inlines, _value(measure, said.notation.decimal)
+        yield (Math(t.Sym(name)),), inlines, words(measure_text(measure, said.notation.decimal))
 
 
 def _start(problem: Problem, name: str, said: Words) -> Inlines:
@@ -52,10 +51,6 @@ def _start(problem: Problem, name: str, said: Words) -> Inlines:
     of = [t.Sym(c.name) for c in problem.coordinates if getattr(c.start, "name", None) == name]
     of += [t.Sym(f"{c.name}_dot") for c in problem.coordinates if getattr(c.speed, "name", None) == name]
     return said.say("symbols.start", of=of, count=len(of))
-
-
-def _value(measure: Measure, mark: str) -> Inlines:
-    return words(measure_text(measure, mark))
 
 
 # ---

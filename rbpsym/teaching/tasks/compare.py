@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -57,7 +58,9 @@ def _decided(bench: ProblemBench, target: Target) -> Iterator[Decided]:
     """Variants with the place of the right answer, proved, and their values."""
     right = target.value(bench.study)
     for variant in variants(bench):
-        value = _tried(variant, bench, target)
+        value = None
+        with suppress(RbpsymError, ZeroDivisionError):
+            value = variant.value(bench, target)
         answer = None if value is None or right is None else _answer(right, value, bench.study)
         if value is not None and answer is not None and (answer != SAME or _is_involved(bench, target, variant)):
             yield variant, answer, value
@@ -72,13 +75,6 @@ def _is_involved(bench: ProblemBench, target: Target, variant: Variant) -> bool:
         return any(variant.slots["name"].name in names_in(part) for part in parts)
     way, body = bench.way_to(target.step, MOST_STEPS) if target.step else (), variant.slots["body"].name
     return len(bench.study.system.bodies) == 1 or any(body in step.id.split(".") for step in way)
-
-
-def _tried(variant: Variant, bench: ProblemBench, target: Target) -> Scalar | None:
-    try:
-        return variant.value(bench, target)
-    except (RbpsymError, ZeroDivisionError):
-        return None
 
 
 def _answer(right: Scalar, other: Scalar, study: Study) -> int | None:
@@ -98,7 +94,8 @@ def variants(bench: ProblemBench) -> Iterator[Variant]:
             yield Variant("compare.doubled", {"name": t.Sym(quantity.name)}, partial(_doubled, name=quantity.name))
     for wrong in _made_so(bench, "moment-of-another-shape"):
         body = wrong.site.slots["body"].name
-        slots = {"body": BodyRef(body), "first": _round(bench, body), "second": wrong.site.slots["variant"]}
+        own = bench.study.problem.body(body).shape.kind
+        slots = {"body": BodyRef(body), "first": own if own in ROUND else "disk", "second": wrong.site.slots["variant"]}
         yield Variant("compare.shape", slots, partial(_of_study, study=wrong.study))
     for name, phrase in (("free-taken-as-welded", "compare.welded"), ("welded-taken-as-free", "compare.free")):
         for wrong in _made_so(bench, name):
@@ -124,21 +121,13 @@ def _of_study(bench: ProblemBench, target: Target, study: Study) -> Scalar | Non
     return target.value(study)
 
 
-def _round(bench: ProblemBench, body: str) -> str:
-    kind = bench.study.problem.body(body).shape.kind
-    return kind if kind in ROUND else "disk"
-
-
 def _doubled(bench: ProblemBench, target: Target, name: str) -> Scalar | None:
     value = target.value(bench.study)
     return None if value is None else short(substitute(value, {name: symbol(name) * 2}))
 
 
 def _prepared(bench: ProblemBench, wish: Wish, target: Target, found: tuple[Decided, ...]) -> Prepared:
-    def make(setting: ItemSetting) -> Item:
-        return _item(bench, setting, wish, target, setting.draws.one_of(found))
-
-    return Prepared("compare", target, (), make)
+    return Prepared("compare", target, (), lambda setting: _item(bench, setting, wish, target, setting.draws.one_of(found)))
 
 
 def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, target: Target, chosen: Decided) -> Item:

@@ -110,23 +110,20 @@ def _blanks_of(bench: ProblemBench, wish: Wish, target: Target) -> Prepared:
     names = tuple(sorted({n for item in answers for n in t.names(item.value)}))
     how = LEVELS[wish.level]
 
-    def key_of(setting: ItemSetting) -> tuple[str, ...]:
-        return ("fill-in", target.id, str(wish.level), setting.language)
-
     def make(setting: ItemSetting) -> Item:
         prompt = Paragraph(spoken(setting.said, "ask.fill-in", count=len(answers), left=target.left, last=len(answers)))
         each = wish.worth(len(answers)) / len(answers)
         blanks = tuple(Blank(a.number, a.value, each, a.step, a.anticipated) for a in answers)
-        lines = bench.once(key_of(setting), lambda: tuple(_lines(bench, setting, steps, statements, how.reasons)))
+        key = ("fill-in", target.id, wish.level, setting.said.language)
+        lines = bench.once(key, lambda: tuple(_lines(bench, setting, steps, statements, how.reasons)))
         solution = (Display(step.statement, numbered=False) for step in steps if step.id in chosen)
-        key = BlanksKey(blanks, names)
-        return wish.item(setting, bench.asked(target), (prompt, *lines), key, len(answers), solution=solution)
+        answer = BlanksKey(blanks, names)
+        return wish.item(setting, bench.asked(target), (prompt, *lines), answer, len(answers), solution=solution)
 
     asked = [step for step in steps if step.id in chosen]
     prints = claims(s.statement for s in steps if s not in asked) | printed(bench.study, statements.values())
     asks = claims(s.statement for s in asked) | wanted_values(bench.study, (item.value for item in answers))
-    content = Content(prints, asks)
-    return Prepared("fill-in", target, (), make, content=content)
+    return Prepared("fill-in", target, (), make, content=Content(prints, asks))
 
 
 def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Step, ...], dict[str, list[Gap]]]:

@@ -72,14 +72,12 @@ def _number_task(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Ta
     found = _with_numbers(bench, scenery, target)
     right = target.known(bench.study, along=True)
 
-    def make(setting: b.ItemSetting) -> Item | None:
-        return _number_item(bench, setting, target, wish, found)
-
     asked = b.asks_for(bench, target).asks
     rows = frozenset(row for row in asked if isinstance(row, tuple))  # all that is to be found, where nothing in it moves
     is_moving = names_in(right) & bench.study.system.scope.rates.keys()
     content = Content(asks=frozenset() if is_moving else rows, numbers=asked)
-    return b.Prepared("number", target, (right, *(d.along for d in found if d.along is not None), *terms(right)), make, content)
+    values = (right, *(d.along for d in found if d.along is not None), *terms(right))
+    return b.Prepared("number", target, values, lambda setting: _number_item(bench, setting, target, wish, found), content)
 
 
 NEAR_ZERO = 0.03  # of the largest term: there it changes its sign or has hardly begun, and a rounded number decides

@@ -39,7 +39,7 @@ class ForceRow(Frozen):
 
 def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item for all forces, if their works are known along the motion."""
-    rows, values = _rows(bench), [half.value if half.parts else NOTHING for half in _halves(bench)]
+    rows, values = tuple(_rows(bench)), [half.value if half.parts else NOTHING for half in _halves(bench)]
     known = set(scenery.ranges) | {scenery.coordinate or ""}
     told = [value for value in values if value is not None and names_in(value) <= known]
     if scenery.coordinate is None or len(told) < len(values) or not rows:
@@ -59,13 +59,11 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
     yield Prepared("signs", None, tuple(told), make, Content(signs=shown | works))
 
 
-def _rows(bench: ProblemBench) -> tuple[ForceRow, ...]:
-    rows = []
+def _rows(bench: ProblemBench) -> Iterator[ForceRow]:
     for work in bench.study.works:
         cancels = bench.study.dynamics.workless.get(work.force) and (work.translational.parts or work.rotational.parts)
         symbol = force_symbol(bench.derivation, work.force, work.on)
-        rows.append(ForceRow(work.force, work.on, symbol, work.force if cancels else ""))
-    return tuple(rows)
+        yield ForceRow(work.force, work.on, symbol, work.force if cancels else "")
 
 
 def _halves(bench: ProblemBench) -> list[Work]:
@@ -101,8 +99,8 @@ def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, rows: tuple[For
     end = given_as(*place, setting.said.notation) if place else start
     prompt = spoken(setting.said, "ask.signs", start=start, end=end, count=len(bench.study.system.bodies))
     asked = AskedQuantity(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole")
-    solution = bench.once(("signs", setting.language), lambda: tuple(_solution(bench, setting.said)))
-    figure = bench.once(("diagrams", setting.language), lambda: diagrams(bench, setting.said, with_forces=False))
+    solution = bench.once(("signs", setting.said.language), lambda: tuple(_solution(bench, setting.said)))
+    figure = bench.once(("diagrams", setting.said.language), lambda: diagrams(bench, setting.said, with_forces=False))
     return wish.item(setting, asked, (Paragraph(prompt), figure), key, min(len(rows), MOST_POINTS), solution=solution)
 
 

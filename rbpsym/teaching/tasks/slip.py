@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 
 from rbpsym.document.model import Display, Inlines, Paragraph
 from rbpsym.expr import tree as t
@@ -54,24 +55,15 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
 
 def _candidates(bench: ProblemBench, target: Target, wish: Wish) -> Iterator[int]:
     """Places of the wrong studies that change the target and can be told as a derivation."""
-    for place, wrong in enumerate(bench.pool.wrongs):
-        own = wrong.misconception
-        if own.tells is None or target.kind not in own.about:
-            continue
-        if not wish.misconceptions or own.name in wish.misconceptions:
+    for place, own in enumerate(wrong.misconception for wrong in bench.pool.wrongs):
+        if own.tells is not None and target.kind in own.about and own.name in (wish.misconceptions or (own.name,)):
             yield place
 
 
 def _told(bench: ProblemBench, target: Target, wish: Wish) -> Iterator[Told]:
     """Slips with their lines: equal to the right ones up to the wrong line, the result different."""
-    found = 0
-    for place in list(_candidates(bench, target, wish))[:TRIES]:
-        told = _with_slip(bench, target, place)
-        if told is not None:
-            found += 1
-            yield told
-        if found == ENOUGH:
-            return
+    tried = (_with_slip(bench, target, place) for place in islice(_candidates(bench, target, wish), TRIES))
+    return islice(filter(None, tried), ENOUGH)
 
 
 def _with_slip(bench: ProblemBench, target: Target, place: int) -> Told | None:

@@ -71,7 +71,7 @@ Prepare = Callable[[ProblemBench, Scenery, Wish], Iterator[Prepared]]
 
 def wanted(bench: ProblemBench, wish: Wish, fits: Callable[[Target], bool], why: str) -> list[Target]:
     """The targets that a wish names and that fit. Raises an error if it names none, or none that fit (`why`)."""
-    named = [x for x in bench.targets.values() if not wish.about or _is_named(x.id, wish)]
+    named = [x for x in bench.targets.values() if not wish.about or any(fnmatchcase(x.id, pattern) for pattern in wish.about)]
     if not named:
         hint = did_you_mean(wish.about[0], bench.ids, "quantities of this problem")
         raise wish.error(f"“{bench.name}” has no quantity “{', '.join(wish.about)}” (or it is zero)", hint)
@@ -102,7 +102,3 @@ def _asked_about(study: Study) -> Set[str]:
             listed = (part if isinstance(part, (tuple, list)) else (part,) for part in (*data, answer.values))
             found |= {name for part in listed for one in part if isinstance(one, Scalar) for name in names_in(one)}
     return found
-
-
-def _is_named(id: str, wish: Wish) -> bool:
-    return any(fnmatchcase(id, pattern) for pattern in wish.about)

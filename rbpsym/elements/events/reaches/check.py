@@ -18,8 +18,4 @@ def _then(context: Context, phase: Phase) -> Scalar:
     return course_of(context, own_place(context, phase.subject))[0] - value
 
 
-def _there(context: Context, phase: Phase) -> Scalar:
-    return own_place(context, phase.subject) - scalar(there(phase.value))
-
-
-CHECK = EventCheck(_then, _there)
+CHECK = EventCheck(_then, lambda context, phase: own_place(context, phase.subject) - scalar(there(phase.value)))

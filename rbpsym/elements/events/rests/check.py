@@ -7,12 +7,8 @@ from rbpsym.proof.context import Context
 from rbpsym.statement.model import Phase
 
 
-def _then(context: Context, phase: Phase) -> Scalar:
-    return course_of(context, own_place(context, phase.subject))[1]
-
-
 def _there(context: Context, phase: Phase) -> Scalar:
     return context.along(time_derivative(own_place(context, phase.subject), context.study.system.scope) ** 2)
 
 
-CHECK = EventCheck(_then, _there)
+CHECK = EventCheck(lambda context, phase: course_of(context, own_place(context, phase.subject))[1], _there)

@@ -77,17 +77,6 @@ def as_machine_text(entries: Iterable[Entry], language: str) -> str:
 
     found: dict[str, list[dict[str, str]]] = {"courses": [], "worksheets": [], "problems": []}
     for entry in entries:
-        found[f"{entry.kind}s"].append(record(entry, language))
+        said = {"title": entry.title(language), "topic": entry.topic(language), "level": entry.level(language)}
+        found[f"{entry.kind}s"].append({"name": entry.name, **said, "source": entry.source, "file": str(entry.path)})
     return json.dumps(found, indent=2, ensure_ascii=False)
-
-
-def record(entry: Entry, language: str) -> dict[str, str]:
-    """One entry as JSON has it."""
-    return {
-        "name": entry.name,
-        "title": entry.title(language),
-        "topic": entry.topic(language),
-        "level": entry.level(language),
-        "source": entry.source,
-        "file": str(entry.path),
-    }
