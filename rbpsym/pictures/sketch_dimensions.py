@@ -121,6 +121,8 @@ WAYS: tuple[tuple[Callable[[Point, Point], float], Pair], ...] = (  # how far ap
     (lambda p, q: abs(p[0] - q[0]), lambda p, q: ((p[0], min(p[1], q[1])), (q[0], min(p[1], q[1])))),
     (lambda p, q: abs(p[1] - q[1]), lambda p, q: ((max(p[0], q[0]), p[1]), (max(p[0], q[0]), q[1]))),
 )
+
+
 def _marked(pose: DrawnPose) -> list[Point]:
     """Points between which distances may be shown: of bodies, fixed ones, feet on lines."""
     problem = pose.study.problem
