@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from itertools import chain
 from typing import Any
 
 from rbpsym.decide.domain import divisors
@@ -391,7 +390,7 @@ def _phase(stage: Stage) -> dict[str, Any]:
         "impulses": _table(began.impulses, study),
         "energy_lost": text(began.energy_lost, study) if began.is_blow else None,
         "energy_taken": text(began.energy_taken, study),
-        "start_valid_where": _demands((*began.asked, *chain(*began.held.values()), *begins(study)), study),
+        "start_valid_where": _demands(stage.starts, study),
         "at_start": _start(study),
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "accelerations": _accelerations(study),

@@ -78,7 +78,7 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
     return _filled(problem, {q.name: _parameter(place, q) for place, q in enumerate(problem.parameters)}, example)
 
 
-def samples(problem: Problem, count: int = 24) -> Iterator[dict[str, float]]:
+def samples(problem: Problem, count: int = 96) -> Iterator[dict[str, float]]:
     """Sample numbers, and others in which the parameters have other sizes (the same on every machine)."""
     first = sample(problem)
     yield first
@@ -89,7 +89,7 @@ def samples(problem: Problem, count: int = 24) -> Iterator[dict[str, float]]:
 
 def _factor(k: int, place: int) -> float:
     """Between 1/50 and 50, the further the later, scattered, the same on every machine."""
-    return math.pow(2 * k + 4, (k * 7919 + place * 104729 + k * place * 31) % 201 / 100 - 1)
+    return math.pow(2 + k / 2, 2 * (k * math.sqrt(place + 2.5) % 1) - 1)
 
 
 def _filled(problem: Problem, numbers: dict[str, float], example: Mapping[str, str] | None) -> dict[str, float]:

@@ -8,7 +8,8 @@ Kleppner & Kolenkow 4.4, 7.6; Meriam & Kraige, Dynamics, 3/12, 6/8.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 
 from rbpsym.decide.rooted import neat
 from rbpsym.elements.interactions import LETTERS
@@ -25,6 +26,7 @@ from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import STRIKES, Struck, is_holding, restitutions, strike
 from rbpsym.mechanics.phase_checks import check_in_place, check_still_slipping, with_senses
+from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System, in_state
 from rbpsym.present.forms import present
@@ -88,6 +90,17 @@ class Stage(Frozen):
     study: Study
     began: HandOver | None = None
     clock: Scalar | None = NOTHING
+
+    @property
+    def starts(self) -> tuple[Demand, ...]:
+        """What is asked of the parameters for the phase to begin as it is stated."""
+        began = self.began
+        return (*(() if began is None else (*began.asked, *chain(*began.held.values()))), *begins(self.study))
+
+
+def followable(parts: Iterable[Stage]) -> tuple[Demand, ...]:
+    """What is asked of the parameters for the motion to come to all phases, and for each to begin as it is stated."""
+    return tuple(demand for part in parts for demand in (*(part.began.before.valid if part.began else ()), *part.starts))
 
 
 def stages(problem: Problem) -> tuple[Stage, ...]:

@@ -5,7 +5,7 @@ What is surely otherwise gets a sentence; what depends on parameters is the cond
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 
 from rbpsym.decide.rooted import neat
@@ -66,9 +66,9 @@ def begins(study: Study) -> tuple[Demand, ...]:
     return ()
 
 
-def begun_numbers(study: Study) -> dict[str, float]:
-    """The first sample numbers at which the motion begins as stated; those of the sample where none do."""
-    begun = begins(study)
+def begun_numbers(study: Study, asked: Iterable[Demand] = ()) -> dict[str, float]:
+    """The first sample numbers at which the motion begins as stated and what else is asked is met; else those of the sample."""
+    begun = (*begins(study), *asked)
     fits = (n for n in samples(study.problem) if all(floating(demand.value, n) >= 0 for demand in begun))
     return next(fits, None) or sample(study.problem)
 

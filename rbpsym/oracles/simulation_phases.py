@@ -18,8 +18,8 @@ from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import NotApplicable, there
 from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.numbers import number, samples
-from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.numbers import floating, number, samples
+from rbpsym.mechanics.phases import Stage, followable, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.numeric import integration
 from rbpsym.oracles.simulation import Bench, Derived, Errors, SimulationReport, simulate_study, told
@@ -51,8 +51,8 @@ def simulate_problem(study: Study) -> SimulationReport:
 
 def _parameters(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
     """Numbers at which the motion comes to all phases."""
-    asked = [demand.value for stage in parts[1:] for demand in there(stage.began).before.valid]
-    fitting = (found for found in samples(problem) if all(number(value, found) > 0 for value in asked))
+    asked = [demand.value for demand in followable(parts)]
+    fitting = (found for found in samples(problem) if all(floating(value, found) > 0 for value in asked))
     numbers = next(fitting, None)
     if numbers is None:
         raise NotApplicable("at none of the sample numbers does the motion come to all phases")

@@ -7,11 +7,12 @@ from typing import Any
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import PROVED
 from rbpsym.errors import Undecided
-from rbpsym.field import NOTHING, ORIGIN, Scalar, at_start, depends_on, is_zero, names_in
+from rbpsym.field import NOTHING, ORIGIN, Scalar, at_start, depends_on, is_zero, names_in, substitute
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.events import ways_of
 from rbpsym.mechanics.motion import power
 from rbpsym.proof.grounds import Said, is_proved
+from rbpsym.statement.scope import CLOCK
 
 MOST_ERROR = 1e-6
 
@@ -212,9 +213,10 @@ def starts_at_rest(said: Said) -> bool:
 
 
 def stays_at_rest(said: Said) -> bool:
-    """It starts at rest where all accelerations vanish."""
-    found, scope = said.study.solved.accelerations, said.system.scope
-    return bool(found) and starts_at_rest(said) and all(is_zero(at_start(a, scope)) for a in found.values())
+    """It starts at rest where all accelerations vanish, at each time."""
+    found = said.study.solved.accelerations
+    start = {name: value for name, value in said.system.scope.start.items() if name != CLOCK}
+    return bool(found) and starts_at_rest(said) and all(is_zero(substitute(a, start)) for a in found.values())
 
 
 def leaves_rest(said: Said) -> bool:

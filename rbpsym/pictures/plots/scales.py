@@ -10,7 +10,8 @@ from rbpsym.errors import NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import angles, floating, sample
-from rbpsym.mechanics.pushing import begins, begun_numbers
+from rbpsym.mechanics.phases import followable, known_stages
+from rbpsym.mechanics.pushing import begun_numbers
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
@@ -68,8 +69,9 @@ def scales(study: Study) -> Scales:
     problem = study.problem
     declared = [q for q in problem.parameters if q.name not in problem.implicit]
     is_given = bool(declared) and all(q.name in problem.example for q in declared)
-    numbers = sample(problem, problem.example) if is_given else begun_numbers(study)
-    if any(floating(demand.value, numbers) < 0 for demand in begins(study)):
+    asked = followable(known_stages(problem)[0])
+    numbers = sample(problem, problem.example) if is_given else begun_numbers(study, asked)
+    if any(floating(demand.value, numbers) < 0 for demand in asked):
         raise NotApplicable("with these numbers the motion does not begin as it is stated")
     return Scales(numbers) if is_given else Scales(numbers, base(declared, weighs=not problem.unstated))
 
