@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
+from itertools import chain
 from typing import Any
 
+from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.domain import IMPLIED
+from rbpsym.decide.signs import sign
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
+from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.study import Study
 from rbpsym.proof.duties import merged
 from rbpsym.proof.step import Derivation, Step
 
 AT_ONCE = "at once"
+OF_A_CASE = ("contact", "oscillations", "course")  # chapters whose conditions are those of a place, or of one of several courses
 ALONG_MOTION = ("first_integral", "substitution", "stays", "work_done")
 
 
@@ -58,44 +65,44 @@ def _is_rest(step: Step) -> bool:
 # --- under which conditions the formulas on a page hold: their own open obligations, and those of what is not shown
 
 
-def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Any, ...]]:
-    """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on. What the
-    page has said is not said again, but where it was said of another case."""
+def owed_by(steps: Iterable[Step], shown: Set[str], given: Assumptions) -> Mapping[str, tuple[Any, ...]]:
+    """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on. What follows
+    from what the page has said, of the whole motion or of what it rests on, is not said again."""
     by_id = {step.id: step for step in steps}
-    found: dict[str, tuple[Any, ...]] = {}
-    told: list[tuple[tuple[Node, ...], set[Node]]] = []
+    found, told = dict[str, tuple[Any, ...]](), dict[str, tuple[Any, ...]]()
     for id in (id for id in by_id if id in shown):
-        own = merged(_open(by_id, by_id[id], shown))
-        told.append((own, _in_its_words(by_id[id])))
-        known = set().union(*(said for case, said in told if not _are_cases(case, own)))
-        found[id] = tuple(node for node in own if node not in known)
-        told[-1][1].update(t.relation(node.items[0], op, t.ZERO) for node in found[id] for op in SAYS.get(node.ops[0], node.ops))
+        ground = _ground(by_id, id)
+        said = (nodes for other, nodes in told.items() if other in ground or by_id[other].chapter not in OF_A_CASE)
+        known = (*_in_its_words(by_id[id]), *chain.from_iterable(said))
+        found[id] = unsaid(merged(_open(by_id, by_id[id], shown)), known, given)
+        told[id] = (*found[id], *_in_its_words(by_id[id]))
     return {id: nodes for id, nodes in found.items() if nodes}
 
 
-def _are_cases(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
-    """Whether something is positive in the one that is negative in the other."""
-    signs = {node.items[0] for node in one if node.ops == (">",)}
-    return any(t.neg(node.items[0]) in signs for node in other if node.ops == (">",))
+def unsaid(nodes: Iterable[Any], known: Iterable[Any], given: Assumptions) -> tuple[Any, ...]:
+    """The conditions that do not follow from those that are known."""
+    known = list(known)
+    met = assuming(given, [Demand(scalar(node.items[0]), node.ops[0]) for node in known], tighter=True)
+    return tuple(node for node in nodes if node not in known and not IMPLIED[node.ops[0]](sign(scalar(node.items[0]), met)))
 
 
-SAYS: Mapping[str, tuple[str, ...]] = {">": (">", ">=", "!=")}  # what is positive is neither zero nor negative
+def _ground(by_id: Mapping[str, Step], id: str) -> set[str]:
+    """The steps that a step rests on."""
+    found, open_ = set[str](), [id]
+    while open_:
+        new = [one for one in by_id[open_.pop()].premises if one in by_id and one not in found]
+        found.update(new)
+        open_ += new
+    return found
 
 
-def _in_its_words(step: Step) -> set[Node]:
+def _in_its_words(step: Step) -> tuple[Node, ...]:
     """“As long as N pushes”, says the sentence of its friction."""
     normal = step.slots.get("normal")
-    return {t.relation(normal, ">=", t.ZERO)} if step.phrase.startswith("work.dissipated.friction") and normal else set()
+    return (t.relation(normal, ">=", t.ZERO),) if step.phrase.startswith("work.dissipated.friction") and normal else ()
 
 
 def _open(by_id: Mapping[str, Step], step: Step, shown: Set[str]) -> list[Node]:
-    found = [duty.relation for duty in step.certificate.verdict.open_obligations]
-    if step.is_result:
-        hidden, seen = [id for id in step.premises if id in by_id and id not in shown], set[str]()
-        while hidden:
-            id = hidden.pop()
-            if id not in seen and (certificate := by_id[id].certificate):
-                seen.add(id)
-                found += [duty.relation for duty in certificate.verdict.open_obligations]
-                hidden += [more for more in by_id[id].premises if more in by_id and more not in shown]
-    return found
+    hidden = {id: one for id, one in by_id.items() if id not in shown} if step.is_result else {}
+    ground = [step, *(hidden[id] for id in hidden if id in _ground({**hidden, step.id: step}, step.id))]
+    return [duty.relation for one in ground if one.certificate for duty in one.certificate.verdict.open_obligations]

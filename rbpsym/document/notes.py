@@ -93,7 +93,7 @@ def notation_of(derivation: Derivation, language: str = "en") -> Notation:
 
 def words_of(derivation: Derivation, shown: frozenset[str], language: str = "en", prefix: str = "") -> Words:
     """How notes that show these steps speak: what stands already on the page is only referred to."""
-    where, owed = locator(derivation.study), owed_by(in_page_order(derivation.steps), shown)
+    where, owed = locator(derivation.study), owed_by(in_page_order(derivation.steps), shown, derivation.study.assumptions)
     said = Words(language, derivation.study.problem, prefix, shown, locate=where, owed=owed)
     same = repeated(derivation, shown, said)
     return replace(said, shown=shown - set(same), same=same)

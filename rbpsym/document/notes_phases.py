@@ -10,7 +10,7 @@ from typing import Any
 from rbpsym.chapters.endings import begun
 from rbpsym.document.chapters import chapter_blocks, chapter_sections, solved_together
 from rbpsym.document.model import Block, Paragraph, Ref, Section
-from rbpsym.document.needless import is_struck, owed_by
+from rbpsym.document.needless import is_struck, owed_by, unsaid
 from rbpsym.document.telling import Teller
 from rbpsym.document.used import used_to_begin
 from rbpsym.document.words import Words
@@ -58,7 +58,9 @@ def phase_words(derivation: Derivation, said: Words, speaker: Speaker) -> Iterat
         own = replace(speaker(phase.derivation, prefix), locate=said.locate)  # ends are called as the figure shows them
         own = without_repetition(phase.derivation, own, before)
         before.append((phase.derivation, own))
-        yield begin_words(phase, derivation, said, prefix), own
+        begins, given = begin_words(phase, derivation, said, prefix), phase.derivation.study.assumptions
+        told = list(chain.from_iterable(begins.owed.values()))
+        yield begins, replace(own, owed={id: unsaid(nodes, told, given) for id, nodes in own.owed.items()})
 
 
 def without_repetition(derivation: Derivation, own: Words, before: list[tuple[Derivation, Words]]) -> Words:
@@ -103,7 +105,7 @@ def begin_words(phase: DerivedPhase, whole: Derivation, said: Words, prefix: str
     """How the steps by which a phase begins are spoken of."""
     shown = frozenset(step.id for step in phase.begins if step.level <= max(said.level, STANDARD))
     shown = shown if said.is_full else shown & used_to_begin(phase, whole)
-    return replace(said, prefix=prefix, shown=shown, same={}, owed=owed_by(phase.begins, shown))
+    return replace(said, prefix=prefix, shown=shown, same={}, owed=owed_by(phase.begins, shown, whole.study.assumptions))
 
 
 def phase_results(derivation: Derivation, said: Words, speaker: Speaker) -> Iterator[tuple[Words, tuple[Step, ...]]]:
