@@ -33,8 +33,9 @@ side = "outside"
 
 def test_each_case_has_all_that_it_asks_for() -> None:
     """It comes off on the right where v₀ > 0 and on the left where v₀ < 0, in both cases where it does not so at once."""
-    steps = derive(load_text(BEAD), simulation=False).steps
-    owed = owed_by(steps, {step.id for step in steps})
+    derivation = derive(load_text(BEAD), simulation=False)
+    steps = derivation.steps
+    owed = owed_by(steps, {step.id for step in steps}, derivation.study.assumptions)
     told = ({to_text(node) for node in nodes} for nodes in owed.values())
     lost = [one for one in told if any("v₀" in text for text in one)]
     assert sorted(map(len, lost)) == [2, 2] and len(set.intersection(*lost)) == 1

@@ -255,7 +255,7 @@ def test_the_axis_of_works_and_energies_says_what_it_counts():
     assert t.Mul((t.Word("trabajo"), t.Word("/ J"))) in [label.content for label in drawn]
 
 
-@pytest.mark.parametrize("name", ["block-on-rough-spring", "block-on-rough-wedge", "rod-strikes-puck"])
+@pytest.mark.parametrize("name", ["block-on-rough-spring", "block-on-rough-wedge", "rod-strikes-puck", "sled-up-and-back"])
 def test_a_motion_is_drawn_as_far_as_it_is_the_stated_one(name: str) -> None:
     """What slips keeps its sense, and at the start no contact pulls."""
     found = motion(derive(load_text((HERE / f"{name}.toml").read_text(encoding="utf-8")), simulation=False))

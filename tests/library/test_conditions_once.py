@@ -42,7 +42,7 @@ def lists(derivation: Derivation) -> Iterator[Sequence[t.Node]]:
     """The conditions that stand together on a page of each level."""
     for level in (1, 2, 3):
         shown = {step.id for step in derivation.steps if step.is_result or step.level <= level}
-        yield from owed_by(derivation.steps, shown).values()
+        yield from owed_by(derivation.steps, shown, derivation.study.assumptions).values()
 
 
 @pytest.mark.parametrize("name", NAMES)
