@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 from rbpsym.decide.rooted import neat, rationalised
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NoNumber
 from rbpsym.field import Scalar, has_roots, is_rooted, root, short, with_exponentials_joined
 from rbpsym.field.normal import in_one_angle
-from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
@@ -37,7 +34,5 @@ def sense_stated(study: Study, push: Scalar) -> int:
 
 def sense_at_sample(study: Study, push: Scalar) -> int:
     """1 or -1, the sense of a push at the first sample numbers at which it begins as stated; 0 where it has none there."""
-    try:
-        return int(math.copysign(1, found)) if (found := number(push, begun_numbers(study))) else 0
-    except NoNumber:
-        return 0
+    found = floating(push, begun_numbers(study))
+    return (found > 0) - (found < 0)

@@ -13,7 +13,7 @@ from rbpsym.expr.infix import read_infix
 from rbpsym.field import Scalar, names_in
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.numbers import floating, number
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import ENERGY, NUMBER, TIME, Dimension
 from rbpsym.statement.checks import dimensions_with_unknowns
@@ -191,11 +191,9 @@ def unmet(study: Study, valid: Iterable[t.Node], numbers: Mapping[str, float], *
 
 
 def _holds(gap: Scalar, op: str, numbers: Mapping[str, float]) -> bool:
-    try:
-        found = number(gap, numbers)
-    except NoNumber:
-        return False
-    return {">": found > -NEAR, ">=": found >= -NEAR, "!=": abs(found) > NEAR, "=": abs(found) < NEAR}.get(op, True)
+    found = floating(gap, numbers)
+    met = {">": found > -NEAR, ">=": found >= -NEAR, "!=": abs(found) > NEAR, "=": abs(found) < NEAR}
+    return found == found and met.get(op, True)
 
 
 ENERGIES = re.compile(r"energ|work|lost|Lagrangian|(?:^|\W)[EKU](?:_|\b)")

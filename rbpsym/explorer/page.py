@@ -18,7 +18,7 @@ from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
 from rbpsym.elements.events import EVENTS
-from rbpsym.errors import NoNumber, StatementError
+from rbpsym.errors import StatementError
 from rbpsym.explorer.events import force_labels, label, strikes
 from rbpsym.explorer.stage import LAST, Began, PhaseEnding, StagePhase, loose, phase, start_name
 from rbpsym.expr import tree as t
@@ -27,7 +27,7 @@ from rbpsym.field import Scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.languages import part_of
 from rbpsym.mechanics.endings import LAWS
-from rbpsym.mechanics.numbers import angles, bound, number, sample
+from rbpsym.mechanics.numbers import angles, bound, floating, sample
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.figures.outlines import OUTLINES
@@ -107,11 +107,7 @@ def model(problem: Problem, language: str) -> Model:
 def _require_start(study: Study, numbers: dict[str, float]) -> None:
     """Raises StatementError if the numbers of the example give no start."""
     for name, value in study.system.scope.start.items():
-        try:
-            found = number(value, numbers)
-        except NoNumber:
-            found = math.nan
-        if not math.isfinite(found):
+        if not math.isfinite(floating(value, numbers)):
             raise StatementError(
                 f"with the numbers of the example there is no start: “{name}” has no value",
                 instead="give other numbers under [example].",

@@ -89,7 +89,6 @@ def _require_start(study: Study, name: str, *values: Scalar) -> None:
 
 
 EDGE = 1e-9
-NEAR_ENDS = (0.02, 0.98)
 
 
 def mover(study: Study, subject: str = "") -> str | None:
@@ -179,7 +178,7 @@ def _first_met(
     is_pushed = is_zero(study.system.scope.start.get(f"{name}_dot", NOTHING))  # from rest it goes as the forces want
     begun, drive = begins(study) if is_pushed else (), _drive(study, name)
     inwards = inward(start, study.assumptions.range_of(name)) if is_zero(drive) else 0
-    for numbers in _tried(study, start):
+    for numbers in samples(study.problem):
         if any(floating(demand.value, numbers) < 0 for demand in begun):
             continue
         way = Way(name, start, inwards or (-1 if floating(drive, numbers) < 0 else 1), square)
@@ -198,16 +197,6 @@ def _first_met(
         what = "is not decided: the speed may vanish before, at a place that was not found"
         raise NotApplicable(f"whether “{name}” comes so far {what}")
     return None
-
-
-def _tried(study: Study, start: Scalar) -> Iterator[Numbers]:
-    """Sample numbers; then those with a start that no parameter declares close to the ends of its range."""
-    yield from samples(study.problem)
-    numbers = sample(study.problem)
-    for name in names_in(start) & set(study.problem.implicit):
-        low, high = (None if end is None else floating(end, numbers) for end in study.assumptions.range_of(name))
-        if low is not None and high is not None:
-            yield from ({**numbers, name: low + (high - low) * part} for part in NEAR_ENDS)
 
 
 def _conditions(study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers) -> list[Demand] | None:

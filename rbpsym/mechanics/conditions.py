@@ -11,14 +11,14 @@ from dataclasses import replace
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NoNumber, StatementError, there
+from rbpsym.errors import StatementError, there
 from rbpsym.field import ONE, Vector, atoms, depends_on, derivative, has_roots, is_zero, short, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.integration import antiderivative
 from rbpsym.field.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.mechanics.constraints import JOINTS, AngleJoin
 from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import floating, number, sample
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period, zeros
 from rbpsym.mechanics.system import ConstraintCondition, Force, Pose
 from rbpsym.quantities import NUMBER
@@ -189,8 +189,8 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
     if coordinate is None or len(names) < 2:
         return None
     numbers = sample(problem)
-    each = ((_place(zero, numbers), zero) for zero in zeros(value, coordinate.name))
-    places = [(at, zero) for at, zero in each if at is not None and _is_allowed(at, coordinate, numbers)]
+    each = ((floating(zero, numbers), zero) for zero in zeros(value, coordinate.name))
+    places = [(at, zero) for at, zero in each if at == at and _is_allowed(at, coordinate, numbers)]
     return min(places, key=lambda item: abs(item[0]))[1] if places else None
 
 
@@ -222,14 +222,6 @@ def _held_at_start(value: Scalar, coordinate: Coordinate) -> Scalar | None:
     start = scalar(there(coordinate.start))
     moves = coordinate.speed is not None and not is_zero(scalar(coordinate.speed))
     return None if moves or not is_zero(substitute(value, {coordinate.name: start})) else start
-
-
-def _place(zero: Scalar, numbers: Mapping[str, float]) -> float | None:
-    """Where a zero is at sample numbers; None if it is not real there (acos 2)."""
-    try:
-        return number(zero, numbers)
-    except NoNumber:
-        return None
 
 
 def _is_allowed(place: float, coordinate: Coordinate, numbers: Mapping[str, float]) -> bool:

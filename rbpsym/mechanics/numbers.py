@@ -78,24 +78,25 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
     return _filled(problem, {q.name: _parameter(place, q) for place, q in enumerate(problem.parameters)}, example)
 
 
-def samples(problem: Problem, count: int = 96) -> Iterator[dict[str, float]]:
-    """Sample numbers, and others in which the parameters have other sizes (the same on every machine)."""
+def samples(problem: Problem, count: int = 48) -> Iterator[dict[str, float]]:
+    """Sample numbers, and others in which the parameters have other sizes, the further the later, and the starts other places in
+    their ranges (the same on every machine)."""
     first = sample(problem)
     yield first
     for k in range(1, count):
-        scaled = {q.name: first[q.name] * _factor(k, place) for place, q in enumerate(problem.parameters)}
-        yield _filled(problem, scaled, None)
+        scaled = {q.name: first[q.name] * (3 + k) ** (2 * _scattered(k, n) - 1) for n, q in enumerate(problem.parameters)}
+        yield _filled(problem, scaled, None, k)
 
 
-def _factor(k: int, place: int) -> float:
-    """Between 1/50 and 50, the further the later, scattered, the same on every machine."""
-    return math.pow(2 + k / 2, 2 * (k * math.sqrt(place + 2.5) % 1) - 1)
+def _scattered(k: int, place: int) -> float:
+    """Evenly between 0 and 1, by an irrational step for each place."""
+    return k * math.sqrt(place + 2.5) % 1
 
 
-def _filled(problem: Problem, numbers: dict[str, float], example: Mapping[str, str] | None) -> dict[str, float]:
+def _filled(problem: Problem, numbers: dict[str, float], example: Mapping[str, str] | None, k: int = 0) -> dict[str, float]:
     _make_room(problem, numbers)
     _keep_bounds(problem, numbers)
-    numbers |= _starts(problem, numbers)
+    numbers |= _starts(problem, numbers, k)
     numbers |= {name: value for name, text in (example or {}).items() if (value := _read(text)) is not None}
     for coordinate in problem.coordinates:
         numbers[coordinate.name] = _middle(coordinate, numbers)
@@ -149,13 +150,14 @@ def _parameter(place: int, quantity: Quantity) -> float:
     return 0.4 * generic if quantity.dimension == NUMBER else generic  # an acute angle
 
 
-def _starts(problem: Problem, numbers: dict[str, float]) -> dict[str, float]:
+def _starts(problem: Problem, numbers: dict[str, float], k: int) -> dict[str, float]:
     """A start that is a constant of its own gets a value inside the coordinate's range."""
     found = {}
-    for coordinate in problem.coordinates:
+    for place, coordinate in enumerate(problem.coordinates, len(problem.parameters)):
         name = getattr(coordinate.start, "name", None)
         if name in problem.implicit:
-            found[name] = _within(coordinate, numbers, 0.8) * _side(coordinate, problem.example.get(name, ""))
+            share = _scattered(k, place) if k else 0.8
+            found[name] = _within(coordinate, numbers, share) * _side(coordinate, problem.example.get(name, ""))
     return found
 
 
@@ -194,12 +196,12 @@ def _speed(coordinate: Coordinate, numbers: Numbers) -> float:
     return found if found else 0.0
 
 
-def floating(value: Scalar, numbers: Numbers) -> float:
-    """The value at these numbers; not a number where it is not real."""
+def floating(value: Scalar, numbers: Numbers, none: float = math.nan) -> float:
+    """The value at these numbers; `none` where it is not real."""
     try:
         found = number(value, numbers)
     except NoNumber:
-        return float("nan")
+        return none
     return 0.0 if abs(found) < 1e-12 else found
 
 

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-from rbpsym.errors import NoNumber
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.numbers import floating, number
 from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.system import rotated
 from rbpsym.pictures.figures import sketch as sk
@@ -283,14 +282,7 @@ def _forces(pose: DrawnPose) -> Iterator[SketchArrow]:
 def _acting(pose: DrawnPose, *values: Scalar) -> Iterator[list[float]]:
     """The numbers in the pose, and as if all moved: what vanishes at rest is drawn as in motion."""
     for more in ({}, dict.fromkeys(pose.study.system.speeds, 1.0)):
-        yield [_value(pose, value, more) for value in values]
-
-
-def _value(pose: DrawnPose, value: Scalar, more: Mapping[str, float]) -> float:
-    try:
-        return number(value, {**pose.reactions(), **pose.numbers, **more})
-    except NoNumber:
-        return 0.0
+        yield [floating(value, {**pose.reactions(), **pose.numbers, **more}, 0.0) for value in values]
 
 
 def _couples(pose: DrawnPose) -> Iterator[SketchArrow]:

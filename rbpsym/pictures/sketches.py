@@ -11,7 +11,7 @@ from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.expr import tree as t
 from rbpsym.field import Scalar, names_in
 from rbpsym.mechanics.motion import net_power
-from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.system import Force, System
 from rbpsym.pictures import sketch_dimensions as dimensions
 from rbpsym.pictures import sketch_supports as supports
@@ -133,7 +133,7 @@ def couples(pose: DrawnPose, names: Names) -> Iterator[SketchCouple]:
         if force.couple:
             positive = dict.fromkeys(force.unknowns, 1.0)
             tried = (soon, {**pose.numbers, **pose.reactions()}, *_generic(pose, positive))
-            found = [_value(force.couple, numbers) for numbers in tried]
+            found = [floating(force.couple, numbers, 0.0) for numbers in tried]
             place = next((k for k, value in enumerate(found) if abs(value) > SMALL), 0)
             sense = -1 if found[place] < 0 else 1
             label = _label(pose, force, names)
@@ -157,7 +157,7 @@ def after_start(pose: DrawnPose) -> Numbers:
         soon = moving.with_forces(state)
     except (NotApplicable, NoNumber):
         return {}
-    return {} if any(_value(net_power(system, system.named(name)), soon) > SMALL for name in rubbing) else soon
+    return {} if any(floating(net_power(system, system.named(name)), soon) > SMALL for name in rubbing) else soon
 
 
 def _direction(pose: DrawnPose, force: Force, soon: Numbers) -> tuple[float, float, bool]:
@@ -195,15 +195,7 @@ def _generic(pose: DrawnPose, positive: Numbers) -> Iterator[Numbers]:
 
 
 def _components(force: Force, numbers: Numbers) -> Point:
-    return _value(force.vector.x, numbers), _value(force.vector.y, numbers)
-
-
-def _value(value: Scalar, numbers: Numbers) -> float:
-    """The number; 0 where there is none."""
-    try:
-        return number(value, numbers)
-    except NoNumber:
-        return 0.0
+    return floating(force.vector.x, numbers, 0.0), floating(force.vector.y, numbers, 0.0)
 
 
 def _label(pose: DrawnPose, force: Force, names: Names) -> t.Node:

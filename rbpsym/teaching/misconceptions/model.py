@@ -6,12 +6,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property, partial
 from typing import Any
 
-from rbpsym.errors import NoNumber
 from rbpsym.expr.tree import Node, Vec
 from rbpsym.field import NOTHING, Scalar, Vector, is_zero
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field, replace
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import floating, number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.present.forms import present
@@ -193,11 +192,8 @@ def numbers_of(study: Study) -> dict[str, float]:
 
 def sign_of(study: Study, value: Scalar) -> int:
     """Sign of a value at sample numbers, 0 if it is too small to tell or unknown."""
-    try:
-        found = number(value, numbers_of(study))
-    except NoNumber:
-        return 0
-    return 0 if abs(found) < 1e-9 else 1 if found > 0 else -1
+    found = floating(value, numbers_of(study))
+    return (found > 1e-9) - (found < -1e-9)
 
 
 def arms(study: Study) -> dict[str, Vector]:
