@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
+from contextlib import suppress
 from itertools import chain
 from typing import Any
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import IMPLIED
 from rbpsym.decide.signs import sign
+from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.tree import Node
 from rbpsym.field.evaluate import scalar
@@ -79,11 +81,19 @@ def owed_by(steps: Iterable[Step], shown: Set[str], given: Assumptions) -> Mappi
     return {id: nodes for id, nodes in found.items() if nodes}
 
 
-def unsaid(nodes: Iterable[Any], known: Iterable[Any], given: Assumptions) -> tuple[Any, ...]:
+def unsaid(nodes: tuple[Any, ...], known: Iterable[Any], given: Assumptions) -> tuple[Any, ...]:
     """The conditions that do not follow from those that are known."""
     known = list(known)
-    met = assuming(given, [Demand(scalar(node.items[0]), node.ops[0]) for node in known], tighter=True)
-    return tuple(node for node in nodes if node not in known and not IMPLIED[node.ops[0]](sign(scalar(node.items[0]), met)))
+    met = assuming(given, (demand for _, demand in _read(known)), tighter=True)
+    implied = {node for node, demand in _read(nodes) if IMPLIED[demand.op](sign(demand.value, met))}
+    return tuple(node for node in nodes if node not in known and node not in implied)
+
+
+def _read(nodes: Iterable[Any]) -> Iterator[tuple[Any, Demand]]:
+    """Conditions with what they say, as far as their letters alone tell it."""
+    for node in nodes:
+        with suppress(RbpsymError):
+            yield node, Demand(scalar(node.items[0]), node.ops[0])
 
 
 def _ground(by_id: Mapping[str, Step], id: str) -> set[str]:
