@@ -9,7 +9,7 @@ import numpy as np
 
 from rbpsym.errors import NoNumber
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, derivative, names_in
+from rbpsym.field import Scalar, derivative, names_in, symbol
 from rbpsym.field.evaluate import scalar, time_derivative
 from rbpsym.kernel.claim import TIME, Proposition, is_along_time
 from rbpsym.kernel.claims import ClaimSource
@@ -23,7 +23,10 @@ CLOSE = 2e-3  # of their size may both sides be apart: sums over the time are th
 
 
 class Motion:
-    """A motion from the start: the numbers of all letters at some times, and (by their names) the rates of what changes."""
+    """A motion from the start: the numbers of all letters at some times, and (by their names) the rates of what changes.
+
+    `open`: letters for places that only an equation tells.
+    """
 
     def __init__(self, source: ClaimSource) -> None:
         study, given = source.study, sample(source.study.problem, source.study.problem.example)
@@ -54,7 +57,8 @@ class Motion:
         for name, vector in letters.vectors.items():
             *plane, out = vector.components()
             found |= dict(zip((f"{name}_x", f"{name}_y"), plane, strict=True)) | ({} if any(plane) else {name: out})
-        found = {name: value for name, value in found.items() if name not in self.numbers}
+        self.open = {name for name, value in found.items() if value == symbol(name)} - self.numbers.keys()
+        found = {name: value for name, value in found.items() if name not in {*self.numbers, *self.open}}
         waiting = dict(found)
         while waiting:
             ready = {name: self.of(value) for name, value in waiting.items() if not names_in(value) & waiting.keys()}
