@@ -56,8 +56,9 @@ def _marked(text: str, said: Words) -> Iterator[Inline]:
 
 
 def _spoken(text: str, said: Words) -> Iterator[Inline]:
-    """The words of the grammar; the longest runs that are formulas as formulas."""
-    words, start = text.split(), 0
+    """The words of the grammar; the longest runs that are formulas as formulas. A body has its article by itself."""
+    bodies, words, start = said.problem.body_names if said.problem else (), text.split(), 0
+    words = [word for word, then in zip(words, (*words[1:], ""), strict=True) if word != "the" or then not in bodies]
     while start < len(words):
         is_article = words[start : start + 2] == ["a", "function"]  # no letter
         ways = range(start if is_article else min(len(words), start + MOST_WORDS), start, -1)

@@ -132,7 +132,7 @@ class SourceTable(Frozen):
         """The tables in the list under `key`, empty if there is none."""
         value = self.data.get(key, [])
         if not isinstance(value, (list, tuple)) or not all(isinstance(row, Mapping) for row in value):
-            raise self.value_error(key, f"{where} must be a list of tables", f"write {key} = [{{ ... }}, {{ ... }}]")
+            raise self.value_error(key, f"{where} must be a list of tables", f"write [[{key}]] above the keys of each one")
         return [SourceTable(self.source, (*self.path, key, i), row) for i, row in enumerate(value)]
 
     def string(self, key: str, default: str = "") -> str:

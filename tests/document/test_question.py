@@ -173,3 +173,9 @@ def test_an_answer_that_follows_from_steps_says_from_which(name):
     bare = [road for road in roads(page) if not any(isinstance(part, Ref) for part in parts(road))]
     alone = [road for road in bare if sum(isinstance(part, Display) for part in parts(road)) < 2]
     assert len(alone) <= sum(not is_led for is_led in led.values())
+
+
+@pytest.mark.parametrize("asked", ["the speed of the rod where theta = 0", "speed of rod where theta = 0"])
+def test_articles_of_a_question_are_not_doubled(asked: str) -> None:
+    told = question(asked, Words("en", load_problem(find_problem("rod-pendulum"))))
+    assert text(told).startswith("the speed of the rod where")
