@@ -28,7 +28,8 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.languages import part_of
 from rbpsym.mechanics.endings import LAWS
 from rbpsym.mechanics.numbers import angles, bound, floating, sample
-from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.phases import Stage, followable, known_stages
+from rbpsym.mechanics.pushing import begun_numbers
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.figures.outlines import OUTLINES
 from rbpsym.pictures.figures.scene import COLORS
@@ -77,7 +78,7 @@ def model(problem: Problem, language: str) -> Model:
             f"the motion of “{problem.name}” can't be followed: it is known at its start alone",
             instead="its speeds, accelerations and forces there are in `rbpsym solve` and in notes.",
         )
-    numbers = sliders(study)
+    numbers = sliders(study, parts)
     names = tuple(slider.name for slider in numbers)
     _require_start(study, {slider.name: slider.value for slider in numbers})
     phases = tuple(_phase(problem, parts, k, names, notation) for k in range(len(parts)))
@@ -231,10 +232,11 @@ def unit_of(dimension: Dimension) -> str:
     return unit_text(units.unit_of(dimension, "torque" if dimension == ENERGY else ""))
 
 
-def sliders(study: Study) -> tuple[Slider, ...]:
-    """Parameters, constants of the start, and starts that the author left open; the example's numbers to begin with."""
+def sliders(study: Study, parts: tuple[Stage, ...]) -> tuple[Slider, ...]:
+    """Parameters, constants of the start, and starts that the author left open; the example's numbers to begin with, without
+    one such that the motion comes to all phases."""
     problem = study.problem
-    numbers = sample(problem, problem.example)
+    numbers = sample(problem, problem.example) if problem.example else begun_numbers(study, followable(parts), far=True)
     starts = {c.start.name: c for c in problem.coordinates if isinstance(c.start, t.Sym) and c.start.name in problem.implicit}
     turned = angles(problem)
     found = [

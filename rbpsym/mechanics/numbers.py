@@ -79,12 +79,13 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
 
 
 def samples(problem: Problem, count: int = 48) -> Iterator[dict[str, float]]:
-    """Sample numbers, and others in which the parameters have other sizes, the further the later, and the starts other places in
-    their ranges (the same on every machine)."""
+    """Sample numbers, those with starts near the other ends of their ranges, and others in which the parameters have other sizes,
+    the further the later, and the starts other places (the same on every machine)."""
     first = sample(problem)
     yield first
-    for k in range(1, count):
-        scaled = {q.name: first[q.name] * (3 + k) ** (2 * _scattered(k, n) - 1) for n, q in enumerate(problem.parameters)}
+    for k in range(1 if problem.implicit else 2, count):
+        size = 1 if k == 1 else 2 + k
+        scaled = {q.name: first[q.name] * size ** (2 * _scattered(k, n) - 1) for n, q in enumerate(problem.parameters)}
         yield _filled(problem, scaled, None, k)
 
 
@@ -156,7 +157,7 @@ def _starts(problem: Problem, numbers: dict[str, float], k: int) -> dict[str, fl
     for place, coordinate in enumerate(problem.coordinates, len(problem.parameters)):
         name = getattr(coordinate.start, "name", None)
         if name in problem.implicit:
-            share = _scattered(k, place) if k else 0.8
+            share = _scattered(k, place) if k > 1 else (0.8, 0.2)[k]
             found[name] = _within(coordinate, numbers, share) * _side(coordinate, problem.example.get(name, ""))
     return found
 

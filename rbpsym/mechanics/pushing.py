@@ -16,7 +16,7 @@ from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, 
 from rbpsym.mechanics.demands import Demand, possible, settle
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import resistances, slips, spare
-from rbpsym.mechanics.numbers import floating, sample, samples
+from rbpsym.mechanics.numbers import Numbers, bound, floating, sample, samples
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.ways import taken
 from rbpsym.present.forms import present
@@ -66,11 +66,29 @@ def begins(study: Study) -> tuple[Demand, ...]:
     return ()
 
 
-def begun_numbers(study: Study, asked: Iterable[Demand] = ()) -> dict[str, float]:
-    """The first sample numbers at which the motion begins as stated and what else is asked is met; else those of the sample."""
+def begun_numbers(study: Study, asked: Iterable[Demand] = (), *, far: bool = False) -> dict[str, float]:
+    """The first sample numbers at which the motion begins as stated and what else is asked is met; else those of the sample.
+
+    `far`: rather those from which it goes to the farther ends of its ranges.
+    """
     begun = (*begins(study), *asked)
     fits = (n for n in samples(study.problem) if all(floating(demand.value, n) >= 0 for demand in begun))
-    return next(fits, None) or sample(study.problem)
+    first = next(fits, None)
+    if first is None or not far or _goes_far(study, first):
+        return first or sample(study.problem)
+    return next((numbers for numbers in fits if _goes_far(study, numbers)), first)
+
+
+def _goes_far(study: Study, numbers: Numbers) -> bool:
+    """Whether what starts within a range, at a place of its own, sets out towards the farther end."""
+    start = _gained(study)
+    for c in study.problem.coordinates:
+        low, high, begun = (bound(node, numbers) for node in (c.lower, c.upper, c.start))
+        rates = (floating(start.get(f"{c.name}_{rate}", NOTHING), numbers) for rate in ("dot", "ddot"))
+        away = 0.0 if low is None or high is None or begun is None else low + high - 2 * begun
+        if next(filter(None, rates), 0.0) * away < 0:
+            return False
+    return True
 
 
 OPS = {"way": ">", "force": ">=", "growth": ">=", "grip": ">=", "size": ">=", "slip": ">", "gain": ">"}

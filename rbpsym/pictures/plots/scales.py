@@ -70,7 +70,7 @@ def scales(study: Study) -> Scales:
     declared = [q for q in problem.parameters if q.name not in problem.implicit]
     is_given = bool(declared) and all(q.name in problem.example for q in declared)
     asked = followable(known_stages(problem)[0])
-    numbers = sample(problem, problem.example) if is_given else begun_numbers(study, asked)
+    numbers = sample(problem, problem.example) if is_given else begun_numbers(study, asked, far=True)
     if any(floating(demand.value, numbers) < 0 for demand in asked):
         raise NotApplicable("with these numbers the motion does not begin as it is stated")
     return Scales(numbers) if is_given else Scales(numbers, base(declared, weighs=not problem.unstated))
