@@ -311,7 +311,7 @@ def _valid_where(study: Study) -> list[str]:
     below = dict.fromkeys(one for table in tables for value in table.values() for one in divisors(value))
     open_ = [one for one in below if not sign(one, study.assumptions).is_nonzero]
     asked = [Demand(value) for _, value in ways_kept(study)]
-    asked += [demand for element in study.problem.interactions for demand in kept_sense(study, element)]
+    asked += [demand for element in study.problem.elements for demand in kept_sense(study, element)]
     asked += [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
     return [*(f"{text(one, study)} != 0" for one in open_), *_demands([*asked, *grips(study.friction_needs)], study)]
 
@@ -391,6 +391,7 @@ def _phase(stage: Stage) -> dict[str, Any]:
         "energy_lost": text(began.energy_lost, study) if began.is_blow else None,
         "energy_taken": text(began.energy_taken, study),
         "start_valid_where": _demands(stage.starts, study),
+        "motion_valid_where": _valid_where(study),
         "at_start": _start(study),
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "accelerations": _accelerations(study),

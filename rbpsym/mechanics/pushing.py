@@ -122,14 +122,12 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
 
 
 def kept_sense(study: Study, element: Element) -> tuple[Demand, ...]:
-    """What a resistance asks of the state, as far as nothing declared says so: that the motion keeps its sense, and that a
-    size that rests on unknown forces is not negative."""
-    found = resistances(study.system).get(element.name)
-    if found is None:
-        return ()
-    size = [found.size] if names_in(found.size) & {*study.system.unknowns} else []
+    """What friction or a resistance asks of the state, as far as nothing declared says so: that the motion keeps its sense, and
+    that a size that rests on unknown forces is not negative."""
+    slip, found = slips(study.system).get(element.name), resistances(study.system).get(element.name)
+    size = [found.size] if found is not None and names_in(found.size) & {*study.system.unknowns} else []
     never = StatementError(f"“{element.name}” never acts in the sense that is stated", place=element.place)
-    return possible((Demand(value, ">=") for value in ([found.slip] if found.sense else []) + size), study.assumptions, never)
+    return possible((Demand(value, ">=") for value in ([] if slip is None else [slip]) + size), study.assumptions, never)
 
 
 def ways_taken(study: Study) -> Iterator[tuple[Element, Scalar]]:

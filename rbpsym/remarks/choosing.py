@@ -186,6 +186,7 @@ def results(derivation: Derivation) -> Iterator[BoxedResult]:
     chains = (node for node in duties if isinstance(node, t.Chain))
     signs = {node.items[0] for node in chains if node.ops[0] in (">", ">=") and node.items[-1] == ZERO}
     kept = tuple(value for value in map(derivation.letters.value, signs) if isinstance(value, Scalar))
+    kept += tuple(one.value for side in derivation.study.sides if side.state in ("asked", "open") for one in side.valid)
     for step in derivation.steps:
         found = result_of(step, derivation)
         if found is not None:

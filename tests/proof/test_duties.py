@@ -6,10 +6,13 @@ import pytest
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.domain import Condition
+from rbpsym.decide.signs import sign
 from rbpsym.derive import derive
 from rbpsym.expr import tree as t
+from rbpsym.field import short
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.scalar import Scalar, symbol
+from rbpsym.mechanics.friction import slips
 from rbpsym.present.forms import PLAIN
 from rbpsym.proof.duties import _core, _is_said, _open
 from rbpsym.typeset.machine import to_machine
@@ -81,3 +84,14 @@ def test_a_factor_of_known_sign_is_no_part_of_a_condition() -> None:
     given, m, gap = Assumptions({"m": "positive"}), symbol("m"), X - Y
     assert _core(gap * m * 2, given) == gap and _core(gap * m * -3, given) == -gap and _core(gap / (m + 1), given) == gap
     assert _core(gap**2 * m, given) == gap**2 * m and _core(m / gap, given) == m / gap
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_against_a_motion_says_that_this_keeps_its_sense(name: str) -> None:
+    """The formula of kinetic friction, as that of a resistance, is another one when the slip has turned round."""
+    for own in (derived(name), *(phase.derivation for phase in derived(name).phases)):
+        ledger = [step for step in own.steps if step.chapter == "forces"]
+        told = [own.letters.value(one.relation.items[0]) for step in ledger for one in step.certificate.verdict.open_obligations]
+        for slip in slips(own.study.system).values():
+            known = sign(slip, own.study.assumptions).is_nonnegative
+            assert known or any(sign(short(value / slip), own.study.assumptions).kind == "positive" for value in told)
