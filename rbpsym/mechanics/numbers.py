@@ -83,7 +83,7 @@ def samples(problem: Problem, count: int = 48) -> Iterator[dict[str, float]]:
     the further the later, and the starts other places (the same on every machine)."""
     first = sample(problem)
     yield first
-    for k in range(1 if problem.implicit else 2, count):
+    for k in range(1 if _starts(problem, first, 0) else 2, count):
         size = 1 if k == 1 else 2 + k
         scaled = {q.name: first[q.name] * size ** (2 * _scattered(k, n) - 1) for n, q in enumerate(problem.parameters)}
         yield _filled(problem, scaled, None, k)
