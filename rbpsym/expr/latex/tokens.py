@@ -359,7 +359,7 @@ _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in seve
     "zero": lambda _: ("digit", "0"),  # the vector zero is printed as a bold number
     "gradient": lambda _: ("command", r"\nabla"),
     "degree": lambda _: ("sign", "°"),
-    "arrow": lambda _: ("command", r"\to"),  # with a word on it, which says how one gets there
+    "arrow": lambda text: ("row", IMPLIED) if text.startswith(r"\xR") else ("command", r"\to"),  # and a word how one gets there
     "word": lambda text: ("text", text),  # of a text in Chinese, Japanese or Korean
     "dots": lambda _: ("command", r"\dots"),
     "empty": lambda text: ("sign", re.sub(r"\s", "", text)),
