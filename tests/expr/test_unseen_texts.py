@@ -135,8 +135,8 @@ OPEN = [
 
 
 def test_a_wide_gap_parts_the_cells_of_values_by_cases():
-    rows = [part for part in t.walk(read(r"f = \begin{cases} a \quad h > 0 \\ b &\quad h < 0 \end{cases}")) if isinstance(part, t.Formal)]
-    assert [len(one.parts) for one in rows] == [2, 2, 2]
+    tree = read(r"f = \begin{cases} a \quad h > 0 \\ b &\quad h < 0 \end{cases}")
+    assert [len(part.parts) for part in t.walk(tree) if isinstance(part, t.Formal)] == [2, 2, 2]
 
 
 @pytest.mark.parametrize("latex", OPEN)

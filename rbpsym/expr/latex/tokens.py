@@ -112,7 +112,7 @@ _ALIASES = {
     r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
     r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
     r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
-    r"\backslash": r"\setminus",
+    r"\backslash": r"\setminus", r"\var": r"\delta", r"\variation": r"\delta",
     r"\leadsto": r"\to", r"\rightsquigarrow": r"\to", r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'", "?": r"\?",
 }  # fmt: skip
 JOINING = frozenset({
@@ -387,4 +387,3 @@ def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
         what = f"the environment “{name[:40]}” can't be read"
         raise source.error(what, start, end, "Use aligned, or write one formula.")
     return Token("begin", rf"\{text[1:].partition('{')[0].strip()}{{{name}}}", start, end)
-
