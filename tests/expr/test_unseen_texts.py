@@ -61,7 +61,7 @@ def read(latex):
         (r"a = b ~~~\text{vector form: } c = d", "a = b\nc = d"),
         (r"-a = b_j \quad j = x,y,z", "−a = bⱼ"),
         (r"\frac{d^2 r}{{dt'^2}} = a \quad {b = c}", "d²r/dt′² = a\nb = c"),
-        (r"{ a = b } \ \ \ {c = d}", "a = b\nc = d"),
+        (r"{ a = b } \ \ \ {\begingroup\color{red} c\endgroup = d}", "a = b\nc = d"),
         (r"a = \bm{\mathrm{\tau}} \cdot \vec b \times \vec c", "a = τ⃗ · (b⃗ × c⃗)"),
         (r"f = \odv{}{t} v + \int F \odif{y} + \cos\ab(\omega t)", "f = dv/dt + ∫F dy + cos(ωt)"),
         (r"F = \sum_i a_i + \sum_i b_i + c_{kin}", "F = ∑ᵢ aᵢ + ∑ᵢ bᵢ + cₖᵢₙ"),
