@@ -264,8 +264,11 @@ def used_names(node: t.Node) -> set[str]:
 
 def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: bool = True) -> Link:
     """The outcome of one relation; what can't be computed is said, never passed. What is false of d/dθ along the motion may be
-    meant of ∂/∂θ."""
+    meant of ∂/∂θ, and what is false with a constant that nobody knows may hold with another."""
     found = _outcome(relation, ground, depth, witnesses)
+    free = sorted(name for name in t.names(relation) if ground.kind(name) == "constant")
+    if found.outcome is Outcome.REFUTED and free and not any(_kind(side, ground) in SPECIAL for side in relation.items):
+        return replace(found, outcome=Outcome.UNDECIDED, detail=f"it is not said which value {to_text(t.Sym(free[0]))} has")
     if found.outcome is Outcome.REFUTED and (loose := _with_partials(relation)) != relation:
         meant = _outcome(loose, ground, depth, False)
         if meant.outcome is Outcome.PROVED:

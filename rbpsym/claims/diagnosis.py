@@ -79,7 +79,7 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground, near: Neighbours 
             continue
         decided += seen is True
         link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
-        if link.outcome is Outcome.PROVED and not _says_nothing(repair, ground, looks):
+        if link.outcome is Outcome.PROVED and not _says_nothing(repair, ground):
             if told and repair.words.startswith(("the term", "factor")):
                 break  # nobody's slip is a constant
             found = Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
@@ -92,12 +92,15 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground, near: Neighbours 
     return first or empty or Diagnosis(told or loosely or _actual(relation, ground))
 
 
-def _says_nothing(repair: Repair, ground: Ground, looks: list[Sample]) -> bool:
-    """Is it 0 = 0?"""
-    items, own = repair.relation.items, repair.ground or ground
-    look = replace(looks[0], question=replace(looks[0].question, ground=own), known={}) if looks else None
+def _says_nothing(repair: Repair, ground: Ground) -> bool:
+    """Is it 0 = 0, or is one side a 0 in disguise?"""
+    items, looks = repair.relation.items, samples(EqualityQuestion(repair.ground or ground), 1)
+    look = looks[0] if looks else None
+    if t.ZERO not in items:
+        swallows = any(one in getattr(other, "terms", ()) for one, other in (items, items[::-1]))  # a + b = b
+        return swallows or (look is not None and any(map(look.is_hollow, items)))
     hollow = (isinstance(item, t.Sym) or look is None or look.is_hollow(item) for item in items if item != t.ZERO)
-    return t.ZERO in items and "in place of" not in repair.words and all(hollow)
+    return "in place of" not in repair.words and all(hollow)
 
 
 def _holds_beside(one: t.Chain, holds: bool, relation: t.Chain, repair: Repair, claim: Claim, ground: Ground) -> bool:

@@ -219,9 +219,7 @@ def grounded(setting: Setting, words: Glossary, world: World, names: Collection[
         try:
             bounds[words.names[latex]] = world.bound(meaning.phrase) if meaning.phrase != CLOCK else _CLOCK
         except RbpsymError as error:
-            raise StatementError(
-                f"the meaning of {latex}: {error.what}", instead=error.instead, place=meaning.place
-            ) from None
+            raise StatementError(f"the meaning of {latex}: {error.what}", instead=error.instead, place=meaning.place) from None
     return Ground(world, words, bounds)
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from rbpsym.claims.model import EXPECTATIONS, Claim, ClaimsFile, Meaning, Printed, Setting
 from rbpsym.errors import ReadError
-from rbpsym.statement.loader import load_table, table_of
+from rbpsym.statement.loader import load_table
 from rbpsym.statement.source import SourceTable, did_you_mean, kind_of
 
 MAX_BYTES = 512 * 1024
@@ -32,15 +32,7 @@ def load_claims(path: Path, *, binds: bool = False) -> ClaimsFile:
 
     Raises ReadError, StatementError or LimitError with the place of what is wrong.
     """
-    return _claims_of(load_table(path, MAX_BYTES), str(path), path.stem, binds=binds)
-
-
-def read_claims(text: str, file: str = "", name: str = "claims", *, binds: bool = False) -> ClaimsFile:
-    """The claims in a TOML text."""
-    return _claims_of(table_of(text, file, MAX_BYTES), file, name, binds=binds)
-
-
-def _claims_of(root: SourceTable, file: str, name: str, *, binds: bool) -> ClaimsFile:
+    root, file, name = load_table(path, MAX_BYTES), str(path), path.stem
     root.check_keys(FILE_KEYS, "a claims file")
     settings = _settings(root)
     rows = root.rows("claim", "claim")
@@ -113,9 +105,7 @@ def _adds(table: SourceTable) -> bool:
 
 def _symbols(table: SourceTable) -> dict[str, Meaning]:
     section = table.table("symbols", "symbols")
-    return {
-        latex: Meaning(section.string(latex), section.source.value((*section.path, latex))) for latex in section.names()
-    }
+    return {latex: Meaning(section.string(latex), section.source.value((*section.path, latex))) for latex in section.names()}
 
 
 def _many(table: SourceTable, key: str) -> tuple[Printed, ...]:
@@ -162,9 +152,7 @@ def _check_content(table: SourceTable, expect: str) -> None:
     if "right" in table and expect != "refuted":
         raise table.error("“right” belongs to a claim that is refuted", 'add expect = "refuted", or drop it.', "right")
     if "erratum" in table and expect not in ("refuted", "not computed"):
-        raise table.error(
-            "an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum"
-        )
+        raise table.error("an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum")
 
 
 def _setting_of(table: SourceTable, settings: Mapping[str, Setting]) -> Setting:

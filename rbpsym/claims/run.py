@@ -133,19 +133,9 @@ def key_of(claim: Claim, printed: Printed | None, problem: bytes, made_by: str) 
     setting, formula = claim.setting, printed or claim.printed
     if formula is None or not made_by or _uses_definition(setting, formula.latex):
         return ""
-    return digest(
-        made_by,
-        problem,
-        setting.theory,
-        setting.phase,
-        str(setting.fixed_axis),
-        *_symbols(setting),
-        formula.latex,
-        claim.holds,
-        claim.expect,
-        claim.right.latex if claim.right else "",
-        claim.not_computed,
-    )
+    where = (setting.theory, setting.phase, str(setting.fixed_axis), *_symbols(setting))
+    right = claim.right.latex if claim.right else ""
+    return digest(made_by, problem, *where, formula.latex, claim.holds, claim.expect, right, claim.not_computed)
 
 
 def _symbols(setting: Setting) -> Iterable[str]:

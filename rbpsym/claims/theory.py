@@ -33,9 +33,7 @@ DIMENSIONS = {
     "theta": dimensions.NUMBER,
     "omega": dimensions.TIME**-1,
     "alpha": dimensions.TIME**-2,
-    **dict.fromkeys(
-        ("X", "Y", "xi", "eta", *(f"s{k}_{a}" for k in range(1, COUNT + 1) for a in "xy")), dimensions.LENGTH
-    ),
+    **dict.fromkeys(("X", "Y", "xi", "eta", *(f"s{k}_{a}" for k in range(1, COUNT + 1) for a in "xy")), dimensions.LENGTH),
     **dict.fromkeys(("X_dot", "Y_dot"), dimensions.SPEED),
     **dict.fromkeys(("X_ddot", "Y_ddot"), dimensions.ACCELERATION),
     **dict.fromkeys((f"F{k}_{a}" for k in range(1, COUNT + 1) for a in "xy"), dimensions.FORCE),
@@ -223,11 +221,7 @@ def _works() -> dict[str, Callable[[TheoryWorld], Bound]]:
     def work(which: str, part: str) -> Callable[[TheoryWorld], Bound]:
         return lambda w: number(w.motion.work(w.power(which, part)))
 
-    return {
-        f"work of {words}{tail}": work(which, part)
-        for words, which in forces.items()
-        for tail, part in tails.items()
-    }
+    return {f"work of {words}{tail}": work(which, part) for words, which in forces.items() for tail, part in tails.items()}
 
 
 PHRASES: Mapping[str, Callable[[TheoryWorld], Bound]] = {

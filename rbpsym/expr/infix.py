@@ -69,9 +69,7 @@ class Ways(Frozen):
     parted: tuple[tuple[bool, ...], ...]
 
 
-def read_ways(
-    text: str, symbols: Iterable[str], *, functions: Mapping[str, Callable[[t.Node], t.Node]] = FUNCTIONS
-) -> Ways:
+def read_ways(text: str, symbols: Iterable[str], *, functions: Mapping[str, Callable[[t.Node], t.Node]] = FUNCTIONS) -> Ways:
     """All readings of a typed expression or relation that can be read in several ways. Raises as `read_infix`.
 
     Where these are too many, only what has no usual reading is read in several.

@@ -132,9 +132,7 @@ class Cursor(Walker, Generic[T]):
         self.position += found
         return found
 
-    def error(
-        self, what: str, instead: str = "", token: T | None = None, kind: type[ReadError] = ReadError
-    ) -> RbpsymError:
+    def error(self, what: str, instead: str = "", token: T | None = None, kind: type[ReadError] = ReadError) -> RbpsymError:
         """A ReadError at a token (the next one by default)."""
         token = token or self.token
         return self.source.error(what, token.start, token.end, instead, kind)

@@ -20,8 +20,8 @@ TIMES = {"start": NUMBER, "speed": TIME, "acceleration": TIME**2}  # by which a 
 def fitting(data: Mapping[str, Any], known: Dimensions, unsaid: list[str]) -> dict[str, Dimension]:
     """The first choice of angles and lengths in which places are lengths, angles are numbers, and starts fit; angles, if none."""
     angles = dict.fromkeys(unsaid, NUMBER)
-    every = {**known, **angles}
-    stated = [*_stated(data, every)] if 0 < len(unsaid) <= MOST else []
+    known = {"t": TIME, **known}
+    stated = [*_stated(data, {**known, **angles})] if 0 < len(unsaid) <= MOST else []
     for choice in product((NUMBER, LENGTH), repeat=len(unsaid)) if stated else ():
         chosen = dict(zip(unsaid, choice, strict=True))
         if all(_fits(node, {**known, **chosen}, wanted, times) for node, wanted, times in stated):

@@ -51,6 +51,7 @@ ROWS = [
     (r"N_w=\frac34 Mg(3\sin\theta-2\sin\theta_0)\cos\theta", PROVED),
     (r"N_f=\frac{Mg}{4}(1-6\sin\theta\sin\theta_0+9\sin^2\theta)", PROVED),
     (r"N_f=Mg", REFUTED),
+    (r"\theta=C\cos(q\theta_0)", UNDECIDED),  # of other constants it may be true
     (r"W_T=\frac12 M V^2", PROVED),
     (r"W_\theta=\frac16 M\ell^2\omega^2", PROVED),
     (r"W_\theta=\frac12 M\ell^2\omega^2", REFUTED),

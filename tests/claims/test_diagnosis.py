@@ -62,6 +62,14 @@ def test_what_is_true_if_it_is_said_otherwise_is_no_near_miss(latex, told):
     assert found.outcome is Outcome.REFUTED and told in found.diagnosis
 
 
+def test_no_repair_makes_both_sides_vanish():
+    """No (ℓ − x)² with x = ℓ, and no a + b = b."""
+    symbols = {"L": Meaning("Lagrangian, up to a constant"), "x": Meaning("ell"), "r": Meaning("ell")}
+    printed = Printed(r"\frac{d}{dt}\frac{\partial L}{\partial\ddot\theta} = M r^2\dot\theta")
+    found = Checker(Worlds(), diagnosis).check(Claim("c", Setting("s", "rod-pendulum", symbols=symbols), printed))
+    assert (found.outcome, found.fix, found.diagnosis) == (Outcome.REFUTED, "", "")
+
+
 def test_what_is_far_off_is_told_what_it_is():
     found = CHECKER.check(CLAIMS["eq-34"], Printed(r"\alpha=\frac{g^3}{\ell^5}\cos^3\theta\sin\theta"))
     assert found.outcome is Outcome.REFUTED and found.diagnosis == "in fact α is −(3g/(4ℓ)) cos θ"

@@ -61,7 +61,7 @@ def read(latex):
         (r"a = b ~~~\text{vector form: } c = d", "a = b\nc = d"),
         (r"-a = b_j \quad j = x,y,z", "−a = bⱼ"),
         (r"\frac{d^2 r}{{dt'^2}} = a \quad {b = c}", "d²r/dt′² = a\nb = c"),
-        (r"{ a = b } \ \ \ {c = d}", "a = b\nc = d"),
+        (r"{ a = b } \ \ \ {\begingroup\color{red} c\endgroup = d}", "a = b\nc = d"),
         (r"a = \bm{\mathrm{\tau}} \cdot \vec b \times \vec c", "a = τ⃗ · (b⃗ × c⃗)"),
         (r"f = \odv{}{t} v + \int F \odif{y} + \cos\ab(\omega t)", "f = dv/dt + ∫F dy + cos(ωt)"),
         (r"F = \sum_i a_i + \sum_i b_i + c_{kin}", "F = ∑ᵢ aᵢ + ∑ᵢ bᵢ + cₖᵢₙ"),
@@ -89,6 +89,8 @@ def test_is_read_as_it_is_meant(latex, told):
         (r"p = P(x, y|b, u)", "|"),
         (r"a = \log x", "log"),
         (r"L = S[q(\cdot)]", "·"),
+        (r"p = \sum m_i v_i", "sum"),
+        (r"A = M(poids)", "run"),
         (r"n = \|a\|_2^2", "marked"),
         (r"\forall \vec x, \quad a = b", "∀"),
         (r"\vec a \upuparrows \vec b", "⇈"),
@@ -130,6 +132,11 @@ OPEN = [
     r"v = \sqrt{22,24}", r"\partial_{[2} E_{3]} = 0", r"F^{01} = 3", r"a = b + \quad c = d",
     r"F = \sum_{n>0} f_n \cos n + g_n \sin n", r"L = \sum_{i\ne j} r_i F_{ij} + r_j F_{ji}",
 ]  # fmt: skip
+
+
+def test_a_wide_gap_parts_the_cells_of_values_by_cases():
+    tree = read(r"f = \begin{cases} a \quad h > 0 \\ b &\quad h < 0 \end{cases}")
+    assert [len(part.parts) for part in t.walk(tree) if isinstance(part, t.Formal)] == [2, 2, 2]
 
 
 @pytest.mark.parametrize("latex", OPEN)

@@ -212,22 +212,16 @@ class PaperChecker(Frozen):
         return str(told_at(error, self.paper.text, formula.offset) if is_own else error)
 
     def _without_claim(self, formula: Formula) -> Result:
-        name = next(iter(formula.labels), "") or formula.number or digest(plain(formula.latex))[:8]
+        label = next(iter(formula.labels), "")
+        name = label or formula.number or digest(plain(formula.latex))[:8]
         scope = self.scope(formula)
         setting = scope.file.setting if scope else None
         claim = Claim(f"unclaimed: {name}", setting or Setting("none"), None, formula.number)
         asserts = formula.is_relation and (formula.displayed or self.asked)
-        blank = Result(
-            claim.id,
-            formula.number,
-            next(iter(formula.labels), ""),
-            formula.line,
-            formula.file,
-            formula.latex,
-            Outcome.NOT_COMPUTED,
-            not asserts or bool(scope and scope.file.unclaimed),
-            detail=UNBOUND if asserts else NO_RELATION if formula.displayed else IN_TEXT,
-        )
+        passes = not asserts or bool(scope and scope.file.unclaimed)
+        why = UNBOUND if asserts else NO_RELATION if formula.displayed else IN_TEXT
+        told = (claim.id, formula.number, label, formula.line, formula.file, formula.latex)
+        blank = Result(*told, Outcome.NOT_COMPUTED, passes, detail=why)
         if not asserts or blank.expected:
             return blank
         if scope is None or setting is None:
@@ -240,14 +234,8 @@ class PaperChecker(Frozen):
             found = scope.checker.check(claim, replace(printed(formula, self.paper), place=None))
         except RbpsymError as error:
             return replace(blank, detail=f"{UNBOUND}: {error.what}{_cure(error)}")
-        return replace(
-            found,
-            id=blank.id,
-            line=formula.line,
-            file=formula.file,
-            label=blank.label,
-            expected=found.outcome in EXPECTATIONS["proved"],
-        )
+        expected = found.outcome in EXPECTATIONS["proved"]
+        return replace(found, id=blank.id, line=formula.line, file=formula.file, label=blank.label, expected=expected)
 
 
 def _cure(error: RbpsymError) -> str:

@@ -1,9 +1,9 @@
 r"""Claims beside the formulas: what the comments of a text say, `% rbpsym: ...`, as settings and claims.
 
-    % rbpsym: problem = ladder.toml         what follows is about this problem (or theory = plane-motion)
-    % rbpsym: \omega is the speed of theta  from here on, in the words of claims
-    % rbpsym: claim                         the next display is claimed; claim eq:12, that with this label
-    % rbpsym: expect = refuted              of the claim above, as in a claims file
+% rbpsym: problem = ladder.toml         what follows is about this problem (or theory = plane-motion)
+% rbpsym: \omega is the speed of theta  from here on, in the words of claims
+% rbpsym: claim                         the next display is claimed; claim eq:12, that with this label
+% rbpsym: expect = refuted              of the claim above, as in a claims file
 """
 
 from __future__ import annotations

@@ -226,7 +226,7 @@ def _of_section(paper: Paper, worlds: Worlds) -> list[tuple[Formula, list[str]]]
     displays = _shown(paper)
     every = dict.fromkeys(symbol for formula in displays for symbol in symbols_of(formula, paper))
     best, *others = fits(paper, worlds) or [Fit("", {}, ())]
-    if len(best.formulas) < min(FEW, len(displays)):  # one display alone is true of too many problems
+    if len(best.formulas) < min(max(FEW, len(displays) / 3), len(displays)):  # a few are true of too many problems
         best, others = Fit("", {}, ()), [best, *others]
     own = _own(worlds.problem(best.problem)) if best.problem else {}
     bound = best.symbols.items()

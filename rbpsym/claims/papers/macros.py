@@ -76,9 +76,7 @@ def _macro(head: re.Match[str], body: str) -> Macro:
     return Macro(body, int(count or 0), default)
 
 
-_SITE = re.compile(
-    r"""(?:^|[{,\s])r?(["']?)(\\{0,2}[A-Za-z]+)\1\s*+:\s*+(?:\[\s*+)?(r?)(["'])((?:(?!\4)[^\\\n]|\\.)*+)\4"""
-)
+_SITE = re.compile(r"""(?:^|[{,\s])r?(["']?)(\\{0,2}[A-Za-z]+)\1\s*+:\s*+(?:\[\s*+)?(r?)(["'])((?:(?!\4)[^\\\n]|\\.)*+)\4""")
 
 
 def site_macros(text: str) -> str:

@@ -98,9 +98,7 @@ class Counters:
     def number(self) -> str:
         """How the equation counter is printed now."""
         if self.pattern:
-            return re.sub(
-                r"[{}\s]|\\(?:mathrm|rm|text|ensuremath|,)(?![A-Za-z])", "", _PART.sub(self._part, self.pattern)
-            )
+            return re.sub(r"[{}\s]|\\(?:mathrm|rm|text|ensuremath|,)(?![A-Za-z])", "", _PART.sub(self._part, self.pattern))
         return ".".join([*([self._the(self.within)] if self.within else []), str(self.values.get("equation", 0))])
 
     def _part(self, found: re.Match[str]) -> str:

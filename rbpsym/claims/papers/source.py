@@ -259,6 +259,4 @@ def told_at(error: RbpsymError, text: PaperText, offset: int) -> RbpsymError:
     file, line = text.origin(offset)
     inner = error.place or Place(column=1)
     below = max(inner.line, 1) - 1
-    return type(error)(
-        error.what, instead=error.instead, place=Place(file, line + below, inner.column, inner.text, inner.width)
-    )
+    return type(error)(error.what, instead=error.instead, place=Place(file, line + below, inner.column, inner.text, inner.width))

@@ -62,7 +62,8 @@ def letter_run(reader: LatexReader) -> t.Node | None:
         run += token.text
     word = token.text in ("(", "[") or len(run) > 3 or (run.isupper() and len(run) > 2)
     scripts = ("^", "'") if run.isupper() and len(run) > 2 else ("_", "^", "'")
-    if len(run) < 2 or not word or token.text in scripts or "d" in run:
+    closed_in = len(run) > 3 and token.text == ")" and reader.ahead(-1).text == "("  # (poids)
+    if len(run) < 2 or not word or token.text in scripts or ("d" in run and not closed_in):
         return None
     start = reader.token.start
     return reader.spanned(t.Formal("run", tuple(read_name(reader) for _ in run)), start)

@@ -65,12 +65,6 @@ def _evaluated(reader: LatexReader) -> t.Node:
     return taken_at(reader, of, start) if reader.sees_sign("_") else of
 
 
-@begins(r"\var", r"\variation")
-def _varied(reader: LatexReader) -> t.Node:
-    start = reader.take().start
-    return formal(reader, start, "differential", argument(reader))
-
-
 @begins(r"\num", r"\ang")
 def _number(reader: LatexReader) -> t.Node:
     head = reader.take()

@@ -15,21 +15,11 @@ from rbpsym.errors import Place, RbpsymError, ReadError, UnknownName
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import DEFAULT, Notation
 from rbpsym.expr.infix import Ways
-from rbpsym.expr.latex import (
-    calculus as latex_calculus,
-)
-from rbpsym.expr.latex import (
-    formal as latex_formal,
-)
-from rbpsym.expr.latex import (
-    functions as latex_functions,
-)
-from rbpsym.expr.latex import (
-    packages as latex_packages,
-)
-from rbpsym.expr.latex import (
-    sums as latex_sums,
-)
+from rbpsym.expr.latex import calculus as latex_calculus
+from rbpsym.expr.latex import formal as latex_formal
+from rbpsym.expr.latex import functions as latex_functions
+from rbpsym.expr.latex import packages as latex_packages
+from rbpsym.expr.latex import sums as latex_sums
 from rbpsym.expr.latex.functions import relation
 from rbpsym.expr.latex.grammar import BELOW, UNKNOWN_COMMAND
 from rbpsym.expr.latex.names import as_words
@@ -91,9 +81,7 @@ def _tree(reading: Reading) -> t.Node:
     return node
 
 
-def _reading(
-    source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
-) -> Reading:
+def _reading(source: SourceText, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]) -> Reading:
     reader = LatexReader(source, tokens, table=table, script=script)
     node, error = None, None
     try:

@@ -141,6 +141,9 @@ class _Layout:
         """The end of a row, or a word that joins relations."""
         before, behind = self._near(k, -1), self._near(k, 1)
         if self.open and self.open[-1] == COLUMN:
+            inside = not self._at_edge(k, -1) and not self._at_edge(k, 1) and self.all[k - 1].text != "&"
+            if inside and not token.text.startswith("\\") and token.text not in _SAYING:
+                raise self._error(token, "does this word part two formulas of one cell?", "Write a row for each.")
             if not token.text.startswith("\\") or (behind and behind.text == END_COLUMN):
                 return None
             return replace(token, kind="sign", text=NEXT)
@@ -190,10 +193,10 @@ class _Layout:
         if self.all[last + 1].text == "&" or self._is_least(k) or self._is_integrated(last + 1):
             return None
         if self.depth:
-            inner = token.text in _WIDE and self.open[-1] in ("[", "(")
+            inner = token.text in _WIDE and self.open[-1] in ("[", "(", COLUMN)
             things = not any(one.kind == "text" or one.text in (*_SIGNS, *PUNCTUATION) for one in (before, behind))
-            parts = inner and things and before.text != self.open[-1] and behind.text not in _HELD
-            return replace(token, kind="sign", text=",") if parts else None
+            parts = inner and things and self.all[k - 1].text != "&" and before.text != self.open[-1] and behind.text not in _HELD
+            return replace(token, kind="sign", text="&" if self.open[-1] == COLUMN else ",") if parts else None
         if before.text in PUNCTUATION:
             return replace(token, kind="row", text=GAP)
         related = self.related + self._relates(k)

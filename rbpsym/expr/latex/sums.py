@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.formal import bounded, is_below, over_an_index
-from rbpsym.expr.latex.grammar import argument, multiplied, term_of
+from rbpsym.expr.latex.grammar import argument, begins_factor, multiplied, term_of
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.tokens import Token
 from rbpsym.expr.symbol_table import LatexReader, begins
@@ -24,7 +24,11 @@ def _sum(reader: LatexReader) -> t.Node:
         if not begins_name(reader.token):
             return over_an_index(reader, "sum", sign.start)
         reader.position = first
-        return reader.spanned(read_name(reader), sign.start)
+        name = read_name(reader)
+        if not (reader.table.open and begins_factor(reader)):  # ΣF_x, and no Σ m_i v_i
+            return reader.spanned(name, sign.start)
+        reader.position = first + 1
+        return over_an_index(reader, "sum", sign.start)
     begin = reader.position
     reader.pass_sign("_")
     braces, index = reader.pass_sign("{"), reader.take()
