@@ -198,10 +198,9 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
     return whichever(asked, found, lambda other: _answered(other, plain, letter))
 
 
-PLACED = re.compile(r"(.+?),? (where|when|once|until|as soon as) (\w+ .+? (?:=|reaches|is) .+)")
-
-
-BEYOND = re.compile(rf"(.+) is ({'|'.join(SUPERLATIVES)})")
+_MOST = f"(?:{'|'.join(SUPERLATIVES)})"
+PLACED = re.compile(rf"(.+?),? (where|when|once|until|as soon as) (\w+ .+? (?:=|reaches|is) .+|\w+ is {_MOST})")
+BEYOND = re.compile(rf"(.+) is ({_MOST})")
 
 
 def _by_quantity(asked: Asked, plain: str, letter: str) -> Answer | None:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
 from rbpsym.field import is_zero
 from rbpsym.field.evaluate import scalar
@@ -18,7 +19,8 @@ ELEMENTS: Mapping[str, tuple[str, ...]] = {
     "string|rope|cord|cable|thread|chain|wire|coupling|link|strut": ("string",),
     "spring": ("spring", "torsion-spring"),
     "damper|dashpot": ("damper", "rotary-damper"),
-    "pivot|hinge|axle|axis|bearing|pin|nail|support": ("pivot", "pin"),
+    "pivot|fulcrum|nail|support": ("pivot",),
+    "pivot|hinge|axle|axis|bearing|pin": ("pivot", "pin"),
     "motor": ("couple",),
     "teeth": ("gear",),
 }
@@ -42,7 +44,7 @@ KINDS: Mapping[str, tuple[str, ...]] = {
     "arm|bar|beam|boom|door|gate|ladder|lever|plank|pole|rod|shaft|stick|trapdoor": ("rod", "rectangle"),
     "cylinder|dis[ck]|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus", "given", "composite"),
     "ball|bead|bob|marble|puck|sphere": ("ball", "shell", "particle"),
-    "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|trolley|truck|weight":
+    "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|trolley|truck":
         ("particle", "rectangle", "given"),
 }  # fmt: skip
 SHAPES = "|".join((*KINDS, "beam|bike|body|crank|gear|link|mass|pulley|wedge"))
@@ -71,13 +73,17 @@ def _elements(problem: Problem, text: str) -> str:
         found = [e for e in (*problem.constraints, *problem.interactions) if e.kind in kinds]
         words = "|".join(word for word in words.split("|") if word not in known) or "(?!)"
         text = re.sub(rf"\b(?:the )?(?:{words}) (?=(?:{_any([e.name for e in found])})(?![\w.-]))", "", text)
-        touched = [word for e in found for word in _touched(e)]
+        touched = [word for e in found for word in joined(e)]
+        many = _any([word for word in {*touched} if 1 < touched.count(word) < len(found) + (word in problem.body_names)])
+        if said := re.search(rf"\bthe (?:{many}) (?:{words})\b", text):
+            known_ = " or ".join(f"“{e.name}”" for e in found if {*said[0].split()} & joined(e))
+            raise StatementError(f"“{said[0]}” may be {known_}", instead="write its name.")
         for element in found:
-            own = _any([word for word in _touched(element) if touched.count(word) == 1 and len(found) > 1])
+            own = _any([word for word in joined(element) if touched.count(word) == 1 and len(found) > 1])
             said = rf"(?:{own}) (?:{words})|(?:{words})(?: (?:at|on|to|of))?(?: the)? (?:{own})"
             text = re.sub(rf"\b(?:the )?(?:{said})\b(?! (?:force|constant)|[.=])", element.name, text)
         if len(found) == 1:
-            lone = rf"\b(?:the |(?<= of )|(?<= in )|(?<= on )|(?<= at ))(?:{words})\b(?! (?:force|constant))"
+            lone = rf"\b(?:the |(?<= of )|(?<= in )|(?<= on )|(?<= at )|(?<= between ))(?:{words})\b(?! (?:force|constant))"
             text = re.sub(lone, found[0].name, text)
     return _by_size(problem, text)
 
@@ -87,7 +93,7 @@ def _parts(element: Element) -> Iterator[Any]:
         yield from value if isinstance(value, tuple) else (value,)
 
 
-def _touched(element: Element) -> set[str]:
+def joined(element: Element) -> set[str]:
     """The bodies and the named points that an element joins."""
     points = [getattr(part, "center", part) for part in _parts(element)]
     found = [getattr(point, "body", None) or getattr(point, "label", point) for point in points]
@@ -132,15 +138,16 @@ def _parameters(problem: Problem, text: str) -> str:
 
 def _meant(problem: Problem, text: str) -> str:
     """“largest recoil” by the coordinate that means the recoil, “the left block” by the body of which a mass is said to be."""
-    masses = {body.mass.name: body.name for body in problem.bodies if isinstance(body.mass, t.Sym)}
     for q in problem.parameters:
         of = re.sub("^mass of ", "", without_articles(q.meaning))
-        if q.name in masses and [*masses].count(q.name) == 1 and " " in of:
-            text = re.sub(rf"\b{re.escape(of)}\b", masses[q.name], text)
+        own = [body.name for body in problem.bodies if body.mass == t.Sym(q.name)]
+        if len(own) == 1 and " " in of:
+            text = re.sub(rf"\b{re.escape(of)}\b", own[0], text)
+    alone = r"(?! (?:of|by|from|to|with|against|relative|above|below)\b)"
     for coordinate in problem.coordinates:
         told = without_articles(coordinate.quantity.meaning)
         if told and told not in PLAIN:
-            text = re.sub(rf"\b{re.escape(told)}\b(?! (?:of|by|in|at|on|from|to)\b)", coordinate.name, text)
+            text = re.sub(rf"\b{re.escape(told)}\b{alone}", coordinate.name, text)
     return text
 
 
@@ -171,8 +178,7 @@ def _bodies(problem: Problem, text: str) -> str:
 def _points(problem: Problem, text: str) -> str:
     """“normal force at the front wheels” by the name of what holds the point “front”, “the free end” of the only rod that is
     held at its other one."""
-    held = [(e.name, p) for e in problem.constraints for p in (e.values.get("point"), *e.values.get("points", ())) if p]
-    touched = [(name, point.point) for name, point in held if getattr(point, "point", None)]
+    touched = [(e.name, point.point) for e in problem.constraints for point in _parts(e) if getattr(point, "point", None)]
     known = _names(problem) | {*problem.body_names}
     for name, point in touched:
         if [one for _, one in touched].count(point) == 1 and point not in known:
@@ -182,15 +188,17 @@ def _points(problem: Problem, text: str) -> str:
         points = _any([point for point in body.points if point not in known])
         text = re.sub(rf"\b(?:point )?({points}) of {re.escape(body.name)}(?![\w.-])", rf"{body.name}.\1", text)
         middle = f"{body.name}.{'center' if 'center' in body.points else 'cm'}"
-        of = "" if len(problem.bodies) == 1 and not {"center", "centre"} & known else f" of {re.escape(body.name)}(?![\\w.-])"
+        lone = "?" if len(problem.bodies) == 1 and not {"center", "centre"} & known else ""
+        of = rf"(?: of {re.escape(body.name)}(?![\w.-])){lone}"
         text = re.sub(rf"(?<=\bof )(?:cent(?:re|er)|middle|midpoint){of}(?! of\b|\.)", middle, text)
     ends = {body.name: {"start", "end"} for body in problem.bodies if body.shape.kind == "rod"}
-    for _, point in held:
-        if getattr(point, "body", None) in ends:
+    holds = (*problem.constraints, *(e for phase in problem.phases for e in phase.impulses))
+    for point in (point for e in holds for point in _parts(e)):
+        if getattr(point, "point", None) and point.body in ends:
             ends[point.body] -= {point.point}
     free = {name: left.pop() for name, left in ends.items() if len(left) == 1}
     for name, end in free.items():
-        text = re.sub(rf"\b(?:free end|tip) of {re.escape(name)}(?![\w-])", f"{name}.{end}", text)
+        text = re.sub(rf"\b(?:free end|other end|tip) of {re.escape(name)}(?![\w-])", f"{name}.{end}", text)
         if len(free) == 1:
             text = re.sub(r"\bof (?:free end|tip)(?! of)\b", f"of {name}.{end}", text)
     return text
@@ -199,8 +207,8 @@ def _points(problem: Problem, text: str) -> str:
 def _between(problem: Problem, text: str) -> str:
     """“force between A and B” and “force of A on B” by the only constraint that joins the two bodies."""
     for e in problem.constraints:
-        both = _touched(e) & {*problem.body_names}
-        if len(both) == 2 and sum(both <= _touched(other) for other in problem.constraints) == 1:
+        both = joined(e) & {*problem.body_names}
+        if len(both) == 2 and sum(both <= joined(other) for other in problem.constraints) == 1:
             one = _any([*both])
             text = re.sub(rf"\b(?:contact )?({ROLES}|tension) between (?:{one}) and (?:{one})(?![\w.-])", rf"\1 {e.name}", text)
             text = re.sub(rf"\bforce (?:of|by|from|exerted by) (?:{one}) on ({one})(?![\w.-])", rf"force {e.name} on \1", text)
@@ -228,9 +236,9 @@ def _impulses(problem: Problem, text: str) -> str:
     """“impulse on the block” by the only blow that strikes it."""
     blows = [e for phase in problem.phases for e in phase.impulses]
     for body in problem.bodies:
-        own = [e.name for e in blows if body.name in {getattr(point, "body", point) for point in _points_of(e)}]
+        own = [e.name for e in blows if body.name in joined(e)]
         if len(own) == 1:
-            struck = rf"\bimpulse (?:on|given to|received by) {re.escape(body.name)}(?![\w.-])"
+            struck = rf"\bimpulse (?:(?:of|by|from) [\w-]+ )?(?:on|given to|received by) {re.escape(body.name)}(?![\w.-])"
             text = re.sub(struck, f"impulse of {own[0]}", text)
     return text
 
@@ -242,14 +250,11 @@ def _components(problem: Problem, text: str) -> str:
             what = rf"\b{side}(?: component of)? "
             where = rf"(?: (?:at|of|on))? {re.escape(name)}(?![\w.])(?! on )"
             text = re.sub(f"{what}(?:reaction|force){where}", f"{name}_{axis}", text)
+            other = "yx"["yx".index(axis) - 1]
+            text = re.sub(rf"\b(?:reaction|force){where} is {side}\b", f"{name}_{other} vanishes", text)
             text = re.sub(f"{what}impulse{where}", f"impulse of {name}_{axis}", text)
         text = re.sub(rf"\bimpulse (?:at|on) {re.escape(name)}(?![\w.])", f"impulse of {name}", text)
     return text
-
-
-def _points_of(element: Element) -> Iterator[Any]:
-    yield from (element.values[key] for key in ("point", "body", "on") if element.values.get(key))
-    yield from element.values.get("points") or ()
 
 
 def _is_of(element: Element, body: str) -> bool:
@@ -277,8 +282,8 @@ def in_names(problem: Problem, text: str) -> str:
     """The question in the names of the problem, without articles."""
     text = _parameters(problem, _surfaces(problem, _elements(problem, text)))
     text = _bodies(problem, _meant(problem, without_articles(text)))
-    held = _any([element.name for element in problem.constraints if element.name not in problem.body_names])
-    text = re.sub(rf"\b({ROLES})s? (?:at|of|on|in|exerted by) (?=(?:{held})(?![\w.-]))", r"\1 ", text)
+    held = _any([*_names(problem) - {*problem.body_names}])
+    text = re.sub(rf"\b({ROLES})s? (?:at|of|on|in|between|exerted by) (?=(?:{held})(?![\w.-]))", r"\1 ", text)
     for find in (_components, _points, _between, _leaving, _impulses, _phases):
         text = find(problem, text)
     return text

@@ -9,11 +9,13 @@ from rbpsym.ask.asked import Asked, NoClosedForm
 from rbpsym.ask.forms import sense_at_sample, sense_stated
 from rbpsym.ask.meeting import equation
 from rbpsym.ask.moments import moment_of
+from rbpsym.ask.named import joined
 from rbpsym.ask.question import Question, When
 from rbpsym.ask.seen import AskedPhase, place_in, scene
+from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import PI, Scalar, derivative, is_zero, names_in, root, short, symbol
+from rbpsym.field import PI, Scalar, derivative, is_zero, names_in, root, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.present.forms import present
@@ -27,7 +29,8 @@ ROUND = "(?:turn|rotat)(?:ed|ing)"
 GONE = re.compile(
     rf"\b(?P<when>after|when|where|once|until|in) (?:(?:it|(?P<body>[\w-]+)) (?:has|have) )?(?:been )?"
     rf"(?:(?P<down>{DOWN})|(?P<up>{UP})|(?P<on>{ON})|(?P<round>{ROUND}))(?: down| up)?"
-    r"(?: through)?(?: an? (?:distance|height|angle|way|depth)(?: of)?)? (?P<value>(?!with )[^\s,]+)(?=$|,? with )"
+    r"(?: through)?(?: an? (?:distance|height|angle|way|depth)(?: of)?)? (?P<value>(?!with )[^\s,]+)"
+    r"(?: (?:up|down|along) (?:slope|incline|plane|ramp|hill|floor|table))?(?=$|,? with )"
 )
 STANDS = re.compile(
     r"\b(?P<when>when|where|once|until|as|(?:just |right )?before) (?:it|(?P<body>[\w-]+)) (?:(?:is|becomes|has become|gets) |"
@@ -36,11 +39,56 @@ STANDS = re.compile(
 )
 
 
+STRIKES = (
+    r"(?:has |have )?(?:hits?|strikes?|struck|collides? with|collided with|bounced?s?(?: off| on)?|meets?|lands? on|touche[sd]|"
+    r"pass(?:es|ed)? through|is (?:hit|struck)(?: by)?|catche?s|caught|reaches)(?: ([\w-]+))?"
+)
+STRUCK = re.compile(
+    r"\b(?P<when>(?:(?:just|right|immediately|shortly) )?(?:before|after)|when|where|as|until) (?P<who>it|[\w-]+) "
+    rf"{STRIKES}(?=$|,? with )"
+)
+LETTER = re.compile(r"[A-Za-z]\w?(?:_\w+)?")
+SIDES = {"before": "just before", "after": "right after", "until": "until"}
+
+
+def _struck(asked: Asked, text: str) -> str:
+    """“just before PHASE” for “when BODY strikes the floor”, of the only blow, which touches it."""
+    said = STRUCK.search(text)
+    struck = [phase for phase in asked.problem.phases if phase.impulses]
+    if said is None or len(struck) != 1:
+        return text
+    bodies = {*asked.problem.body_names}
+    met = {name for element in struck[0].impulses for name in joined(element)} & bodies
+    if any(name in bodies - met for name in (said["who"], said[3])) or said["who"] not in (*bodies, "it"):
+        return text
+    side = SIDES.get(said["when"].split()[-1], "just before")
+    return f"{text[: said.start()]}{'until' if text.startswith('time') else side} {struck[0].name}{text[said.end() :]}"
+
+
+END = re.compile(r"\b(upper|top|highest|lower|bottom|lowest|left|right)(?:most)? end of ([\w-]+)")
+
+
+def _ends(asked: Asked, said: re.Match[str]) -> str:
+    """The end of a rod that is the upper, lower, left or right one where it starts."""
+    if said[2] not in asked.problem.body_names or asked.problem.body(said[2]).shape.kind != "rod":
+        return said[0]
+    world = scene(asked)
+    way = world.place(f"{said[2]}.end") - world.place(f"{said[2]}.start")
+    gap = short(substitute(way.x if said[1] in ("left", "right") else way.y, world.motion.scope.start))
+    upward = sign(gap, world.motion.assumptions).sense * (1 if said[1] in ("upper", "top", "highest", "right") else -1)
+    return f"{said[2]}.{'end' if upward > 0 else 'start'}" if upward else said[0]
+
+
 def placed(asked: Asked, text: str) -> str:
     """The question with “where x = VALUE” for “after BODY has fallen VALUE” and “when BODY is vertical”. Raises StatementError
     where that is no place, or more than one."""
+    text = END.sub(lambda said: _ends(asked, said), _struck(asked, text))
     for pattern, find in ((GONE, _gone), (STANDS, _standing)):
         said = pattern.search(text)
+        value = said["value"] if said and LETTER.fullmatch(said["value"] or "") else None
+        if value and value not in {*asked.problem.dimensions, "pi"}:
+            what = f"“{value}” is not declared"
+            raise StatementError(what, instead=f'write {value} = "length: …" under [parameters], or a number with its unit.')
         if said and is_formula(asked, said["value"] or "0"):
             when = "until" if said[1] == "until" else "where"
             text = f"{text[: said.start()]}{when} {find(asked, said)}{text[said.end() :]}"

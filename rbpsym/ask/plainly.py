@@ -10,7 +10,7 @@ from rbpsym.ask.forms import sense_stated
 from rbpsym.ask.moments import coordinate_of, moment_of
 from rbpsym.ask.named import in_names
 from rbpsym.ask.placed import along_a_line, placed
-from rbpsym.ask.question import SUPERLATIVES, Question, When
+from rbpsym.ask.question import GREATEST, SUPERLATIVES, Question, When
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
@@ -19,7 +19,7 @@ from rbpsym.field import NOTHING, is_zero, names_in, short
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips_on, stops
 from rbpsym.present.forms import present
-from rbpsym.quantities import LENGTH, NUMBER, TIME
+from rbpsym.quantities import LENGTH, NUMBER, SPEED, TIME
 from rbpsym.quantity.path import first_push, sense
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.paths import tensions
@@ -27,7 +27,8 @@ from rbpsym.typeset.machine import to_machine
 
 _VALUE = r"\w+ ?= ?[^\s,=]+"
 TURNED_ROUND = re.compile(
-    r"\b(after|until|for) (?:it has made |first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?(?=$|,? with )"
+    r"\b(after|until|for) (?:it has made |first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?( of [\w-]+)?"
+    r"(?=$|,? with )"
 )
 TO_THE_END = re.compile(r"total (way|angle|change) of (\w+)(?=$|,? with )")  # until friction has stopped it
 WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) \w+|(?:for|in limit) .+)")
@@ -38,6 +39,22 @@ _GOES = "goes|moves|rolls|slides|travels|climbs|rises"
 BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
 # words that say the same in any problem
 WORDS: tuple[tuple[str, str], ...] = (
+    (r"\b(?:he|she)\b", "it"),
+    (r"^((?:horizontal |vertical )?(?:speed|velocity|kinetic energy)) (?:with|at) which ([\w-]+) (?!is )", r"\1 of \2 when \2 "),
+    (r"\bin (vertical|horizontal) position\b", r"when it is \1"),
+    (r"\bat (?:moment of )?(?:first )?(impact|bounce|collision)" + _END, r"just before \1"),
+    (r"^(?:least |smallest |minimum )?(coefficient of (?:static )?friction|mu) (?:needed|required) (?:for [\w-]+ not to slip|"
+     r"so that [\w-]+ does not slip|to prevent slip(?:ping)?)" + _END, r"\1 for which it does not slip"),
+    (r"^amplitude of small (?:oscillations?|vibrations?)" + _END, "amplitude for small oscillations"),
+    (r"\bmost (compressed|stretched|extended)\b", r"\1 most"),
+    (rf"\b(\w+) is compressed most{_END}", r"compression of \1 is largest"),
+    (rf"\b(\w+) is (?:stretched|extended) most{_END}", r"elongation of \1 is largest"),
+    (r"\b(where|when|until|once) ([\w-]+) (?:moves|travels|is moving) (?:at|with) (?:a )?(?:speed )?(?:of )?(?=\S+)",
+     r"\1 speed of \2 = "),
+    (r"\bratio of (\w+) to (\w+) (kinetic energy|component)\b", r"ratio of \1 \3 to \2 \3"),
+    (r"^equilibrium (?:position|angle|length|value) of ", "equilibrium of "),
+    (r"\bfor which ([\w-]+) (?:slides|moves|rolls|travels|goes) (?:through )?(?:an? distance )?(?:of )?(?=[^\s]+$)",
+     r"for which distance travelled by \1 = "),
     (r"(\b(?:where|when|until|once) (?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)" + _END, r"\1 = 0"),
     (r" as (?:a )?functions? of (\w+),? (?:with|where|at) \1 ?= ?", r" where \1 = "),  # a function, and where: its value there
     (rf" (?:needed |required )?(?:for|to) (?:pure rolling|roll(?:ing)? without slipping|(?:no|prevent) slip(?:ping)?){_END}",
@@ -61,14 +78,15 @@ WORDS: tuple[tuple[str, str], ...] = (
     (rf"\b[\w-]+ (?:rebounds|swings)(?: back| up| out)? to (\w+) = (\S+){_END}", r"\1 comes to rest at \1 = \2"),
     (r"\bno energy is lost\b", "energy lost vanishes"),
     (r"\bratio of amplitudes (?:of )?", "ratio of "),
-    (r"\b(?:energy|heat) (?:lost|dissipated|produced|generated) (?:to|by) friction\b", "minus work of friction"),
+    (r"\b(?:energy|heat) (?:lost|dissipated|produced|generated|absorbed) (?:to|by|in) (friction|drag|damper|damping)\b",
+     r"minus work of \1"),
     (r"^time (?:for|in which) ([\w-]+) (?:to )?(fall|ris)(?:e|s|es)? ", r"time until \1 has \2en "),
     (r"^time (?:for|in which) ([\w-]+) (?:to )?(?:move|slide|roll|travel|cover)s? ", r"time until \1 has moved "),
     (r"\bangular speed(?! of)\b", "magnitude of angular velocity"),
     (r"\b([\w-]+) (?:stops|comes to rest|is at rest) (?:in|after) (?:impact|collision|blow)" + _END,
      r"velocity of \1 right after impact vanishes"),
-    (r"^fraction of (?:kinetic )?energy lost (?:in|during|by|at) (\w+)" + _END,
-     r"ratio of energy lost to kinetic energy just before \1"),
+    (r"^fraction of (?:kinetic )?energy (?:that is )?lost(?: (?:in|during|by|at) (\w+))?" + _END,
+     lambda said: f"ratio of energy lost to kinetic energy just before {said[1] or 'impact'}"),
     (r"\bwork done by ", "work of "),
     (r"(^|\bfor which )initial ((?:angular )?(?:acceleration|deceleration|velocity|speed)(?: of [\w.-]+)?|"
      r"[\w ]*(?:force|tension|friction|reaction|energy)(?: \w+)?(?: (?:on|of) [\w.-]+)?)(?=$| (?:=|is|vanishes)\b|,? with )",
@@ -83,11 +101,12 @@ HEIGHT = re.compile(
     r"(?=$|,? with )"
 )
 DISTANCE = (  # up to the first rest, to which it goes one way
-    r"^(?:(?:stopping|braking|sliding) distance(?: of)?|distance (?:travelled|covered|moved)(?: by)?)(?: (?!until)(\w+))?"
-    r"(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with )"
+    r"(?:^|(?<=for which ))(?:(?:stopping|braking|sliding) distance(?: of)?|distance (?:travelled|covered|moved)(?: by)?)"
+    r"(?: (?!until)(\w+))?(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with | = )"
 )
 OF_SWINGS = (
-    r"^((?:(?:undamped|damped|natural|circular|angular) )*(?:frequency|period)|damping ratio|logarithmic decrement|decay rate)"
+    r"^((?:(?:undamped|damped|natural|circular|angular) )*(?:frequency|period|amplitude)|damping ratio|logarithmic decrement|"
+    r"decay rate)"
     r"(?: of (?:free |small |damped )?(?:oscillations?|vibrations?|swings?|motion))?(?=$|,? (?:with|for|if|when|where|in|about) )"
 )
 DAMPED = r"[\w-]+(?= is (?:critically |over|under)damped)"
@@ -214,6 +233,59 @@ def _of_swings(asked: Asked, text: str) -> str:
     return re.sub(DAMPED, lambda said: names[0] if said[0] in ("it", *system.bodies) else said[0], text)
 
 
+def _of_lone(asked: Asked, text: str) -> str:
+    """“until its speed is v_1”, “time to reach omega_1” of the only coordinate that is a length, or an angle; “how high does it
+    rise” of the only body."""
+    known, bodies = asked.problem.dimensions, asked.problem.body_names
+    kinds = {LENGTH: SPEED, NUMBER: NUMBER / TIME}
+    names = {c.name for c in asked.problem.coordinates}
+    text = MOST.sub(lambda said: f"{said[2]} where {said[2]} comes to rest{said[3]}" if said[2] in names else said[0], text)
+    text = FARTHEST.sub(lambda said: f"{said[1]} {said[2]} comes to rest" if said[2] in names else said[0], text)
+    lone = {kind: [c.name for c in asked.problem.coordinates if c.quantity.dimension == kind] for kind in kinds}
+    speeds = {kinds[kind]: f"speed of {names[0]}" for kind, names in lone.items() if len(names) == 1}
+
+    def found(said: re.Match[str]) -> str:
+        what = speeds.get(NUMBER / TIME if said[2] else SPEED)
+        return f"{said[1]} {what} = " if what else said[0]
+
+    def reached(said: re.Match[str]) -> str:
+        [*names] = lone.get(known.get(said[2], TIME), [])
+        what = speeds.get(known.get(said[2], TIME)) or (names[0] if len(names) == 1 else "")
+        return f"{said[1]} until {what} = {said[2]}" if what else said[0]
+
+    def risen(said: re.Match[str]) -> str:
+        who = bodies[0] if said[1] == "it" and len(bodies) == 1 else said[1]
+        rest = " after impact" if REBOUNDS.search(said[0]) and not said[2] else said[2].replace(" right", "")
+        return f"largest y component of displacement of {who}.cm{rest}" if who in bodies else said[0]
+
+    def place(said: re.Match[str]) -> str:
+        [*names] = lone[NUMBER if said[1] == "angle" else LENGTH]
+        return f"{names[0]} {'where' if 'which' in said[2] else said[2]} " if len(names) == 1 else said[0]
+
+    text = TURNED_BY.sub(lambda said: f"displacement of {lone[NUMBER][0]}" if len(lone[NUMBER]) == 1 else said[0], text)
+    text = LONE.sub(place, text)
+    return RISES.sub(risen, TO_REACH.sub(reached, ITS_SPEED.sub(found, text)))
+
+
+MOST = re.compile(rf"^({'|'.join(GREATEST)}) (\w+)((?:,? (?:for|with|under|if|when))? (?:critical damping|critically damped))$")
+FARTHEST = re.compile(
+    rf"\b(until|when|where|once) (\w+) is (?:{'|'.join(GREATEST)})"
+    r"(?=(?:,? (?:for|with|under|if|when))? (?:critical|weak|strong|small))"
+)
+LONE = re.compile(r"^(angle|position|place) (where|when|at which) ")
+TURNED_BY = re.compile(r"^angle turned(?= (?:until|when|where|after|in) )")
+ITS_SPEED = re.compile(
+    r"\b(until|when|where|once) (?:its )?(?:magnitude of )?(angular )?(?:speed|velocity) (?:=|is|reaches) (?!.*est$)"
+)
+TO_REACH = re.compile(r"^(time|angle turned|distance) (?:needed |required |it takes )?(?:to|until it) reach(?:es)? (\w+)$")
+UP = r"(?:rises?|goes?(?: up)?|swings?|bounces?|rebounds?|reach(?:es)?|jumps?|climbs?)"
+RISES = re.compile(
+    rf"^(?:how high (?:does|will|can) |(?:vertical |greatest |maximum |largest )*height (?:to which |that |reached by ))"
+    rf"(it|[\w-]+)(?: {UP})?((?: right)?(?: after [\w-]+)?)$"
+)
+REBOUNDS = re.compile("bounce|rebound")
+
+
 def _in_strings(asked: Asked, text: str) -> str:
     """The tensions T, T_1, T_2 of the only string, which has another name, by that name."""
     strings = [tensions(element) for element in asked.problem.of_kind("string")]
@@ -242,9 +314,6 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = _of_swings(asked, placed(asked, plain))
     plain = re.sub(DISTANCE, lambda said: _displaced(asked, said), plain)
     plain = re.sub(STAYS, lambda said: _kept_at_rest(asked, said), plain)
-    angles = asked.study(asked.lasting).system.independent if plain.startswith("angle at which ") else ()
-    if len(angles) == 1 and asked.problem.dimensions[angles[0]] == NUMBER:
-        plain = plain.replace("angle at which", f"{angles[0]} where", 1)
     if phases[1:] and plain.startswith("final "):
         plain = f"{plain.removeprefix('final ')} in phase {phases[-1]}"
     plain = HEIGHT.sub(lambda said: _extreme(asked, said), plain)
@@ -252,13 +321,15 @@ def plain_words(asked: Asked, text: str) -> str:
     if re.match(OF_TURNS, plain):
         turning = [name for name, state in asked.study(asked.lasting).system.bodies.items() if not is_zero(state.omega)]
         plain = re.sub(OF_TURNS, rf"\1 of {turning[0]}", plain) if len(turning) == 1 else plain
+    plain = _of_lone(asked, plain)
     plain = SLOWED.sub(lambda said: _slowed(asked, said), plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))
     plain = re.sub(rf"(?<=\w),? with (?=(?:{moved}) ?= ?)", " where ", plain)
     plain = BACK.sub(lambda said: f"{said[1]} {_begun(asked)}", plain)
     plain = _in_strings(asked, plain)
-    plain = TURNED_ROUND.sub(lambda said: f"{'where' if said[1] == 'after' else 'until'} number of turns = {said[2]}", plain)
+    turned = "{} number of turns{} = {}".format
+    plain = TURNED_ROUND.sub(lambda s: turned("where" if s[1] == "after" else "until", s[3] or "", s[2]), plain)
     system = asked.study(asked.lasting).system
     if (said := TO_THE_END.match(plain)) and stops(system) and not slips_on(system, said[2]):
         plain = TO_THE_END.sub(lambda said: f"{_way(asked, said[2], said[1])} until {said[2]} comes to rest", plain)
