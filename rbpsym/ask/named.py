@@ -42,7 +42,7 @@ PARAMETERS = {
 # words for bodies, by the shapes that they may have; the only body of these shapes may be called so
 KINDS: Mapping[str, tuple[str, ...]] = {
     "arm|bar|beam|boom|door|gate|ladder|lever|plank|pole|rod|shaft|stick|trapdoor": ("rod", "rectangle"),
-    "cylinder|dis[ck]|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus", "given", "composite"),
+    "cylinder|disc|disk|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus", "given", "composite"),
     "ball|bead|bob|marble|puck|sphere": ("ball", "shell", "particle"),
     "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|trolley|truck":
         ("particle", "rectangle", "given"),
@@ -75,9 +75,9 @@ def _elements(problem: Problem, text: str) -> str:
         text = re.sub(rf"\b(?:the )?(?:{words}) (?=(?:{_any([e.name for e in found])})(?![\w.-]))", "", text)
         touched = [word for e in found for word in joined(e)]
         many = _any([word for word in {*touched} if 1 < touched.count(word) < len(found) + (word in problem.body_names)])
-        if said := re.search(rf"\bthe (?:{many}) (?:{words})\b", text):
-            known_ = " or ".join(f"“{e.name}”" for e in found if {*said[0].split()} & joined(e))
-            raise StatementError(f"“{said[0]}” may be {known_}", instead="write its name.")
+        if open_ := re.search(rf"\bthe (?:{many}) (?:{words})\b", text):
+            meant = " or ".join(f"“{e.name}”" for e in found if {*open_[0].split()} & joined(e))
+            raise StatementError(f"“{open_[0]}” may be {meant}", instead="write its name.")
         for element in found:
             own = _any([word for word in joined(element) if touched.count(word) == 1 and len(found) > 1])
             said = rf"(?:{own}) (?:{words})|(?:{words})(?: (?:at|on|to|of))?(?: the)? (?:{own})"
@@ -161,11 +161,11 @@ def _bodies(problem: Problem, text: str) -> str:
     text = re.sub(rf"\b({_any(names)}) {shapes}\b(?!\.)", r"\1", text)
     text = re.sub(rf"\b{shapes} (?=(?:{_any(names)})(?![\w-]))", "", text)
     for words, kinds in KINDS.items():
-        own = [body.name for body in problem.bodies if body.shape.kind in kinds]
-        if len(own) == 1:
-            words = "|".join(word for word in words.split("|") if not {word, *word.split("[")} & {*names})
+        lone = [body.name for body in problem.bodies if body.shape.kind in kinds]
+        if len(lone) == 1:
+            words = "|".join(word for word in words.split("|") if word not in names)
             before = "of|on|when|where|until|which|after|before|does|that"
-            text = re.sub(rf"\b({before}) (?:{words})(?=$|[ ,])(?! of\b)", rf"\1 {own[0]}", text)
+            text = re.sub(rf"\b({before}) (?:{words})(?=$|[ ,])(?! of\b)", rf"\1 {lone[0]}", text)
     masses = [body.mass.name for body in problem.bodies if isinstance(body.mass, t.Sym)]
     for body in problem.bodies:
         if isinstance(body.mass, t.Sym) and masses.count(own := body.mass.name) == 1 and own not in names:

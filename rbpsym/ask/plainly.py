@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from contextlib import suppress
 
 from rbpsym.ask.asked import Asked, NoClosedForm, NotMet
@@ -38,7 +39,7 @@ _END, _STOPS = r"(?=$|,? with )", r"(?:(?:it )?(?:stops|comes to rest)|stopping|
 _GOES = "goes|moves|rolls|slides|travels|climbs|rises"
 BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
 # words that say the same in any problem
-WORDS: tuple[tuple[str, str], ...] = (
+WORDS: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"\b(?:he|she)\b", "it"),
     (r"^((?:horizontal |vertical )?(?:speed|velocity|kinetic energy)) (?:with|at) which ([\w-]+) (?!is )", r"\1 of \2 when \2 "),
     (r"\bin (vertical|horizontal) position\b", r"when it is \1"),
