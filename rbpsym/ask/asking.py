@@ -13,8 +13,8 @@ from rbpsym.ask.certified import LETTER
 from rbpsym.ask.even import taken_for_kept
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.found import Answer, Found
-from rbpsym.ask.meeting import met
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
+from rbpsym.ask.placed import met
 from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import MANNERS, SUPERLATIVES, read_question
 from rbpsym.ask.seen import scene
