@@ -10,7 +10,6 @@ from rbpsym.ask.along import converse
 from rbpsym.ask.answer import answer, found_of
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.certified import LETTER
-from rbpsym.ask.even import taken_for_kept
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.found import Answer, Found
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
@@ -18,7 +17,7 @@ from rbpsym.ask.placed import met
 from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import MANNERS, SUPERLATIVES, read_question
 from rbpsym.ask.seen import scene
-from rbpsym.ask.senses import under, whichever
+from rbpsym.ask.senses import taken_for_kept, under, whichever
 from rbpsym.ask.special import COEFFICIENT, special_problem, with_coefficient
 from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent

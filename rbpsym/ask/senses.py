@@ -8,22 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
 
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.found import Answer
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import RbpsymError, there
 from rbpsym.expr import tree as t
 from rbpsym.field import PI, depends_on, is_zero
 from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import replace
 from rbpsym.mechanics.demands import Demand, assuming, settle
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.draft import Draft
-from rbpsym.quantities import Quantity
+from rbpsym.quantities import TIME, Quantity
 from rbpsym.quantity.path import first_push
+from rbpsym.statement.completing import courses
+from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
 
 
@@ -114,3 +116,18 @@ def _is_same(found: Answer, other: Answer, rest: list[Demand]) -> bool:
         and all(is_zero(neat(a - b, given)) for a, b in zip(found.values, other.values, strict=True))
         and all(one in rest or settle([one], given) == () for one in _demands(other))
     )
+
+
+def taken_for_kept(found: Answer, again: Callable[[Problem], Answer]) -> Answer:
+    """The answer with the speeds that it takes to be kept: those with whose accelerations, if there were any, it would be another
+    one, as is found when it is asked `again`."""
+    problem, values = found.study.problem, None
+    gains = {c.name: letters_of(problem).free(f"gain_{c.name}") for c in problem.kept}
+    coordinates = tuple(replace(c, acceleration=t.Sym(gains[c.name])) if c.name in gains else c for c in problem.coordinates)
+    added = tuple(Quantity(gains[c.name], c.quantity.dimension / TIME**2, sign="real") for c in problem.kept)
+    doubted = replace(problem, coordinates=coordinates, parameters=(*problem.parameters, *added), led=courses(coordinates))
+    with suppress(RbpsymError):
+        values = again(doubted).values
+    speeds = {c.name: t.equation(t.Sym(f"{c.name}_dot"), there(c.speed)) for c in problem.kept}
+    told = (name for name in speeds if values is None or any(depends_on(value, gains[name]) for value in values))
+    return replace(found, kept=tuple(speeds[name] for name in told))
