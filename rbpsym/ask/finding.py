@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
 from rbpsym.decide.assumptions import Assumptions
-from rbpsym.decide.verdict import Verdict, all_of
+from rbpsym.decide.verdict import Verdict, all_of, undecided
 from rbpsym.errors import there
 from rbpsym.expr.tree import ZERO, Node
 from rbpsym.field import Scalar
@@ -89,3 +90,104 @@ def ground(of: tuple[str, Mapping[str, Any]], statement: Node = ZERO) -> Step:
 def together(*parts: Finding) -> dict[str, Any]:
     """What checked several findings, as parts of one."""
     return {"verdict": all_of(there(one.verdict) for one in parts), "grounds": tuple(g for one in parts for g in one.grounds)}
+
+
+Data = Mapping[str, Any]
+Decided = Callable[[Data], bool]
+Row = Mapping[str, Decided]  # a rule -> whether its data decide it
+
+QUOTED, OF_IT, NAME = re.compile("“[^”]*”"), r"[^;]+", r"(?P<name>\w+)"
+
+
+def _itself(data: Data) -> bool:
+    """The rule decides what is said, of the very name."""
+    return True
+
+
+def _stable(way: bool) -> Decided:
+    """Whether what is proved of a place is what was asked for, or the opposite."""
+    return lambda data: data["proved"] != "open" and ((data["proved"] != "unstable") is not data["opposite"]) is way
+
+
+def _vanishes(data: Data) -> bool:
+    """What has to be positive, or to be passed, is zero there."""
+    return not data["names"] and data["best"].number() == 0
+
+
+def _one_sided(side: int) -> Decided:
+    """There is a bound on this side (1: the lower one) alone, as the sentence says."""
+    return lambda data: data["ends"][side] is not None and data["ends"][-side] is None and not data.get("opposite")
+
+
+def _holds(way: bool) -> Decided:
+    """What holds on the whole way, or is violated there; of the opposite the other way round."""
+    return lambda data: data["holds"] is (way is not data.get("opposite", False))
+
+
+def _hangs(opposite: bool) -> Decided:
+    """What holds where its conditions do."""
+    return lambda data: data["holds"] is None and data.get("opposite", False) is opposite
+
+
+def _kept(way: bool) -> Decided:
+    return lambda data: data["kept"] is way
+
+
+FOR_ALL: Row = {"least_on_way": _holds(True), "no_change": lambda data: data["best"].number() == 0}
+FOR_NO: Row = {"least_on_way": _holds(False), "vanishes_for": lambda data: not data["places"]}
+GROWS: Row = {"limit": lambda data: data["order"] < 0}
+GOES: Row = {"limit": lambda data: data["order"] > 0}
+BEYOND: Row = {"no_change": _vanishes}
+
+SAID: Mapping[str, Row] = {
+    "yes": {"least_on_way": _holds(True), "equilibrium": _stable(True), "vanishing": lambda data: not data["open"]},
+    "no": {"least_on_way": _holds(False), "equilibrium": _stable(False), "stays": lambda data: not data["until"]},
+    "yes where this is met(, else no)?": {"least_on_way": _hangs(False), "vanishing": lambda data: data["open"]},
+    "no where this is met(, else yes)?": {"least_on_way": _hangs(True)},
+    f"((yes|no): )?“…” does not depend on {NAME}": {"no_change": _itself},
+    f"(yes|no): “…” depends on {NAME}": {"changes": _itself},
+    "(yes|no): “…” is conserved": {"kept_or_not": _kept(True)},
+    "(yes|no): “…” changes": {"kept_or_not": _kept(False)},
+    f"{NO_SUCH} {NAME}: “…” holds for none in its range": FOR_NO,
+    f"(else )?“…” holds for every {OF_IT}|“…” holds for all values {OF_IT}": FOR_ALL,
+    f"else {NO_SUCH} {OF_IT}": FOR_NO,
+    f"“…” {FOR_NONE} {OF_IT}": FOR_NO,
+    f"{NAME} is the only zero of this in its range": {"one_zero": _itself},
+    f"every smaller {NAME} does: it holds for {OF_IT} < {OF_IT}": {"holds_for": _one_sided(-1)},
+    f"every larger {NAME} does: it holds for {OF_IT} > {OF_IT}": {"holds_for": _one_sided(1)},
+    f"every such {NAME} does": {rule: lambda data: bool(data.get("opposite")) for rule in ("holds_for", "one_zero")},
+    f"at this {OF_IT} itself it does not hold": BEYOND,
+    f"with this {OF_IT} itself, {OF_IT} is approached and never reached": {"approached": _itself},
+    f"else “…” holds for {NAME} < {OF_IT}": {"holds_for": _one_sided(-1)},
+    f"else “…” holds for {NAME} > {OF_IT}": {"holds_for": _one_sided(1)},
+    "beyond it the motion is not the one that is stated|there a contact is lost|there it slips": BEYOND,
+    f"no (largest|least) value is reached: {OF_IT} is approached as {OF_IT}": {"extreme": lambda data: bool(data["at_end"])},
+    f"there is none: “…” has no bound as {OF_IT}": GROWS,
+    "“…” grows beyond all bounds, as this": GROWS,
+    f"the limit is 0|“…” vanishes as {OF_IT}": GOES,
+    f"“…” is the same for every {NAME}": {"no_change": _itself},
+    f"only {OF_IT} has the same": {"vanishes_for": lambda data: len(data["places"]) == 1},
+    "“…” is negative: its magnitude is meant": {"least_on_way": lambda data: data["holds"] is True},
+}
+
+
+def doubts(found: Finding) -> Iterator[Verdict]:
+    """UNDECIDED for each clause of what is said beside the values that no rule decides; "yes" is said of what holds."""
+    grounds = [*found.grounds, *((step.rule, step.data) for step in found.steps[-1:])]
+    says = QUOTED.sub("“…”", found.says)
+    clauses = [clause for clause in says.split("; ") if clause and not _is_told(clause, grounds)]
+    if found.holds is not None and re.match("(yes|no)\\b", says) and says.startswith("yes") is not found.holds:
+        clauses.append(says)
+    yield from (undecided(f"no rule says “{clause}”") for clause in clauses)
+
+
+def _is_told(clause: str, grounds: list[tuple[str, Data]]) -> bool:
+    found, row = next(((said, row) for words, row in SAID.items() if (said := re.fullmatch(words, clause))), (None, {}))
+    name = found and found.groupdict().get("name")
+    return any(row[rule](data) and _is_of(name, data) for rule, data in grounds if rule in row)
+
+
+def _is_of(name: str | None, data: Data) -> bool:
+    """Whether it is the name in the clause of which the rule tells, if it tells of one."""
+    known = data.get("names", (data["name"],) if "name" in data else None)
+    return name is None or known is None or name in known
