@@ -10,12 +10,11 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 
-from rbpsym.ask.asked import NoClosedForm
+from rbpsym.ask.asked import NoClosedForm, bearable, left_open
 from rbpsym.ask.begun import needed
 from rbpsym.ask.made import value_of
 from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import PLACE, AskedPhase, going_on, moving, place_in, require_same, seen, way_to, ways_to
-from rbpsym.ask.undetermined import bearable, left_open
 from rbpsym.ask.wanted import Wanted, free_place, on_way
 from rbpsym.ask.zeros import where_met
 from rbpsym.chapters import oscillations
