@@ -7,8 +7,7 @@ import re
 from dataclasses import replace
 
 from rbpsym.ask.asked import Asked
-from rbpsym.ask.forms import shortest
-from rbpsym.ask.found import Found
+from rbpsym.ask.found import Found, shortest
 from rbpsym.ask.question import Question
 from rbpsym.decide.signs import sign
 from rbpsym.errors import StatementError

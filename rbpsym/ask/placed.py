@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 
 from rbpsym.ask.asked import Asked, NoClosedForm
-from rbpsym.ask.forms import sense_at_sample, sense_stated
+from rbpsym.ask.found import sense_at_sample, sense_stated
 from rbpsym.ask.moments import moment_of
 from rbpsym.ask.named import joined
 from rbpsym.ask.question import SUPERLATIVES, Question, When

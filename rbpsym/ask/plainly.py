@@ -7,7 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from rbpsym.ask.asked import Asked, NoClosedForm, NotMet
-from rbpsym.ask.forms import sense_stated
+from rbpsym.ask.found import sense_stated
 from rbpsym.ask.moments import coordinate_of, moment_of
 from rbpsym.ask.named import in_names
 from rbpsym.ask.placed import along_a_line, placed
