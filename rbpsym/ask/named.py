@@ -56,6 +56,7 @@ GROUNDS = (
     "corner|step|peg"
 )
 _NEXT = " (?:with|in|for|if|and|at|where|when)\\b"
+SIDE = "".join(f"(?<!{side} )" for side in ("other", "free", "upper", "lower", "left", "right", "top", "bottom"))
 LEAVES = "leaves|loses contact(?: with)?|lifts off|comes off|flies off"
 GONE = r"is (?:cut|removed|switched off|turned off|released|let go)|breaks|snaps|lets go"
 
@@ -95,7 +96,7 @@ def _parts(element: Element) -> Iterator[Any]:
 
 def joined(element: Element) -> set[str]:
     """The bodies and the named points that an element joins."""
-    points = [getattr(part, "center", part) for part in _parts(element)]
+    points = [part if isinstance(part, str) else getattr(part, "center", part) for part in _parts(element)]
     found = [getattr(point, "body", None) or getattr(point, "label", point) for point in points]
     return {name for name in found if isinstance(name, str)}
 
@@ -186,7 +187,7 @@ def _points(problem: Problem, text: str) -> str:
             text = re.sub(rf"\b({ROLES}) {there}", rf"\1 {name}", text)
     for body in problem.bodies:
         points = _any([point for point in body.points if point not in known])
-        text = re.sub(rf"\b(?:point )?({points}) of {re.escape(body.name)}(?![\w.-])", rf"{body.name}.\1", text)
+        text = re.sub(rf"{SIDE}\b(?:point )?({points}) of {re.escape(body.name)}(?![\w.-])", rf"{body.name}.\1", text)
         middle = f"{body.name}.{'center' if 'center' in body.points else 'cm'}"
         lone = "?" if len(problem.bodies) == 1 and not {"center", "centre"} & known else ""
         of = rf"(?: of {re.escape(body.name)}(?![\w.-])){lone}"

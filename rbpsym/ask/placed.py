@@ -125,18 +125,19 @@ def _struck(asked: Asked, text: str) -> str:
     return f"{text[: said.start()]}{'until' if text.startswith('time') else side} {struck[0].name}{text[said.end() :]}"
 
 
-END = re.compile(r"\b(upper|top|highest|lower|bottom|lowest|left|right)(?:most)? end of ([\w-]+)")
+END = re.compile(r"\b(upper|top|highest|lower|bottom|lowest|left|right)(?:most)? end(?: of ([\w-]+))?(?![\w-])")
 
 
 def _ends(asked: Asked, said: re.Match[str]) -> str:
     """The end of a rod that is the upper, lower, left or right one where it starts."""
-    if said[2] not in asked.problem.body_names or asked.problem.body(said[2]).shape.kind != "rod":
+    rods = [body.name for body in asked.problem.bodies if body.shape.kind == "rod" and said[2] in (None, body.name)]
+    if len(rods) != 1:
         return said[0]
     world = scene(asked)
-    way = world.place(f"{said[2]}.end") - world.place(f"{said[2]}.start")
+    way = world.place(f"{rods[0]}.end") - world.place(f"{rods[0]}.start")
     gap = short(substitute(way.x if said[1] in ("left", "right") else way.y, world.motion.scope.start))
     upward = sign(gap, world.motion.assumptions).sense * (1 if said[1] in ("upper", "top", "highest", "right") else -1)
-    return f"{said[2]}.{'end' if upward > 0 else 'start'}" if upward else said[0]
+    return f"{rods[0]}.{'end' if upward > 0 else 'start'}" if upward else said[0]
 
 
 def placed(asked: Asked, text: str) -> str:
@@ -224,11 +225,15 @@ def _rates(world: AskedPhase, name: str, free: str, *, turns: bool) -> list[Scal
 
 
 def _standing(asked: Asked, said: re.Match[str]) -> str:
-    """Where a rod is vertical or horizontal: the only such place to which the motion comes."""
+    """Where a rod, or a string, is vertical or horizontal: the only such place to which the motion comes."""
     world = scene(asked)
-    rods = [body.name for body in asked.problem.bodies if body.shape.kind == "rod"]
-    name = _body(asked, said["body"], said.string[: said.start()], rods)
-    angle = world.body(name).pose.angle
+    leads = {body.name: world.body(body.name).pose.angle for body in asked.problem.bodies if body.shape.kind == "rod"}
+    strings = {element.name: element["path"] for element in asked.problem.of_kind("string") if len(element["path"]) == 2}
+    if path := strings.get(said["body"]):
+        first, last = (world.place(turn.center.label) for turn in path)
+        leads |= dict.fromkeys([said["body"]], next(iter((last - first).parts)))
+    name = _body(asked, said["body"], said.string[: said.start()], [*leads])
+    angle = leads[name]
     free = next((n for n in (mover(world.study), *world.study.system.independent) if n and derivative(angle, n)), None)
     slope = derivative(angle, free) if free else None
     if free is None or slope is None or slope.number() is None:

@@ -16,7 +16,7 @@ from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, is_zero, names_in, short
+from rbpsym.field import NOTHING, depends_on, is_zero, names_in, short
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips_on, stops
 from rbpsym.present.forms import present
@@ -234,6 +234,17 @@ def _of_swings(asked: Asked, text: str) -> str:
     return re.sub(DAMPED, lambda said: names[0] if said[0] in ("it", *system.bodies) else said[0], text)
 
 
+def _own_coordinate(asked: Asked, name: str) -> str:
+    """The coordinate that moves a body and no other one, or alone moves it."""
+    system, names = asked.study(asked.lasting).system, {coordinate.name for coordinate in asked.problem.coordinates}
+    if name not in asked.problem.body_names or name in names:
+        return name
+    rates = {body: (state.velocity.x, state.velocity.y, state.omega) for body, state in system.bodies.items()}
+    moves = {body: {n for n in system.independent if any(depends_on(r, f"{n}_dot") for r in rs)} for body, rs in rates.items()}
+    own = moves[name].difference(*(moves[other] for other in moves if other != name)) or moves[name]
+    return own.pop() if len(own) == 1 else name
+
+
 def _of_lone(asked: Asked, text: str) -> str:
     """“until its speed is v_1”, “time to reach omega_1” of the only coordinate that is a length, or an angle; “how high does it
     rise” of the only body."""
@@ -265,6 +276,7 @@ def _of_lone(asked: Asked, text: str) -> str:
 
     text = TURNED_BY.sub(lambda said: f"displacement of {lone[NUMBER][0]}" if len(lone[NUMBER]) == 1 else said[0], text)
     text = LONE.sub(place, text)
+    text = OF_BODY.sub(lambda said: f"{said[1]} of {_own_coordinate(asked, said[2])}", text)
     return RISES.sub(risen, TO_REACH.sub(reached, ITS_SPEED.sub(found, text)))
 
 
@@ -272,6 +284,10 @@ MOST = re.compile(rf"^({'|'.join(GREATEST)}) (\w+)((?:,? (?:for|with|under|if|wh
 FARTHEST = re.compile(
     rf"\b(until|when|where|once) (\w+) is (?:{'|'.join(GREATEST)})"
     r"(?=(?:,? (?:for|with|under|if|when))? (?:critical|weak|strong|small))"
+)
+OF_BODY = re.compile(
+    r"^((?:stable |unstable |natural )*(?:period|frequency|amplitude|equilibrium)) "
+    r"of (?:(?:small )?(?:oscillations?|swings?|vibrations?) of )?([\w-]+)(?=$|[ ,])"
 )
 LONE = re.compile(r"^(angle|position|place) (where|when|at which) ")
 TURNED_BY = re.compile(r"^angle turned(?= (?:until|when|where|after|in) )")
