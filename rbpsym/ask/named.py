@@ -19,7 +19,7 @@ ELEMENTS: Mapping[str, tuple[str, ...]] = {
     "string|rope|cord|cable|thread|chain|wire|coupling|link|strut": ("string",),
     "spring": ("spring", "torsion-spring"),
     "damper|dashpot": ("damper", "rotary-damper"),
-    "pivot|fulcrum|nail|support": ("pivot",),
+    "pivot|fulcrum|nail": ("pivot",),
     "pivot|hinge|axle|axis|bearing|pin": ("pivot", "pin"),
     "motor": ("couple",),
     "teeth": ("gear",),
@@ -42,7 +42,7 @@ PARAMETERS = {
 # words for bodies, by the shapes that they may have; the only body of these shapes may be called so
 KINDS: Mapping[str, tuple[str, ...]] = {
     "arm|bar|beam|boom|door|gate|ladder|lever|plank|pole|rod|shaft|stick|trapdoor": ("rod", "rectangle"),
-    "cylinder|disc|disk|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus", "given", "composite"),
+    "cylinder|disc|disk|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus", "given"),
     "ball|bead|bob|marble|puck|sphere": ("ball", "shell", "particle"),
     "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|trolley|truck":
         ("particle", "rectangle", "given"),
@@ -142,7 +142,7 @@ def _meant(problem: Problem, text: str) -> str:
     for q in problem.parameters:
         of = re.sub("^mass of ", "", without_articles(q.meaning))
         own = [body.name for body in problem.bodies if body.mass == t.Sym(q.name)]
-        if len(own) == 1 and " " in of:
+        if len(own) == 1 and " " in of and not of.startswith("of "):
             text = re.sub(rf"\b{re.escape(of)}\b", own[0], text)
     alone = r"(?! (?:of|by|from|to|with|against|relative|above|below)\b)"
     for coordinate in problem.coordinates:
