@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 from rbpsym.ask.asked import NoClosedForm, bearable, left_open
-from rbpsym.ask.begun import needed
+from rbpsym.ask.finding import needed
 from rbpsym.ask.made import value_of
 from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import PLACE, AskedPhase, going_on, moving, place_in, require_same, seen, way_to, ways_to
