@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
-from rbpsym.ask.along import converse
 from rbpsym.ask.answer import answer, found_of
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.certified import LETTER
@@ -17,7 +16,7 @@ from rbpsym.ask.placed import met
 from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import MANNERS, SUPERLATIVES, read_question
 from rbpsym.ask.seen import scene
-from rbpsym.ask.senses import taken_for_kept, under, whichever
+from rbpsym.ask.senses import converse, taken_for_kept, under, whichever
 from rbpsym.ask.special import COEFFICIENT, special_problem, with_coefficient
 from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
