@@ -15,8 +15,7 @@ from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, ReadError
 from rbpsym.statement.assemble import assemble
-from rbpsym.statement.files import check_size, text_in
-from rbpsym.statement.library import problem_files
+from rbpsym.statement.library import check_size, problem_files, text_in
 from rbpsym.statement.model import Problem
 from rbpsym.statement.positions import index_positions, place_at
 from rbpsym.statement.source import Source, SourceTable, check_characters, kind_of
