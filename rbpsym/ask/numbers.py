@@ -22,10 +22,10 @@ from rbpsym.mechanics.numbers import floating, number
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import ENERGY, NUMBER, TIME, Dimension
 from rbpsym.statement.checks import dimensions_with_unknowns
-from rbpsym.statement.example import SIGNS
 from rbpsym.statement.model import Problem
 from rbpsym.statement.premises import OPS
 from rbpsym.statement.source import did_you_mean, unit_example
+from rbpsym.statement.starter import SIGNS
 from rbpsym.statement.units import read_unit, unit_of
 from rbpsym.typeset.text import to_text
 
