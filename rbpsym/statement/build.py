@@ -27,7 +27,7 @@ from rbpsym.elements.interactions import INTERACTIONS
 from rbpsym.elements.kinds import ElementKind, known_names
 from rbpsym.elements.shapes import SHAPES
 from rbpsym.errors import StatementError
-from rbpsym.statement.assemble import assemble
+from rbpsym.statement.loader import assemble
 from rbpsym.statement.model import Problem
 from rbpsym.statement.source import Source, SourceTable, check_characters, kind_of
 
