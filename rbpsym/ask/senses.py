@@ -34,8 +34,8 @@ from rbpsym.quantities import TIME, Quantity
 from rbpsym.quantity.path import even, first_push
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.completing import courses
-from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
+from rbpsym.statement.own_text import letters_of
 
 
 def whichever(asked: Asked, found: Answer, again: Callable[[Asked], Answer]) -> Answer:

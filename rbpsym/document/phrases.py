@@ -26,8 +26,8 @@ from rbpsym.expr.glyphs import MARKS, Notation, notation_for
 from rbpsym.expr.tree import Node, Word, walk
 from rbpsym.frozen import Frozen, field
 from rbpsym.languages import part_of, phrases
-from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
+from rbpsym.statement.own_text import letters_of
 
 
 @cache

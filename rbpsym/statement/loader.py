@@ -20,9 +20,9 @@ from rbpsym.statement.bodies import read_bodies
 from rbpsym.statement.checks import check_names_differ, check_problem, check_unknowns
 from rbpsym.statement.completing import courses, drives, with_masses, words_of
 from rbpsym.statement.elements import Surroundings
-from rbpsym.statement.letters import letters_of
 from rbpsym.statement.library import check_size, problem_files, text_in
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
+from rbpsym.statement.own_text import letters_of
 from rbpsym.statement.phases import read_both, read_phases
 from rbpsym.statement.positions import index_positions, place_at
 from rbpsym.statement.premises import declared
