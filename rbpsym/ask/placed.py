@@ -246,10 +246,8 @@ def _standing(asked: Asked, said: re.Match[str]) -> str:
     found = [f"{free} = {place}" for place in places if _comes(asked, free, place)]
     if len(found) != 1:
         told = " or ".join(f"“where {place}”" for place in found)
-        raise StatementError(
-            f"“{name}” stands so at {len(found) or 'no'} places to which the motion is known to come",
-            instead=f"write {told}." if found else f"say where: “where {free} = VALUE”.",
-        )
+        what = f"“{name}” stands so at {len(found) or 'no'} places to which the motion is known to come"
+        raise StatementError(what, instead=f"write {told}." if found else f"say where: “where {free} = VALUE”.")
     return found[0]
 
 
