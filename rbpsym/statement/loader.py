@@ -22,7 +22,7 @@ from rbpsym.statement.completing import courses, drives, with_masses, words_of
 from rbpsym.statement.elements import Surroundings
 from rbpsym.statement.library import check_size, problem_files, text_in
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
-from rbpsym.statement.own_text import letters_of
+from rbpsym.statement.own_text import check_languages, check_translated_names, letters_of, strings, worded
 from rbpsym.statement.phases import read_both, read_phases
 from rbpsym.statement.positions import index_positions, place_at
 from rbpsym.statement.premises import declared
@@ -30,7 +30,6 @@ from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.references import check_name, read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
 from rbpsym.statement.source import Source, SourceTable, check_characters, kind_of
-from rbpsym.statement.translations import check_languages, check_translated_names, strings, worded
 
 # What each section of a file is for.
 SECTIONS: dict[str, str] = {
