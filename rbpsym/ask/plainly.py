@@ -20,7 +20,7 @@ from rbpsym.field import NOTHING, depends_on, is_zero, names_in, short
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips_on, stops
 from rbpsym.present.forms import present
-from rbpsym.quantities import LENGTH, NUMBER, SPEED, TIME
+from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.quantity.path import first_push, sense
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.paths import tensions
@@ -42,6 +42,7 @@ BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a prob
 WORDS: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"\b(?:he|she)\b", "it"),
     (r"^((?:horizontal |vertical )?(?:speed|velocity|kinetic energy)) (?:with|at) which ([\w-]+) (?!is )", r"\1 of \2 when \2 "),
+    (r"^(angle|position|place) at which ", r"\1 where "),
     (r"\bin (vertical|horizontal) position\b", r"when it is \1"),
     (r"\bat (?:moment of )?(?:first )?(impact|bounce|collision)" + _END, r"just before \1"),
     (r"^(?:least |smallest |minimum )?(coefficient of (?:static )?friction|mu) (?:needed|required) (?:for [\w-]+ not to slip|"
@@ -247,22 +248,17 @@ def _own_coordinate(asked: Asked, name: str) -> str:
 
 def _of_lone(asked: Asked, text: str) -> str:
     """“until its speed is v_1”, “time to reach omega_1” of the only coordinate that is a length, or an angle; “how high does it
-    rise” of the only body."""
-    known, bodies = asked.problem.dimensions, asked.problem.body_names
-    kinds = {LENGTH: SPEED, NUMBER: NUMBER / TIME}
-    names = {c.name for c in asked.problem.coordinates}
-    text = MOST.sub(lambda said: f"{said[2]} where {said[2]} comes to rest{said[3]}" if said[2] in names else said[0], text)
-    text = FARTHEST.sub(lambda said: f"{said[1]} {said[2]} comes to rest" if said[2] in names else said[0], text)
-    lone = {kind: [c.name for c in asked.problem.coordinates if c.quantity.dimension == kind] for kind in kinds}
-    speeds = {kinds[kind]: f"speed of {names[0]}" for kind, names in lone.items() if len(names) == 1}
+    rise” of the only body; “largest x when critically damped” where x comes to rest."""
+    named, bodies = {c.name: c.quantity.dimension for c in asked.problem.coordinates}, asked.problem.body_names
+    lone = {kind: name for name, kind in named.items() if [*named.values()].count(kind) == 1}
+    lone |= {kind / TIME: f"speed of {name}" for kind, name in lone.items()}
 
-    def found(said: re.Match[str]) -> str:
-        what = speeds.get(NUMBER / TIME if said[2] else SPEED)
-        return f"{said[1]} {what} = " if what else said[0]
+    def put(said: re.Match[str]) -> str:
+        kind = (NUMBER if "ang" in said[2] else LENGTH) / (TIME if said[1] else NUMBER)
+        return f"{said[1]}{lone[kind]}{said[3]}" if kind in lone else said[0]
 
     def reached(said: re.Match[str]) -> str:
-        [*names] = lone.get(known.get(said[2], TIME), [])
-        what = speeds.get(known.get(said[2], TIME)) or (names[0] if len(names) == 1 else "")
+        what = lone.get(asked.problem.dimensions.get(said[2], TIME))
         return f"{said[1]} until {what} = {said[2]}" if what else said[0]
 
     def risen(said: re.Match[str]) -> str:
@@ -270,29 +266,24 @@ def _of_lone(asked: Asked, text: str) -> str:
         rest = " after impact" if REBOUNDS.search(said[0]) and not said[2] else said[2].replace(" right", "")
         return f"largest y component of displacement of {who}.cm{rest}" if who in bodies else said[0]
 
-    def place(said: re.Match[str]) -> str:
-        [*names] = lone[NUMBER if said[1] == "angle" else LENGTH]
-        return f"{names[0]} {'where' if 'which' in said[2] else said[2]} " if len(names) == 1 else said[0]
-
-    text = TURNED_BY.sub(lambda said: f"displacement of {lone[NUMBER][0]}" if len(lone[NUMBER]) == 1 else said[0], text)
-    text = LONE.sub(place, text)
+    text = MOST.sub(lambda said: f"{said[1]} where {said[1]} comes to rest{said[2]}" if said[1] in named else said[0], text)
+    text = FARTHEST.sub(lambda said: f"{said[1]} comes to rest" if said[1] in named else said[0], text)
     text = OF_BODY.sub(lambda said: f"{said[1]} of {_own_coordinate(asked, said[2])}", text)
-    return RISES.sub(risen, TO_REACH.sub(reached, ITS_SPEED.sub(found, text)))
+    for pattern in (LONE, ITS_SPEED):
+        text = pattern.sub(put, text)
+    return RISES.sub(risen, TO_REACH.sub(reached, text))
 
 
-MOST = re.compile(rf"^({'|'.join(GREATEST)}) (\w+)((?:,? (?:for|with|under|if|when))? (?:critical damping|critically damped))$")
-FARTHEST = re.compile(
-    rf"\b(until|when|where|once) (\w+) is (?:{'|'.join(GREATEST)})"
-    r"(?=(?:,? (?:for|with|under|if|when))? (?:critical|weak|strong|small))"
-)
+_CASE = "(?:,? (?:for|with|under|if|when))? (?:critical|weak|strong|small|steady)"
+MOST = re.compile(rf"^(?:{'|'.join(GREATEST)}) (\w+)((?:,? (?:for|with|under|if|when))? (?:critical damping|critically damped))$")
+FARTHEST = re.compile(rf"(?<=(?:til|hen|ere|nce) )(\w+) is (?:{'|'.join(GREATEST)})(?={_CASE})")
 OF_BODY = re.compile(
     r"^((?:stable |unstable |natural )*(?:period|frequency|amplitude|equilibrium)) "
     r"of (?:(?:small )?(?:oscillations?|swings?|vibrations?) of )?([\w-]+)(?=$|[ ,])"
 )
-LONE = re.compile(r"^(angle|position|place) (where|when|at which) ")
-TURNED_BY = re.compile(r"^angle turned(?= (?:until|when|where|after|in) )")
+LONE = re.compile(r"^()(angle|position|place|angle turned)( (?:where|when|until|after) )")
 ITS_SPEED = re.compile(
-    r"\b(until|when|where|once) (?:its )?(?:magnitude of )?(angular )?(?:speed|velocity) (?:=|is|reaches) (?!.*est$)"
+    r"\b((?:until|when|where|once) )(?:its )?(?:magnitude of )?((?:angular )?(?:speed|velocity))( (?:=|is|reaches) (?!.*est$))"
 )
 TO_REACH = re.compile(r"^(time|angle turned|distance) (?:needed |required |it takes )?(?:to|until it) reach(?:es)? (\w+)$")
 UP = r"(?:rises?|goes?(?: up)?|swings?|bounces?|rebounds?|reach(?:es)?|jumps?|climbs?)"
