@@ -37,6 +37,13 @@ SAME = (
     ("ball-in-a-loop", "theta where the ball leaves the track", "theta where N vanishes"),
     ("ladder-with-friction", "friction at the floor", "f"),
     ("block-up-and-down-incline", "friction at N", "friction f"),
+    ("rod-pendulum", "angular velocity of the bar in the vertical position", "angular velocity of rod where theta = 0"),
+    ("rod-pendulum", "velocity of the midpoint of the rod at the start", "velocity of rod.cm at the start"),
+    ("disk-on-incline", "speed of the wheel after 2 turns of the drum", "speed of drum where number of turns of drum = 2"),
+    ("rod-hits-ball-at-bottom", "angular velocity of the rod right after it hits the ball", "angular velocity of rod right after impact"),
+    ("motor-with-load", "time until its angular speed is 1/2*(omega_m - omega_m*tau_L/tau_0)",
+     "time until speed of phi = 1/2*(omega_m - omega_m*tau_L/tau_0)"),  # fmt: skip
+    ("disk-on-incline", "least coefficient of friction for which it does not slip", "least mu for which it does not slip"),
     ("block-up-and-down-incline", "how far up the incline does the block slide", "displacement of s until it stops"),
 )
 REFUSED = (
