@@ -87,7 +87,7 @@ def driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tupl
     return (way, way.until(places[name], study.assumptions)) if way.sense else None
 
 
-def least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
+def least_of(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
     """The least values of a function of a coordinate on its way to some places (None: on the whole motion). Raises Undecided."""
     from rbpsym.ask.seen import to_and_fro
     from rbpsym.ask.wanted import Wanted
