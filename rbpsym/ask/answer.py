@@ -6,15 +6,13 @@ import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
-from rbpsym.ask.along import moving_in, of_one, resisted_in
-from rbpsym.ask.asked import Asked, Moment, NoClosedForm
+from rbpsym.ask.asked import Asked, Moment, NoClosedForm, left_open
 from rbpsym.ask.certified import LETTER, certified
-from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest
-from rbpsym.ask.found import Answer, Found
+from rbpsym.ask.found import Answer, Found, sense_at_sample, sense_stated, shortest
 from rbpsym.ask.in_time import at_time, time_of_swing
 from rbpsym.ask.moments import BY_NUMBERS, moment_of
 from rbpsym.ask.question import Question, When, is_jump
-from rbpsym.ask.undetermined import left_open
+from rbpsym.ask.senses import moving_in, of_one, resisted_in
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, ReadError, StatementError, Undecided

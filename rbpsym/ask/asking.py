@@ -6,19 +6,17 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
-from rbpsym.ask.along import converse
 from rbpsym.ask.answer import answer, found_of
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.certified import LETTER
-from rbpsym.ask.even import taken_for_kept
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.found import Answer, Found
-from rbpsym.ask.meeting import met
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
+from rbpsym.ask.placed import met
 from rbpsym.ask.plainly import plain_words
 from rbpsym.ask.question import MANNERS, SUPERLATIVES, read_question
 from rbpsym.ask.seen import scene
-from rbpsym.ask.senses import under, whichever
+from rbpsym.ask.senses import converse, taken_for_kept, under, whichever
 from rbpsym.ask.special import COEFFICIENT, special_problem, with_coefficient
 from rbpsym.ask.units import in_letters
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
@@ -198,10 +196,9 @@ def _whole(asked: Asked, text: str, letter: str) -> Answer:
     return whichever(asked, found, lambda other: _answered(other, plain, letter))
 
 
-PLACED = re.compile(r"(.+?),? (where|when|once|until|as soon as) (\w+ .+? (?:=|reaches|is) .+)")
-
-
-BEYOND = re.compile(rf"(.+) is ({'|'.join(SUPERLATIVES)})")
+_MOST = f"(?:{'|'.join(SUPERLATIVES)})"
+PLACED = re.compile(rf"(.+?),? (where|when|once|until|as soon as) (\w+ .+? (?:=|reaches|is) .+|\w+ is {_MOST})")
+BEYOND = re.compile(rf"(.+) is ({_MOST})")
 
 
 def _by_quantity(asked: Asked, plain: str, letter: str) -> Answer | None:

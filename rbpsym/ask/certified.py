@@ -9,7 +9,7 @@ from functools import partial
 
 from rbpsym.ask import in_time, led_by
 from rbpsym.ask.asked import Asked, Moment
-from rbpsym.ask.begun import before, needed, resting_on
+from rbpsym.ask.finding import before, needed, resting_on
 from rbpsym.ask.found import Answer, Found
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.question import Question, is_jump

@@ -7,12 +7,11 @@ from dataclasses import replace
 from functools import partial
 
 from rbpsym.ask.certified import LETTER, certified
-from rbpsym.ask.finding import Finding, ground
+from rbpsym.ask.finding import Finding, doubts, ground
 from rbpsym.ask.found import Answer
 from rbpsym.ask.question import Question
 from rbpsym.ask.seen import AskedPhase, never_told
 from rbpsym.ask.special import left_open
-from rbpsym.ask.words import doubts
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.verdict import Verdict, all_of, undecided
 from rbpsym.errors import there

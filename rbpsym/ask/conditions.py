@@ -10,12 +10,11 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 
-from rbpsym.ask.asked import NoClosedForm
-from rbpsym.ask.begun import needed
+from rbpsym.ask.asked import NoClosedForm, bearable, left_open
+from rbpsym.ask.finding import needed
 from rbpsym.ask.made import value_of
 from rbpsym.ask.question import is_jump
 from rbpsym.ask.seen import PLACE, AskedPhase, going_on, moving, place_in, require_same, seen, way_to, ways_to
-from rbpsym.ask.undetermined import bearable, left_open
 from rbpsym.ask.wanted import Wanted, free_place, on_way
 from rbpsym.ask.zeros import where_met
 from rbpsym.chapters import oscillations
@@ -63,10 +62,8 @@ def _check_phase(world: AskedPhase, way: Way, end: Scalar) -> None:
         last = world.asked.began(world.number + 1).before.places[way.name]
         if settle([Demand((end - last) * way.sense)], world.motion.assumptions) is None:
             return
-    raise StatementError(
-        f"whether this is before the phase “{after}” begins depends on the parameters, or is not known",
-        instead=f"ask it in one phase: “… in phase first”, “… in phase {after}”.",
-    )
+    what = f"whether this is before the phase “{after}” begins depends on the parameters, or is not known"
+    raise StatementError(what, instead=f"ask it in one phase: “… in phase first”, “… in phase {after}”.")
 
 
 def _stays(world: AskedPhase, phrase: str, sign: str, until: str | None, text: str | None) -> Wanted:
@@ -92,19 +89,15 @@ def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | 
     if found and contact not in needs and (contact != "it" or not needs):
         return found
     if not needs:
-        raise StatementError(
-            "no contact is held by static friction here",
-            instead='what sticks or rolls is type = "sticking" or "rolling", with a limit = "mu".',
-        )
+        what = "no contact is held by static friction here"
+        raise StatementError(what, instead='what sticks or rolls is type = "sticking" or "rolling", with a limit = "mu".')
     if contact not in ("it", "nothing", *needs):
         raise StatementError(f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts"))
     held, given = [need for place, need in needs.items() if contact in ("it", "nothing", place)], world.motion.assumptions
     without, held = held[0].constraint, [need for need in held if need.limit is not None]  # the others hold as much as is needed
     if not held:
-        raise StatementError(
-            f"the contact “{without}” has no coefficient of static friction",
-            instead=f'ask for “mu for which …”, or write limit = "mu" in [constraints.{without}].',
-        )
+        what = f"the contact “{without}” has no coefficient of static friction"
+        raise StatementError(what, instead=f'ask for “mu for which …”, or write limit = "mu" in [constraints.{without}].')
     if left_open(world.study) and not then:
         values, given, asked = bearable(world.study, held, given, name)
         return Wanted(values, given, asked=asked)

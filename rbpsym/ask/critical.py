@@ -8,10 +8,9 @@ from dataclasses import replace
 from typing import Any
 
 from rbpsym.ask.conditions import wanted
-from rbpsym.ask.equal import equal_for
 from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, kept_said, together
 from rbpsym.ask.question import SUPERLATIVES
-from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
+from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, equal_for, region_on_way
 from rbpsym.ask.seen import AskedPhase, moving, never_told, parameter, seen, told
 from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, goes_steadily, of_contact, rises, stays
 from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises, unsaid

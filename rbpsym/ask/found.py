@@ -6,15 +6,22 @@ from collections.abc import Mapping
 
 from rbpsym.ask.asked import Moment
 from rbpsym.ask.question import Question
+from rbpsym.decide.rooted import neat, rationalised
+from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict
 from rbpsym.errors import StatementError, there
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, names_in
+from rbpsym.field import Scalar, has_roots, is_rooted, names_in, root, short, with_exponentials_joined
+from rbpsym.field.normal import in_one_angle
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.numbers import floating
+from rbpsym.mechanics.pushing import begins, begun_numbers
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
+from rbpsym.proof.draft import length
 from rbpsym.proof.step import Derivation, Step
+from rbpsym.quantity.path import even
 from rbpsym.typeset.machine import to_machine
 
 
@@ -99,3 +106,27 @@ class Answer(Frozen):
     def is_angle(self) -> bool:
         """Is it asked for an angle: a coordinate that is one, or a direction?"""
         return self.question.is_direction or self.question.quantity in {c.name for c in self.study.problem.coordinates}
+
+
+def shortest(value: Scalar, study: Study) -> Scalar:
+    """The value in the shortest of its forms: as it is, with short roots, as one root."""
+    value = in_one_angle(with_exponentials_joined(value))
+    if not has_roots(value):
+        return value
+    given, square = study.assumptions, short(even(value * value))
+    forms, way = [value, neat(value, given), rationalised(neat(value, given))], sign(value, given).sense
+    if way and not is_rooted(square.num) and not is_rooted(square.den):
+        forms.append(neat(root(square), given) * way)
+    return min(forms, key=lambda form: length(present(form, study.style, factor=True)))
+
+
+def sense_stated(study: Study, push: Scalar) -> int:
+    """1 or -1, the sense of a push by what the statement supposes of the start; 0 where that does not tell it."""
+    ratios = (push / demand.value for demand in begins(study) if demand.op != "!=" and demand.value)
+    return next((found for ratio in ratios if (found := sign(short(ratio), study.assumptions).sense)), 0)
+
+
+def sense_at_sample(study: Study, push: Scalar) -> int:
+    """1 or -1, the sense of a push at the first sample numbers at which it begins as stated; 0 where it has none there."""
+    found = floating(push, begun_numbers(study))
+    return (found > 0) - (found < 0)

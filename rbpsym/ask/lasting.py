@@ -8,8 +8,8 @@ from dataclasses import replace
 from functools import partial
 
 from rbpsym.ask.asked import Asked, Moment
+from rbpsym.ask.extremes import by_speed, driven, least_of, least_until, until
 from rbpsym.ask.found import Found
-from rbpsym.ask.least import by_speed, driven, least, least_until, until
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, StatementError, Undecided, there
@@ -329,7 +329,7 @@ def _on_way(
             continue
         with suppress(*([] if places else [Undecided])):  # how far it swings on the whole is told by what holds it
             [name] = names_in(demand.value) & study.system.scope.rates.keys()
-            found = least(study, demand, name, places=places)
+            found = least_of(study, demand, name, places=places)
             what = "a string runs out, or a spring turns over, before: the motion that is stated ends there"
             possible(found, study.assumptions, StatementError(what))
             yield from found
@@ -342,7 +342,7 @@ def _on_way(
                 raise Undecided("their forces are not known on the way")
             found = least_until(study, demand, time, courses or {})
         else:
-            found = least(study, demand, *names, places=places) if names else [demand]
+            found = least_of(study, demand, *names, places=places) if names else [demand]
         what = "a contact is lost, or friction reaches its limit, before: the motion that is stated ends there"
         possible(found, study.assumptions, StatementError(what))
         yield from found

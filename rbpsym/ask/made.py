@@ -40,7 +40,8 @@ def _quotient(world: AskedPhase, above: str, below: str) -> t.Node:
         raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     place = PLACE.fullmatch(below)
     above = above if place is None or WHEN.search(above) else above + place[2]  # “ratio of A to B where …” is of both
-    found, used = t.Div(form_of(world, above), form_of(world, below)), len(world.used)
+    found = t.Div(*(form_of(world, text, of_vectors=True) for text in (above, below)))
+    used = len(world.used)
     if not WHEN.search(below) and moving(world, (_valued(world, found, above),)):  # what only the time ties
         with suppress(RbpsymError):
             timed = t.Div(*(form_of(world, f"{text} as a function of t") for text in (above, below)))
@@ -64,6 +65,8 @@ def _magnitude(world: AskedPhase, force: str, when: str) -> t.Node:
     return t.Sqrt(t.add(*(t.Pow(_leaf(world, f"impulse of {force}_{axis}{when}"), t.TWO) for axis in "xy")))
 
 
+_DURING = r" (?:until|up to|from) .+"
+GATHERED = {"velocity of": "displacement of", "angular velocity of": "angle turned by", "power of": "work of"}
 TURN = t.mul(t.TWO, t.Sym("pi"))
 MADE: tuple[tuple[str, Callable[..., t.Node]], ...] = (
     (r"damped period of (\w+)", lambda world, name: t.Div(TURN, _leaf(world, f"damped frequency of {name}"))),
@@ -73,6 +76,8 @@ MADE: tuple[tuple[str, Callable[..., t.Node]], ...] = (
     (r"(?:length of (?:simple pendulum with (?:equal|same) period|equivalent simple pendulum)|equivalent length)(?: of (\w+))?",
      _pendulum),
     (r"magnitude of impulse of (\w+)((?: when \w+ begins)?)", _magnitude),
+    (rf"(?:average|mean) (velocity of|angular velocity of|power of) ([\w-]+)({_DURING})",
+     lambda world, rate, name, end: _quotient(world, f"{GATHERED[rate]} {name}{end}", f"time{end}")),
     (r"twice (.+)", lambda world, text: _times(world, "2", text)),
     (r"([\w./^]+?) ?(?:\*|times) ?((?!.* [+-] ).+ .+)", _times),
     (r"ratio of (?!.* mode$)(.+ to .+)", _ratio),

@@ -100,6 +100,9 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value: Nod
         except (NotApplicable, StatementError) as error:
             refused = refused or error
             if isinstance(error, NotApplicable) and event == "reaches" and subject == mover(study):
+                begun = at_start(study)
+                if is_zero(begun.places[subject] - scalar(there(value))) and begun.speeds.get(subject):
+                    return Moment(number, begun)
                 state, is_sure = coming(study, subject, scalar(there(value)))
                 return Moment(number, state, "event", phase if is_sure else None, is_open=not is_sure)
             continue

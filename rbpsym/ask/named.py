@@ -6,21 +6,25 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t
 from rbpsym.field import is_zero
 from rbpsym.field.evaluate import scalar
-from rbpsym.quantities import NUMBER
+from rbpsym.quantities import FORCE, LENGTH, NUMBER
 from rbpsym.quantity.bound import without_articles
 from rbpsym.statement.model import Element, Line, Problem
 
-STRINGS = ("string", "rope", "cord", "cable", "thread")
-# a word for an element -> the kinds that it may mean; the only one of these kinds is meant
+# a word for an element -> the kinds that it may mean: the only one of these, or of those that touch what is named beside it
 ELEMENTS: Mapping[str, tuple[str, ...]] = {
-    "|".join(STRINGS): ("string",),
-    "spring": ("spring",),
+    "string|rope|cord|cable|thread|chain|wire|coupling|link|strut": ("string",),
+    "spring": ("spring", "torsion-spring"),
+    "damper|dashpot": ("damper", "rotary-damper"),
+    "pivot|fulcrum|nail": ("pivot",),
     "pivot|hinge|axle|axis|bearing|pin": ("pivot", "pin"),
     "motor": ("couple",),
+    "teeth": ("gear",),
 }
+STRINGS = next(iter(ELEMENTS)).replace("|link|strut", "")
 # what a contact with a fixed line is called by the slope of that line
 SURFACES: Mapping[str, Callable[[Line], bool]] = {
     "wall": lambda line: is_zero(scalar(line.b)),
@@ -35,18 +39,24 @@ PARAMETERS = {
     "coefficient of restitution": ("restitution",),
     "spring constant": ("stiffness",),
 }
-SHAPES = (
-    "arm|ball|bar|bead|beam|bike|block|board|bob|body|boom|box|car|carriage|cart|collar|crank|crate|cube|cylinder|dis[ck]|door|drum|"
-    "flywheel|gear|gate|hoop|ladder|link|load|mass|particle|pipe|plank|plate|puck|pulley|ring|rod|roller|shaft|slab|slider|"
-    "sphere|spool|stick|trolley|truck|weight|wedge|wheel"
-)
+# words for bodies, by the shapes that they may have; the only body of these shapes may be called so
+KINDS: Mapping[str, tuple[str, ...]] = {
+    "arm|bar|beam|boom|door|gate|ladder|lever|plank|pole|rod|shaft|stick|trapdoor": ("rod", "rectangle"),
+    "cylinder|disc|disk|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus", "given"),
+    "ball|bead|bob|marble|puck|sphere": ("ball", "shell", "particle"),
+    "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|trolley|truck":
+        ("particle", "rectangle", "given"),
+}  # fmt: skip
+SHAPES = "|".join((*KINDS, "beam|bike|body|crank|gear|link|mass|pulley|wedge"))
 MOVES = "speed|velocity|acceleration|displacement|position|height|kinetic energy|momentum|cent(?:re|er)"
 FORCES = "force|tension|friction|work"
 ROLES = "normal force|reaction|force|friction force|friction"
 GROUNDS = (
-    "ground|floor|table|road|track|surface|plane|incline|slope|hill|dome|bowl|loop|ramp|rail|circle|wall|sphere|cylinder|wedge"
+    "ground|floor|table|road|track|surface|plane|incline|slope|hill|dome|bowl|loop|ramp|rail|circle|wall|sphere|cylinder|wedge|edge|"
+    "corner|step|peg"
 )
 _NEXT = " (?:with|in|for|if|and|at|where|when)\\b"
+SIDE = "".join(f"(?<!{side} )" for side in ("other", "free", "upper", "lower", "left", "right", "top", "bottom"))
 LEAVES = "leaves|loses contact(?: with)?|lifts off|comes off|flies off"
 GONE = r"is (?:cut|removed|switched off|turned off|released|let go)|breaks|snaps|lets go"
 
@@ -56,27 +66,93 @@ def _any(names: list[str]) -> str:
 
 
 def _elements(problem: Problem, text: str) -> str:
-    """“the cable” by the name of the only string; “the tension in the cable” is that of the only string, whichever part."""
+    """“the cable”, “spring S”, “the upper spring”, “the pin at A” by the name of the only one that is meant; “the tension in the
+    cable” is that of the only string, whichever part."""
     known = _names(problem) | {body.name for body in problem.bodies}
-    text = re.sub(rf"\btension (?:in|of) the (?:{'|'.join({*STRINGS} - known)})\b", "tension", text)
+    text = re.sub(rf"\btension (?:in|of) the (?:{'|'.join({*STRINGS.split('|')} - known)})\b(?! (?:at|on|of) )", "tension", text)
     for words, kinds in ELEMENTS.items():
-        found = [element.name for element in (*problem.constraints, *problem.interactions) if element.kind in kinds]
+        found = [e for e in (*problem.constraints, *problem.interactions) if e.kind in kinds]
         words = "|".join(word for word in words.split("|") if word not in known) or "(?!)"
+        text = re.sub(rf"\b(?:the )?(?:{words}) (?=(?:{_any([e.name for e in found])})(?![\w.-]))", "", text)
+        touched = [word for e in found for word in joined(e)]
+        many = _any([word for word in {*touched} if 1 < touched.count(word) < len(found) + (word in problem.body_names)])
+        if open_ := re.search(rf"\bthe (?:{many}) (?:{words})\b", text):
+            meant = " or ".join(f"“{e.name}”" for e in found if {*open_[0].split()} & joined(e))
+            raise StatementError(f"“{open_[0]}” may be {meant}", instead="write its name.")
+        for element in found:
+            own = _any([word for word in joined(element) if touched.count(word) == 1 and len(found) > 1])
+            said = rf"(?:{own}) (?:{words})|(?:{words})(?: (?:at|on|to|of))?(?: the)? (?:{own})"
+            text = re.sub(rf"\b(?:the )?(?:{said})\b(?! (?:force|constant)|[.=])", element.name, text)
         if len(found) == 1:
-            text = re.sub(rf"\bthe (?:{words})\b(?! force)", found[0], text)
+            lone = rf"\b(?:the |(?<= of )|(?<= in )|(?<= on )|(?<= at )|(?<= between ))(?:{words})\b(?! (?:force|constant))"
+            text = re.sub(lone, found[0].name, text)
+    return _by_size(problem, text)
+
+
+def _parts(element: Element) -> Iterator[Any]:
+    for value in element.values.values():
+        yield from value if isinstance(value, tuple) else (value,)
+
+
+def joined(element: Element) -> set[str]:
+    """The bodies and the named points that an element joins."""
+    points = [part if isinstance(part, str) else getattr(part, "center", part) for part in _parts(element)]
+    found = [getattr(point, "body", None) or getattr(point, "label", point) for point in points]
+    return {name for name in found if isinstance(name, str)}
+
+
+def _by_size(problem: Problem, text: str) -> str:
+    """“work done by F” by the name of the only force of which that parameter is the size."""
+    known = _names(problem) | {body.name for body in problem.bodies}
+    sizes = [(part.name, e.name) for e in problem.interactions for part in _parts(e) if isinstance(part, t.Sym)]
+    for size, name in sizes:
+        is_one = [one for one, _ in sizes].count(size) == 1 and problem.dimensions.get(size) in (FORCE, FORCE * LENGTH)
+        if is_one and size not in known:
+            text = re.sub(rf"\b(work (?:done )?(?:of|by)|power of|impulse of) {re.escape(size)}(?![\w.])", rf"\1 {name}", text)
+    return text
+
+
+def _surfaces(problem: Problem, text: str) -> str:
+    """“normal force of the wall” by the only contact with a line of that slope."""
     for words, fits in SURFACES.items():
         fixed = [e for e in problem.constraints if isinstance(e.values.get("line"), Line) and not e.values.get("of")]
         lines = [e.name for e in fixed if fits(e["line"])]
         if len(lines) == 1:
             text = re.sub(rf"\b({ROLES}) (?:at|of|on|with|from|exerted by) (?:the )?(?:{words})\b", rf"\1 {lines[0]}", text)
+    return text
+
+
+def _parameters(problem: Problem, text: str) -> str:
+    """“coefficient of friction” by the only parameter that is one; “friction torque for which …” by that which is called so."""
     stated = (*problem.constraints, *problem.interactions, *(e for phase in problem.phases for e in phase.impulses))
     for words, keys in PARAMETERS.items():
         values = {e.values[key] for e in stated for key in keys if isinstance(e.values.get(key), t.Sym)}
         if words.startswith("coefficient"):  # a damper has one, too, that is no number
             values = {value for value in values if problem.dimensions.get(value.name) == NUMBER}
-        if len(values) == 1:
-            text = re.sub(rf"\b{words}\b(?! (?:needed|required))", values.pop().name, text)
+        held = [e for e in problem.constraints if e.kind in ("rolling", "sticking") and "limit" in keys and not values]
+        own = values.pop().name if len(values) == 1 else "mu" if held else None
+        if own:  # what is asked for may be none of the statement
+            told = "(?! (?:needed|required))" if own in problem.dimensions else r"(?= (?:for|at) which\b)"
+            text = re.sub(rf"\b{words}\b{told}", own, text)
     return text
+
+
+def _meant(problem: Problem, text: str) -> str:
+    """“largest recoil” by the coordinate that means the recoil, “the left block” by the body of which a mass is said to be."""
+    for q in problem.parameters:
+        of = re.sub("^mass of ", "", without_articles(q.meaning))
+        own = [body.name for body in problem.bodies if body.mass == t.Sym(q.name)]
+        if len(own) == 1 and " " in of and not of.startswith("of "):
+            text = re.sub(rf"\b{re.escape(of)}\b", own[0], text)
+    alone = r"(?! (?:of|by|from|to|with|against|relative|above|below)\b)"
+    for coordinate in problem.coordinates:
+        told = without_articles(coordinate.quantity.meaning)
+        if told and told not in PLAIN:
+            text = re.sub(rf"\b{re.escape(told)}\b{alone}", coordinate.name, text)
+    return text
+
+
+PLAIN = {"speed", "displacement", "distance", "position", "height", "angle", "place", "way", "time", "mass", "angle turned"}
 
 
 def _bodies(problem: Problem, text: str) -> str:
@@ -85,20 +161,25 @@ def _bodies(problem: Problem, text: str) -> str:
     shapes = _any([]) if not names else rf"(?!(?:{_any(names)})\b)(?:{SHAPES})"
     text = re.sub(rf"\b({_any(names)}) {shapes}\b(?!\.)", r"\1", text)
     text = re.sub(rf"\b{shapes} (?=(?:{_any(names)})(?![\w-]))", "", text)
+    for words, kinds in KINDS.items():
+        lone = [body.name for body in problem.bodies if body.shape.kind in kinds]
+        if len(lone) == 1:
+            words = "|".join(word for word in words.split("|") if word not in names)
+            before = "of|on|when|where|until|which|after|before|does|that"
+            text = re.sub(rf"\b({before}) (?:{words})(?=$|[ ,])(?! of\b)", rf"\1 {lone[0]}", text)
     masses = [body.mass.name for body in problem.bodies if isinstance(body.mass, t.Sym)]
     for body in problem.bodies:
         if isinstance(body.mass, t.Sym) and masses.count(own := body.mass.name) == 1 and own not in names:
-            text = re.sub(
-                rf"\b((?:{MOVES}) of|(?:{FORCES})(?: \w+)? on) (?:mass )?{re.escape(own)}(?![\w.])", rf"\1 {body.name}", text
-            )
+            role = rf"(?:{MOVES}) of|(?:{FORCES})(?: [\w-]+)?(?: of [\w-]+)? on"
+            after = r"(?:after|before|when|where|until)(?= [\w-]+ (?:has|hits|strikes|meets|reaches|comes|stops|lands|leaves))"
+            text = re.sub(rf"\b({role}|{after}) (?:mass )?{re.escape(own)}(?![\w.])", rf"\1 {body.name}", text)
     return text
 
 
 def _points(problem: Problem, text: str) -> str:
     """“normal force at the front wheels” by the name of what holds the point “front”, “the free end” of the only rod that is
     held at its other one."""
-    held = [(e.name, p) for e in problem.constraints for p in (e.values.get("point"), *e.values.get("points", ())) if p]
-    touched = [(name, point.point) for name, point in held if getattr(point, "point", None)]
+    touched = [(e.name, point.point) for e in problem.constraints for point in _parts(e) if getattr(point, "point", None)]
     known = _names(problem) | {*problem.body_names}
     for name, point in touched:
         if [one for _, one in touched].count(point) == 1 and point not in known:
@@ -106,16 +187,32 @@ def _points(problem: Problem, text: str) -> str:
             text = re.sub(rf"\b({ROLES}) {there}", rf"\1 {name}", text)
     for body in problem.bodies:
         points = _any([point for point in body.points if point not in known])
-        text = re.sub(rf"\b(?:point )?({points}) of {re.escape(body.name)}(?![\w.-])", rf"{body.name}.\1", text)
+        text = re.sub(rf"{SIDE}\b(?:point )?({points}) of {re.escape(body.name)}(?![\w.-])", rf"{body.name}.\1", text)
+        middle = f"{body.name}.{'center' if 'center' in body.points else 'cm'}"
+        lone = "?" if len(problem.bodies) == 1 and not {"center", "centre"} & known else ""
+        of = rf"(?: of {re.escape(body.name)}(?![\w.-])){lone}"
+        text = re.sub(rf"(?<=\bof )(?:cent(?:re|er)|middle|midpoint){of}(?! of\b|\.)", middle, text)
     ends = {body.name: {"start", "end"} for body in problem.bodies if body.shape.kind == "rod"}
-    for _, point in held:
-        if getattr(point, "body", None) in ends:
+    holds = (*problem.constraints, *(e for phase in problem.phases for e in phase.impulses))
+    for point in (point for e in holds for point in _parts(e)):
+        if getattr(point, "point", None) and point.body in ends:
             ends[point.body] -= {point.point}
     free = {name: left.pop() for name, left in ends.items() if len(left) == 1}
     for name, end in free.items():
-        text = re.sub(rf"\b(?:free end|tip) of {re.escape(name)}(?![\w-])", f"{name}.{end}", text)
+        text = re.sub(rf"\b(?:free end|other end|tip) of {re.escape(name)}(?![\w-])", f"{name}.{end}", text)
         if len(free) == 1:
             text = re.sub(r"\bof (?:free end|tip)(?! of)\b", f"of {name}.{end}", text)
+    return text
+
+
+def _between(problem: Problem, text: str) -> str:
+    """“force between A and B” and “force of A on B” by the only constraint that joins the two bodies."""
+    for e in problem.constraints:
+        both = joined(e) & {*problem.body_names}
+        if len(both) == 2 and sum(both <= joined(other) for other in problem.constraints) == 1:
+            one = _any([*both])
+            text = re.sub(rf"\b(?:contact )?({ROLES}|tension) between (?:{one}) and (?:{one})(?![\w.-])", rf"\1 {e.name}", text)
+            text = re.sub(rf"\bforce (?:of|by|from|exerted by) (?:{one}) on ({one})(?![\w.-])", rf"force {e.name} on \1", text)
     return text
 
 
@@ -129,7 +226,9 @@ def _leaving(problem: Problem, text: str) -> str:
             who = "|".join((re.escape(body.name), *(["it"] if len(problem.bodies) == 1 else [])))
             leaves = rf"\b(?:{who}) (?:{LEAVES})(?: (?:{GROUNDS}|{_any([of] if of else [])}))?(?=$|,|{_NEXT})"
             text = re.sub(leaves, f"{own[0].name} vanishes", text)
-    for name in (e.name for e in problem.constraints if e.kind in sides):
+    lone = [e.name for e in problem.constraints if e.kind in sides]
+    text = re.sub(r"\bcontact (?:is lost|ceases)", f"{lone[0]} vanishes", text) if len(lone) == 1 else text
+    for name in lone:
         text = re.sub(rf"\b{re.escape(name)} (?:{LEAVES}) (?:{GROUNDS})\b", f"{name} vanishes", text)
     return text
 
@@ -138,9 +237,9 @@ def _impulses(problem: Problem, text: str) -> str:
     """“impulse on the block” by the only blow that strikes it."""
     blows = [e for phase in problem.phases for e in phase.impulses]
     for body in problem.bodies:
-        own = [e.name for e in blows if body.name in {getattr(point, "body", point) for point in _points_of(e)}]
+        own = [e.name for e in blows if body.name in joined(e)]
         if len(own) == 1:
-            struck = rf"\bimpulse (?:on|given to|received by) {re.escape(body.name)}(?![\w.-])"
+            struck = rf"\bimpulse (?:(?:of|by|from) [\w-]+ )?(?:on|given to|received by) {re.escape(body.name)}(?![\w.-])"
             text = re.sub(struck, f"impulse of {own[0]}", text)
     return text
 
@@ -152,14 +251,11 @@ def _components(problem: Problem, text: str) -> str:
             what = rf"\b{side}(?: component of)? "
             where = rf"(?: (?:at|of|on))? {re.escape(name)}(?![\w.])(?! on )"
             text = re.sub(f"{what}(?:reaction|force){where}", f"{name}_{axis}", text)
+            other = "yx"["yx".index(axis) - 1]
+            text = re.sub(rf"\b(?:reaction|force){where} is {side}\b", f"{name}_{other} vanishes", text)
             text = re.sub(f"{what}impulse{where}", f"impulse of {name}_{axis}", text)
         text = re.sub(rf"\bimpulse (?:at|on) {re.escape(name)}(?![\w.])", f"impulse of {name}", text)
     return text
-
-
-def _points_of(element: Element) -> Iterator[Any]:
-    yield from (element.values[key] for key in ("point", "body", "on") if element.values.get(key))
-    yield from element.values.get("points") or ()
 
 
 def _is_of(element: Element, body: str) -> bool:
@@ -185,10 +281,10 @@ def _names(problem: Problem) -> set[str]:
 
 def in_names(problem: Problem, text: str) -> str:
     """The question in the names of the problem, without articles."""
-    text = _elements(problem, text)
-    text = _bodies(problem, without_articles(text))
-    held = _any([element.name for element in problem.constraints if element.name not in problem.body_names])
-    text = re.sub(rf"\b(reaction|force)s? (?:at|of|on|exerted by) (?=(?:{held})(?![\w.-]))", r"\1 ", text)
-    for find in (_components, _points, _leaving, _impulses, _phases):
+    text = _parameters(problem, _surfaces(problem, _elements(problem, text)))
+    text = _bodies(problem, _meant(problem, without_articles(text)))
+    held = _any([*_names(problem) - {*problem.body_names}])
+    text = re.sub(rf"\b({ROLES})s? (?:at|of|on|in|between|exerted by) (?=(?:{held})(?![\w.-]))", r"\1 ", text)
+    for find in (_components, _points, _between, _leaving, _impulses, _phases):
         text = find(problem, text)
     return text

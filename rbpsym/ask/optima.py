@@ -7,13 +7,12 @@ from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.ask.answer import on_way_back
-from rbpsym.ask.equal import equal_for
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.limits import leading
 from rbpsym.ask.question import SUPERLATIVES
-from rbpsym.ask.regions import region
+from rbpsym.ask.regions import equal_for, region
 from rbpsym.ask.seen import (
     AskedPhase,
     comes_back,

@@ -10,10 +10,10 @@ from rbpsym.ask import ahead, branches, made, optima, special, through, yesno
 from rbpsym.ask.asked import Asked, NotMet
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
-from rbpsym.ask.equal import equal_for
 from rbpsym.ask.finding import Finding, together
 from rbpsym.ask.found import Answer
 from rbpsym.ask.question import ASKED, PHASE, SUPERLATIVES
+from rbpsym.ask.regions import equal_for
 from rbpsym.ask.seen import AskedPhase, NeverThere, number_in, require_same, scene
 from rbpsym.ask.senses import turned
 from rbpsym.ask.wanted import Wanted

@@ -3,22 +3,84 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from contextlib import suppress
 
 from rbpsym.ask.asked import Asked, NoClosedForm
-from rbpsym.ask.forms import sense_at_sample, sense_stated
-from rbpsym.ask.meeting import equation
+from rbpsym.ask.found import sense_at_sample, sense_stated
 from rbpsym.ask.moments import moment_of
-from rbpsym.ask.question import Question, When
+from rbpsym.ask.named import joined
+from rbpsym.ask.question import SUPERLATIVES, Question, When
 from rbpsym.ask.seen import AskedPhase, place_in, scene
+from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import PI, Scalar, derivative, is_zero, names_in, root, short, symbol
+from rbpsym.field import PI, Scalar, depends_on, derivative, is_zero, names_in, root, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.present.forms import present
 from rbpsym.quantity.path import first_push, sense
+from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.typeset.machine import to_machine
+
+MEETS = re.compile(r"\b(until|when|where) (\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (\w+)$")
+
+
+LENGTH = re.compile(
+    r"\b(until|when|where) (?:(elongation|compression) of (\w+) (?:=|is|reaches) (.+)"
+    r"|(\w+) (?:(?:has|reaches|is at) its natural length|(?:is|gets|becomes) (?:relaxed|unstretched|unstressed)))$"
+)
+
+
+MOVES = re.compile(
+    r"\b(until|when|where|once) ((angular )?(?:speed|velocity) of (\w+)) "
+    r"(?:=|reaches|is|equals|is equal to) (.+)$"
+)
+TOGETHER = re.compile(
+    r"\b(until|when|where|once) (\w+) and (\w+) (?:have|(?:turn|rotate) (?:with|at)) (?:same|equal) "
+    r"angular (?:velocity|speed|velocities|speeds)$"
+)
+
+
+def met(asked: Asked, text: str) -> str:
+    """The question with “where x = VALUE” for “where BODY meets BODY”, “where elongation of S = VALUE” or “where angular velocity
+    of BODY = VALUE”; as it is if it says no such thing."""
+    if text.rsplit(" ", 1)[-1] in SUPERLATIVES:  # “where speed of block is greatest” names no value
+        return text
+    world = asked.world(asked.lasting)
+    text = TOGETHER.sub(r"\1 angular velocity of \2 = angular velocity of \3", text)
+    if (said := MOVES.search(text)) and said[4] in {body.name for body in asked.problem.bodies} - {*world.coordinates}:
+        before = f"{text[: said.start()]}{said[1]} "
+        if said[3] is None:  # of a body that is the magnitude of its velocity, of a coordinate its rate
+            return f"{before}magnitude of velocity of {said[4]} = {said[5]}"
+        sides = [world.bound(side).number for side in (said[2], said[5])]
+        return f"{before}{equation(world, (sides[0] - sides[1],), f'“{said[2]}” has this value')}"
+    if (said := MEETS.search(text)) and {said[2], said[3]} <= {body.name for body in asked.problem.bodies}:
+        apart, what = world.centre(said[2]) - world.centre(said[3]), f"“{said[2]}” and “{said[3]}” are at one place"
+        return f"{text[: said.start()]}{said[1]} {equation(world, (apart.x, apart.y), what)}"
+    spring = (said := LENGTH.search(text)) and (said[3] or said[5])
+    if said and spring in {element.name for element in asked.problem.of_kind("spring")}:
+        gap = world.bound(f"{said[2] or 'elongation'} of {spring}").number
+        gap = gap - scalar(read_infix(said[4] or "0", world.names))
+        return f"{text[: said.start()]}{said[1]} {equation(world, (gap,), f'“{spring}” is as long')}"
+    return text
+
+
+def equation(world: ProblemWorld, values: Iterable[Scalar], what: str) -> str:
+    """“x = VALUE” for the one coordinate in which a value, that vanishes with the others, is linear. Raises StatementError."""
+    tied = world.study.system.dependent
+    gaps = [gap for part in values if not is_zero(gap := short(substitute(part, tied)))]
+    names = (*world.study.system.independent, *world.study.system.speeds, *([] if world.study.system.independent else ["t"]))
+    free = [name for name in names if gaps and depends_on(gaps[0], name)]
+    ways = [name for name in free if not names_in(derivative(gaps[0], name)) & {*world.motion.scope.rates, "t"}]
+    if not ways or any(names_in(short(gap / gaps[0])) & {*world.motion.scope.rates, "t"} for gap in gaps[1:]):
+        raise StatementError(
+            f"where {what} is no equation for one coordinate",
+            instead="ask where a coordinate has the value that makes it so.",
+        )
+    value = short(symbol(ways[0]) - gaps[0] / derivative(gaps[0], ways[0]))
+    return f"{ways[0]} = {to_machine(present(value))}"
+
 
 DOWN = "fall(?:en|ing)|dropp(?:ed|ing)|descend(?:ed|ing)|s[ui]nk(?:ing)?|lowered"
 UP = "r(?:isen|ising)|climb(?:ed|ing)|ascend(?:ed|ing)|raised"
@@ -27,7 +89,8 @@ ROUND = "(?:turn|rotat)(?:ed|ing)"
 GONE = re.compile(
     rf"\b(?P<when>after|when|where|once|until|in) (?:(?:it|(?P<body>[\w-]+)) (?:has|have) )?(?:been )?"
     rf"(?:(?P<down>{DOWN})|(?P<up>{UP})|(?P<on>{ON})|(?P<round>{ROUND}))(?: down| up)?"
-    r"(?: through)?(?: an? (?:distance|height|angle|way|depth)(?: of)?)? (?P<value>(?!with )[^\s,]+)(?=$|,? with )"
+    r"(?: through)?(?: an? (?:distance|height|angle|way|depth)(?: of)?)? (?P<value>(?!with )[^\s,]+)"
+    r"(?: (?:up|down|along) (?:slope|incline|plane|ramp|hill|floor|table))?(?=$|,? with )"
 )
 STANDS = re.compile(
     r"\b(?P<when>when|where|once|until|as|(?:just |right )?before) (?:it|(?P<body>[\w-]+)) (?:(?:is|becomes|has become|gets) |"
@@ -36,11 +99,57 @@ STANDS = re.compile(
 )
 
 
+STRIKES = (
+    r"(?:has |have )?(?:hits?|strikes?|struck|collides? with|collided with|bounced?s?(?: off| on)?|meets?|lands? on|touche[sd]|"
+    r"pass(?:es|ed)? through|is (?:hit|struck)(?: by)?|catche?s|caught|reaches)(?: ([\w-]+))?"
+)
+STRUCK = re.compile(
+    r"\b(?P<when>(?:(?:just|right|immediately|shortly) )?(?:before|after)|when|where|as|until) (?P<who>it|[\w-]+) "
+    rf"{STRIKES}(?=$|,? with )"
+)
+LETTER = re.compile(r"[A-Za-z]\w?(?:_\w+)?")
+SIDES = {"before": "just before", "after": "right after", "until": "until"}
+
+
+def _struck(asked: Asked, text: str) -> str:
+    """“just before PHASE” for “when BODY strikes the floor”, of the only blow, which touches it."""
+    said = STRUCK.search(text)
+    struck = [phase for phase in asked.problem.phases if phase.impulses]
+    if said is None or len(struck) != 1:
+        return text
+    bodies = {*asked.problem.body_names}
+    met = {name for element in struck[0].impulses for name in joined(element)} & bodies
+    if any(name in bodies - met for name in (said["who"], said[3])) or said["who"] not in (*bodies, "it"):
+        return text
+    side = SIDES.get(said["when"].split()[-1], "just before")
+    return f"{text[: said.start()]}{'until' if text.startswith('time') else side} {struck[0].name}{text[said.end() :]}"
+
+
+END = re.compile(r"\b(upper|top|highest|lower|bottom|lowest|left|right)(?:most)? end(?: of ([\w-]+))?(?![\w-])")
+
+
+def _ends(asked: Asked, said: re.Match[str]) -> str:
+    """The end of a rod that is the upper, lower, left or right one where it starts."""
+    rods = [body.name for body in asked.problem.bodies if body.shape.kind == "rod" and said[2] in (None, body.name)]
+    if len(rods) != 1:
+        return said[0]
+    world = scene(asked)
+    way = world.place(f"{rods[0]}.end") - world.place(f"{rods[0]}.start")
+    gap = short(substitute(way.x if said[1] in ("left", "right") else way.y, world.motion.scope.start))
+    upward = sign(gap, world.motion.assumptions).sense * (1 if said[1] in ("upper", "top", "highest", "right") else -1)
+    return f"{rods[0]}.{'end' if upward > 0 else 'start'}" if upward else said[0]
+
+
 def placed(asked: Asked, text: str) -> str:
     """The question with “where x = VALUE” for “after BODY has fallen VALUE” and “when BODY is vertical”. Raises StatementError
     where that is no place, or more than one."""
+    text = END.sub(lambda said: _ends(asked, said), _struck(asked, text))
     for pattern, find in ((GONE, _gone), (STANDS, _standing)):
         said = pattern.search(text)
+        value = said["value"] if said and LETTER.fullmatch(said["value"] or "") else None
+        if value and value not in {*asked.problem.dimensions, "pi"}:
+            what = f"“{value}” is not declared"
+            raise StatementError(what, instead=f'write {value} = "length: …" under [parameters], or a number with its unit.')
         if said and is_formula(asked, said["value"] or "0"):
             when = "until" if said[1] == "until" else "where"
             text = f"{text[: said.start()]}{when} {find(asked, said)}{text[said.end() :]}"
@@ -116,11 +225,15 @@ def _rates(world: AskedPhase, name: str, free: str, *, turns: bool) -> list[Scal
 
 
 def _standing(asked: Asked, said: re.Match[str]) -> str:
-    """Where a rod is vertical or horizontal: the only such place to which the motion comes."""
+    """Where a rod, or a string, is vertical or horizontal: the only such place to which the motion comes."""
     world = scene(asked)
-    rods = [body.name for body in asked.problem.bodies if body.shape.kind == "rod"]
-    name = _body(asked, said["body"], said.string[: said.start()], rods)
-    angle = world.body(name).pose.angle
+    leads = {body.name: world.body(body.name).pose.angle for body in asked.problem.bodies if body.shape.kind == "rod"}
+    strings = {element.name: element["path"] for element in asked.problem.of_kind("string") if len(element["path"]) == 2}
+    if path := strings.get(said["body"]):
+        first, last = (world.place(turn.center.label) for turn in path)
+        leads |= dict.fromkeys([said["body"]], next(iter((last - first).parts)))
+    name = _body(asked, said["body"], said.string[: said.start()], [*leads])
+    angle = leads[name]
     free = next((n for n in (mover(world.study), *world.study.system.independent) if n and derivative(angle, n)), None)
     slope = derivative(angle, free) if free else None
     if free is None or slope is None or slope.number() is None:
@@ -133,10 +246,8 @@ def _standing(asked: Asked, said: re.Match[str]) -> str:
     found = [f"{free} = {place}" for place in places if _comes(asked, free, place)]
     if len(found) != 1:
         told = " or ".join(f"“where {place}”" for place in found)
-        raise StatementError(
-            f"“{name}” stands so at {len(found) or 'no'} places to which the motion is known to come",
-            instead=f"write {told}." if found else f"say where: “where {free} = VALUE”.",
-        )
+        what = f"“{name}” stands so at {len(found) or 'no'} places to which the motion is known to come"
+        raise StatementError(what, instead=f"write {told}." if found else f"say where: “where {free} = VALUE”.")
     return found[0]
 
 

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from contextlib import suppress
 
 from rbpsym.ask.asked import Asked, NoClosedForm, NotMet
-from rbpsym.ask.forms import sense_stated
+from rbpsym.ask.found import sense_stated
 from rbpsym.ask.moments import coordinate_of, moment_of
 from rbpsym.ask.named import in_names
 from rbpsym.ask.placed import along_a_line, placed
-from rbpsym.ask.question import SUPERLATIVES, Question, When
+from rbpsym.ask.question import GREATEST, SUPERLATIVES, Question, When
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import NOTHING, is_zero, names_in, short
+from rbpsym.field import NOTHING, depends_on, is_zero, names_in, short
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips_on, stops
 from rbpsym.present.forms import present
@@ -27,7 +28,8 @@ from rbpsym.typeset.machine import to_machine
 
 _VALUE = r"\w+ ?= ?[^\s,=]+"
 TURNED_ROUND = re.compile(
-    r"\b(after|until|for) (?:it has made |first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?(?=$|,? with )"
+    r"\b(after|until|for) (?:it has made |first )?(\d+(?:[./]\d+)?) (?:full )?(?:turn|revolution|rotation)s?( of [\w-]+)?"
+    r"(?=$|,? with )"
 )
 TO_THE_END = re.compile(r"total (way|angle|change) of (\w+)(?=$|,? with )")  # until friction has stopped it
 WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) \w+|(?:for|in limit) .+)")
@@ -37,7 +39,24 @@ _END, _STOPS = r"(?=$|,? with )", r"(?:(?:it )?(?:stops|comes to rest)|stopping|
 _GOES = "goes|moves|rolls|slides|travels|climbs|rises"
 BLOWS = ("blow", "bounce", "collision", "impact")  # of which the name of a problem is none
 # words that say the same in any problem
-WORDS: tuple[tuple[str, str], ...] = (
+WORDS: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
+    (r"\b(?:he|she)\b", "it"),
+    (r"^((?:horizontal |vertical )?(?:speed|velocity|kinetic energy)) (?:with|at) which ([\w-]+) (?!is )", r"\1 of \2 when \2 "),
+    (r"^(angle|position|place) at which ", r"\1 where "),
+    (r"\bin (vertical|horizontal) position\b", r"when it is \1"),
+    (r"\bat (?:moment of )?(?:first )?(impact|bounce|collision)" + _END, r"just before \1"),
+    (r"^(?:least |smallest |minimum )?(coefficient of (?:static )?friction|mu) (?:needed|required) (?:for [\w-]+ not to slip|"
+     r"so that [\w-]+ does not slip|to prevent slip(?:ping)?)" + _END, r"\1 for which it does not slip"),
+    (r"^amplitude of small (?:oscillations?|vibrations?)" + _END, "amplitude for small oscillations"),
+    (r"\bmost (compressed|stretched|extended)\b", r"\1 most"),
+    (rf"\b(\w+) is compressed most{_END}", r"compression of \1 is largest"),
+    (rf"\b(\w+) is (?:stretched|extended) most{_END}", r"elongation of \1 is largest"),
+    (r"\b(where|when|until|once) ([\w-]+) (?:moves|travels|is moving) (?:at|with) (?:a )?(?:speed )?(?:of )?(?=\S+)",
+     r"\1 speed of \2 = "),
+    (r"\bratio of (\w+) to (\w+) (kinetic energy|component)\b", r"ratio of \1 \3 to \2 \3"),
+    (r"^equilibrium (?:position|angle|length|value) of ", "equilibrium of "),
+    (r"\bfor which ([\w-]+) (?:slides|moves|rolls|travels|goes) (?:through )?(?:an? distance )?(?:of )?(?=[^\s]+$)",
+     r"for which distance travelled by \1 = "),
     (r"(\b(?:where|when|until|once) (?:[\w ]+ )?of [\w. ]+?) (?:vanishes|is zero)" + _END, r"\1 = 0"),
     (r" as (?:a )?functions? of (\w+),? (?:with|where|at) \1 ?= ?", r" where \1 = "),  # a function, and where: its value there
     (rf" (?:needed |required )?(?:for|to) (?:pure rolling|roll(?:ing)? without slipping|(?:no|prevent) slip(?:ping)?){_END}",
@@ -61,14 +80,15 @@ WORDS: tuple[tuple[str, str], ...] = (
     (rf"\b[\w-]+ (?:rebounds|swings)(?: back| up| out)? to (\w+) = (\S+){_END}", r"\1 comes to rest at \1 = \2"),
     (r"\bno energy is lost\b", "energy lost vanishes"),
     (r"\bratio of amplitudes (?:of )?", "ratio of "),
-    (r"\b(?:energy|heat) (?:lost|dissipated|produced|generated) (?:to|by) friction\b", "minus work of friction"),
+    (r"\b(?:energy|heat) (?:lost|dissipated|produced|generated|absorbed) (?:to|by|in) (friction|drag|damper|damping)\b",
+     r"minus work of \1"),
     (r"^time (?:for|in which) ([\w-]+) (?:to )?(fall|ris)(?:e|s|es)? ", r"time until \1 has \2en "),
     (r"^time (?:for|in which) ([\w-]+) (?:to )?(?:move|slide|roll|travel|cover)s? ", r"time until \1 has moved "),
     (r"\bangular speed(?! of)\b", "magnitude of angular velocity"),
     (r"\b([\w-]+) (?:stops|comes to rest|is at rest) (?:in|after) (?:impact|collision|blow)" + _END,
      r"velocity of \1 right after impact vanishes"),
-    (r"^fraction of (?:kinetic )?energy lost (?:in|during|by|at) (\w+)" + _END,
-     r"ratio of energy lost to kinetic energy just before \1"),
+    (r"^fraction of (?:kinetic )?energy (?:that is )?lost(?: (?:in|during|by|at) (\w+))?" + _END,
+     lambda said: f"ratio of energy lost to kinetic energy just before {said[1] or 'impact'}"),
     (r"\bwork done by ", "work of "),
     (r"(^|\bfor which )initial ((?:angular )?(?:acceleration|deceleration|velocity|speed)(?: of [\w.-]+)?|"
      r"[\w ]*(?:force|tension|friction|reaction|energy)(?: \w+)?(?: (?:on|of) [\w.-]+)?)(?=$| (?:=|is|vanishes)\b|,? with )",
@@ -83,11 +103,12 @@ HEIGHT = re.compile(
     r"(?=$|,? with )"
 )
 DISTANCE = (  # up to the first rest, to which it goes one way
-    r"^(?:(?:stopping|braking|sliding) distance(?: of)?|distance (?:travelled|covered|moved)(?: by)?)(?: (?!until)(\w+))?"
-    r"(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with )"
+    r"(?:^|(?<=for which ))(?:(?:stopping|braking|sliding) distance(?: of)?|distance (?:travelled|covered|moved)(?: by)?)"
+    r"(?: (?!until)(\w+))?(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with | = )"
 )
 OF_SWINGS = (
-    r"^((?:(?:undamped|damped|natural|circular|angular) )*(?:frequency|period)|damping ratio|logarithmic decrement|decay rate)"
+    r"^((?:(?:undamped|damped|natural|circular|angular) )*(?:frequency|period|amplitude)|damping ratio|logarithmic decrement|"
+    r"decay rate)"
     r"(?: of (?:free |small |damped )?(?:oscillations?|vibrations?|swings?|motion))?(?=$|,? (?:with|for|if|when|where|in|about) )"
 )
 DAMPED = r"[\w-]+(?= is (?:critically |over|under)damped)"
@@ -214,6 +235,65 @@ def _of_swings(asked: Asked, text: str) -> str:
     return re.sub(DAMPED, lambda said: names[0] if said[0] in ("it", *system.bodies) else said[0], text)
 
 
+def _own_coordinate(asked: Asked, name: str) -> str:
+    """The coordinate that moves a body and no other one, or alone moves it."""
+    system, names = asked.study(asked.lasting).system, {coordinate.name for coordinate in asked.problem.coordinates}
+    if name not in asked.problem.body_names or name in names:
+        return name
+    rates = {body: (state.velocity.x, state.velocity.y, state.omega) for body, state in system.bodies.items()}
+    moves = {body: {n for n in system.independent if any(depends_on(r, f"{n}_dot") for r in rs)} for body, rs in rates.items()}
+    own = moves[name].difference(*(moves[other] for other in moves if other != name)) or moves[name]
+    return own.pop() if len(own) == 1 else name
+
+
+def _of_lone(asked: Asked, text: str) -> str:
+    """“until its speed is v_1”, “time to reach omega_1” of the only coordinate that is a length, or an angle; “how high does it
+    rise” of the only body; “largest x when critically damped” where x comes to rest."""
+    named, bodies = {c.name: c.quantity.dimension for c in asked.problem.coordinates}, asked.problem.body_names
+    lone = {kind: name for name, kind in named.items() if [*named.values()].count(kind) == 1}
+    lone |= {kind / TIME: f"speed of {name}" for kind, name in lone.items()}
+
+    def put(said: re.Match[str]) -> str:
+        kind = (NUMBER if "ang" in said[2] else LENGTH) / (TIME if said[1] else NUMBER)
+        return f"{said[1]}{lone[kind]}{said[3]}" if kind in lone else said[0]
+
+    def reached(said: re.Match[str]) -> str:
+        what = lone.get(asked.problem.dimensions.get(said[2], TIME))
+        return f"{said[1]} until {what} = {said[2]}" if what else said[0]
+
+    def risen(said: re.Match[str]) -> str:
+        who = bodies[0] if said[1] == "it" and len(bodies) == 1 else said[1]
+        rest = " after impact" if REBOUNDS.search(said[0]) and not said[2] else said[2].replace(" right", "")
+        return f"largest y component of displacement of {who}.cm{rest}" if who in bodies else said[0]
+
+    text = MOST.sub(lambda said: f"{said[1]} where {said[1]} comes to rest{said[2]}" if said[1] in named else said[0], text)
+    text = FARTHEST.sub(lambda said: f"{said[1]} comes to rest" if said[1] in named else said[0], text)
+    text = OF_BODY.sub(lambda said: f"{said[1]} of {_own_coordinate(asked, said[2])}", text)
+    for pattern in (LONE, ITS_SPEED):
+        text = pattern.sub(put, text)
+    return RISES.sub(risen, TO_REACH.sub(reached, text))
+
+
+_CASE = "(?:,? (?:for|with|under|if|when))? (?:critical|weak|strong|small|steady)"
+MOST = re.compile(rf"^(?:{'|'.join(GREATEST)}) (\w+)((?:,? (?:for|with|under|if|when))? (?:critical damping|critically damped))$")
+FARTHEST = re.compile(rf"(?<=(?:til|hen|ere|nce) )(\w+) is (?:{'|'.join(GREATEST)})(?={_CASE})")
+OF_BODY = re.compile(
+    r"^((?:stable |unstable |natural )*(?:period|frequency|amplitude|equilibrium)) "
+    r"of (?:(?:small )?(?:oscillations?|swings?|vibrations?) of )?([\w-]+)(?=$|[ ,])"
+)
+LONE = re.compile(r"^()(angle|position|place|angle turned)( (?:where|when|until|after) )")
+ITS_SPEED = re.compile(
+    r"\b((?:until|when|where|once) )(?:its )?(?:magnitude of )?((?:angular )?(?:speed|velocity))( (?:=|is|reaches) (?!.*est$))"
+)
+TO_REACH = re.compile(r"^(time|angle turned|distance) (?:needed |required |it takes )?(?:to|until it) reach(?:es)? (\w+)$")
+UP = r"(?:rises?|goes?(?: up)?|swings?|bounces?|rebounds?|reach(?:es)?|jumps?|climbs?)"
+RISES = re.compile(
+    rf"^(?:how high (?:does|will|can) |(?:vertical |greatest |maximum |largest )*height (?:to which |that |reached by ))"
+    rf"(it|[\w-]+)(?: {UP})?((?: right)?(?: after [\w-]+)?)$"
+)
+REBOUNDS = re.compile("bounce|rebound")
+
+
 def _in_strings(asked: Asked, text: str) -> str:
     """The tensions T, T_1, T_2 of the only string, which has another name, by that name."""
     strings = [tensions(element) for element in asked.problem.of_kind("string")]
@@ -242,9 +322,6 @@ def plain_words(asked: Asked, text: str) -> str:
     plain = _of_swings(asked, placed(asked, plain))
     plain = re.sub(DISTANCE, lambda said: _displaced(asked, said), plain)
     plain = re.sub(STAYS, lambda said: _kept_at_rest(asked, said), plain)
-    angles = asked.study(asked.lasting).system.independent if plain.startswith("angle at which ") else ()
-    if len(angles) == 1 and asked.problem.dimensions[angles[0]] == NUMBER:
-        plain = plain.replace("angle at which", f"{angles[0]} where", 1)
     if phases[1:] and plain.startswith("final "):
         plain = f"{plain.removeprefix('final ')} in phase {phases[-1]}"
     plain = HEIGHT.sub(lambda said: _extreme(asked, said), plain)
@@ -252,13 +329,15 @@ def plain_words(asked: Asked, text: str) -> str:
     if re.match(OF_TURNS, plain):
         turning = [name for name, state in asked.study(asked.lasting).system.bodies.items() if not is_zero(state.omega)]
         plain = re.sub(OF_TURNS, rf"\1 of {turning[0]}", plain) if len(turning) == 1 else plain
+    plain = _of_lone(asked, plain)
     plain = SLOWED.sub(lambda said: _slowed(asked, said), plain)
     plain = STOPS.sub(lambda said: _stopped(asked, said), plain)
     moved = "|".join(("t", *(coordinate.name for coordinate in asked.problem.coordinates)))
     plain = re.sub(rf"(?<=\w),? with (?=(?:{moved}) ?= ?)", " where ", plain)
     plain = BACK.sub(lambda said: f"{said[1]} {_begun(asked)}", plain)
     plain = _in_strings(asked, plain)
-    plain = TURNED_ROUND.sub(lambda said: f"{'where' if said[1] == 'after' else 'until'} number of turns = {said[2]}", plain)
+    turned = "{} number of turns{} = {}".format
+    plain = TURNED_ROUND.sub(lambda s: turned("where" if s[1] == "after" else "until", s[3] or "", s[2]), plain)
     system = asked.study(asked.lasting).system
     if (said := TO_THE_END.match(plain)) and stops(system) and not slips_on(system, said[2]):
         plain = TO_THE_END.sub(lambda said: f"{_way(asked, said[2], said[1])} until {said[2]} comes to rest", plain)

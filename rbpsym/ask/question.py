@@ -51,7 +51,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
     ("of", r"(?:as (?:a )?functions? of|in terms of) (state|positions? and speeds?)", "F_x as a function of the state"),
     ("of", rf"(?:as (?:a )?functions? of|in terms of) {_N}", "speed of rod.end as a function of theta"),
     ("start", r"(?:at (?:start|beginning|moment of release)|initially|at t = 0)", "F_y at the start"),
-    ("start", r"(?:just|right|immediately) after release", "F_y right after release"),
+    ("start", r"(?:just|right|immediately) after (?:release|[\w-]+ is (?:released|let go))", "F_y right after release"),
     ("begins", rf"(?:where|when|once|as soon as) {_W} (?:begins|starts)", "velocity of ball.cm when rolling begins"),
     ("begins", rf"(?:just|right|immediately) after {_W}(?: begins)?", "angular velocity of rod right after struck"),
     ("before", rf"(?:just|right|immediately) before {_W}(?: begins)?", "kinetic energy just before rolling"),
@@ -78,6 +78,7 @@ OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"^(?:kinetic )?energy lost (?:in|during|by|at) (?:blow|collision|impact|bounce)$", "energy lost"),
     (r"^(?:heat (?:produced|generated)|(?:mechanical )?energy dissipated|loss of (?:kinetic )?energy)\b", "energy lost"),
     (r"^time of (?:flight|fall|motion)\b", "time"),
+    (r"\bhalf (?:of )?(?=[A-Za-z]\w*\b)", "1/2*"),
     (r"\b(functions? of) time\b", r"\1 t"),
     (r"^turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
@@ -99,6 +100,7 @@ OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"^(.*energy.*) lost ((?:from|between) .+)", r"minus \1 \2"),
     (r"^(.*energy.*) lost (?:until|up to|by) ([\w-]+)$", r"minus \1 from start to when \2 begins"),  # in a blow too
     (r"^(.*energy.*) lost (?:until|up to|by) (.+)", r"minus \1 from start to \2"),
+    (r"^torque of ([\w-]+)(?= (?:where|when|at|until)\b|$)", r"couple \1"),
     (r"\bangular impulse of (?!.* begins$)", "time integral of torque of "),
     (r"\bimpulse of (?=.* (?:until|up to|during|over|from|between) )", "time integral of "),
     (r"\bhorizontal (?:component|part) of\b", "x component of"),
@@ -117,11 +119,12 @@ OTHERWISE: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
 MANNERS = {
     r"(?:for|in) small (?:oscillations|displacements|angles|amplitudes|swings|vibrations)": "small",
     r"(?:for|with|under|if|when) (?:weak damping|underdamped)|(?<!is )(?:if )?underdamped": "weak",
-    r"(?:for|with|under) critical damping|(?<!is )(?:if )?critically damped": "critical",
+    r"(?:for|with|under) critical damping|(?<!is )(?:(?:if|when) )?critically damped": "critical",
     r"(?:for|with|under) strong damping|(?<!is )(?:if )?overdamped": "strong",
     r"in steady state|at last": "steady",
 }
-PHASE = re.compile(rf"(.+?),? in phase (?:“|\")?{_W}(?:”|\")?( .+)?")
+_LONG = r"([\w-]+(?: (?!(?:where|when|at|until|up|from|as|with|for|over|between|during|right|just|is|in|to|and)\b)[\w-]+)?)"
+PHASE = re.compile(rf"(.+?),? in phase (?:“|\")?{_LONG}(?:”|\")?( .+)?")
 SINCE = re.compile(r"(.+?) (?:from|between) (.+?) (?:to|and|until) (.+)")
 ASKED = re.compile(r"(?:what|how (?:large|big|great|fast|long)) (?:is|are) |(?:find|determine|give|compute) ", re.I)
 

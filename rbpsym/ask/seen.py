@@ -143,10 +143,8 @@ def place_in(world: AskedPhase, name: str, text: str) -> Scalar:
     require_same(world, symbol(name), value, (name, text))
     for end, side in ((limits.lower, 1), (limits.upper, -1)):
         if end is not None and settle([Demand((value - end) * side, ">=")], world.motion.assumptions) is None:
-            raise StatementError(
-                f"{name} = {text} is outside of what is declared: {name} {'>' if side > 0 else '<'} {told(end)}",
-                instead="choose another value.",
-            )
+            what = f"{name} = {text} is outside of what is declared: {name} {'>' if side > 0 else '<'} {told(end)}"
+            raise StatementError(what, instead="choose another value.")
     return value
 
 
@@ -223,10 +221,8 @@ def _kept_on(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Demand, .
         if fits(world, asked):
             return asked
     ended = world.study.ended.found
-    raise StatementError(
-        f"whether, and where, {ended[0].force if ended else 'a contact'} lets go depends on the parameters or is not decided",
-        instead=f"say where from and where to: “… over {way.name} between VALUE and VALUE”.",
-    )
+    what = f"whether, and where, {ended[0].force if ended else 'a contact'} lets go depends on the parameters or is not decided"
+    raise StatementError(what, instead=f"say where from and where to: “… over {way.name} between VALUE and VALUE”.")
 
 
 def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Way, Assumptions]:
@@ -241,10 +237,8 @@ def _until_next(world: AskedPhase, way: Way, given: Assumptions) -> tuple[Way, A
         return replace(way, asked=comes), way.until(end, where_met(given, before.valid))
     if onwards.kind in ("negative", "nonpositive"):
         return _halted(world, way, given)
-    raise StatementError(
-        f"whether “{way.name}” turns round before “{phase}” begins depends on the parameters, or is not known",
-        instead=f"ask for its value when {phase} begins, or where it comes to rest.",
-    )
+    what = f"whether “{way.name}” turns round before “{phase}” begins depends on the parameters, or is not known"
+    raise StatementError(what, instead=f"ask for its value when {phase} begins, or where it comes to rest.")
 
 
 def ways_to(
@@ -255,10 +249,8 @@ def ways_to(
     study = world.study
     square, begin = world.motion.squares.get(name), study.system.scope.start.get(name)
     if square is None or begin is None:
-        raise StatementError(
-            f"the speed of “{name}” as a function of its place is not known",
-            instead=f'does [coordinates.{name}] have a start = "..." and a speed = "..."?',
-        )
+        what = f"the speed of “{name}” as a function of its place is not known"
+        raise StatementError(what, instead=f'does [coordinates.{name}] have a start = "..." and a speed = "..."?')
     if end is not None and is_zero(end - begin):
         raise StatementError(f"“{name}” starts there")
     if end is not None and name in study.resting:
@@ -356,10 +348,8 @@ def _turning(way: Way, ahead: Assumptions) -> Scalar | None:
     """Where the speed first vanishes ahead; None if it does not in the range. Raises StatementError if that is open."""
     found = zeros(way.square, way.name, ahead)
     if found.open_ or found.crossings or found.asked:
-        raise StatementError(
-            f"how far “{way.name}” goes depends on the parameters, or is not known in closed form",
-            instead=f"say until when: “… until {way.name} = VALUE”, or “… between VALUE and VALUE”.",
-        )
+        what = f"how far “{way.name}” goes depends on the parameters, or is not known in closed form"
+        raise StatementError(what, instead=f"say until when: “… until {way.name} = VALUE”, or “… between VALUE and VALUE”.")
     return found.found[0 if way.sense > 0 else -1].place if found.found else None
 
 

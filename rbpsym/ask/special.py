@@ -83,7 +83,8 @@ def with_coefficient(asked: Asked, text: str) -> Asked:
     """For a question about the coefficient mu, of which the problem says nothing: asked of the problem in which all that holds
     by as much friction as is needed has it as its limit."""
     problem = asked.problem
-    if not re.search(rf"\b{COEFFICIENT}\b", text) or put_into(problem, {COEFFICIENT: ZERO}) != put_into(problem, {}):
+    is_said = re.search(rf"\b(?:{COEFFICIENT}|coefficient of (?:static )?friction)\b", text)
+    if not is_said or put_into(problem, {COEFFICIENT: ZERO}) != put_into(problem, {}):
         return asked
 
     def rough(part: Problem) -> Problem:

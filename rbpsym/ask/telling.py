@@ -7,10 +7,9 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rbpsym.ask.asked import Asked
-from rbpsym.ask.brackets import bracket
 from rbpsym.ask.found import Answer
 from rbpsym.ask.integrated import HOW, integrated
-from rbpsym.ask.numbers import GivenNumbers, rounded, unit_for, unmet, value_at
+from rbpsym.ask.numbers import GivenNumbers, bracket, rounded, unit_for, unmet, value_at
 from rbpsym.ask.question import Question
 from rbpsym.errors import StatementError
 from rbpsym.expr import tree as t

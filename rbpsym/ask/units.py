@@ -17,7 +17,8 @@ from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.units import UnitOf, read_unit
 
 VALUE = re.compile(
-    r"(?:\b(?P<of>\w+) )?(?P<is>=|[<>]=?|reaches|is|(?:stops|rest) (?:after|in|within)) "
+    r"(?:\b(?P<of>\w+) )?(?P<is>=|[<>]=?|reaches|is|(?:stops|rest) (?:after|in|within)|(?:moves|travels) (?:at|with)|"
+    r"(?:fallen|risen|moved|travelled|rolled|slid|gone|climbed|descended|distance|height)(?: through| up| down| of)?) "
     r"(?P<sign>[-+−]?)(?P<number>\d+(?:\.\d+)?) ?(?P<unit>[^\W\d][\w^*/ ]*?)"
     r"(?=$|,| (?:in|with|for|as|at|and|to|until|from|before|after)\b)"
 )

@@ -14,7 +14,7 @@ from rbpsym.claims.papers.check import plain
 from rbpsym.claims.run import digest
 from rbpsym.commands.reports import lines, name_of, place, shown, word
 from rbpsym.errors import Place, ReadError
-from rbpsym.statement.files import text_in
+from rbpsym.statement.library import text_in
 
 if TYPE_CHECKING:
     from rbpsym.commands.check import CheckRun

@@ -99,7 +99,7 @@ def marked(file: str, results: Iterable[Result]) -> Iterator[tuple[str, Result |
 def lines_in(file: str) -> list[str]:
     """The lines of a text with their ends. Raises ReadError."""
     from rbpsym.claims.papers.source import MAX_BYTES
-    from rbpsym.statement.files import latin_or_utf8_in
+    from rbpsym.statement.library import latin_or_utf8_in
 
     return _lines(latin_or_utf8_in(Path(file), MAX_BYTES, "the text")[0])
 

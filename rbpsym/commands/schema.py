@@ -32,7 +32,7 @@ def named(rows: Schema) -> Schema:
 def schema() -> Schema:
     """The schema of a problem file."""
     from rbpsym.elements.events import STATED
-    from rbpsym.statement.assemble import SECTIONS
+    from rbpsym.statement.loader import SECTIONS
     from rbpsym.studio.completing import COMMON, KINDS
 
     sections = {name: {"description": meaning} for name, meaning in SECTIONS.items()}

@@ -26,8 +26,8 @@ from rbpsym.expr.glyphs import MARKS, Notation, notation_for
 from rbpsym.expr.tree import Node, Word, walk
 from rbpsym.frozen import Frozen, field
 from rbpsym.languages import part_of, phrases
-from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
+from rbpsym.statement.own_text import letters_of
 
 
 @cache
@@ -215,10 +215,8 @@ def template(key: str, language: str, slots: Mapping[str, object], part: str = "
     if "variant" not in slots and f"{key}.masculine" in table:
         return table[f"{key}.{grammar(language).gender(first_noun(table[f'{key}.masculine'], slots))}"]
     near = get_close_matches(wanted.rstrip("."), table, n=1)
-    raise d.DocumentError(
-        f"no phrase “{wanted.rstrip('.')}” in “{language}”",
-        instead=f"did you mean “{near[0]}”?" if near else f"add it to languages/{language}/{part}.toml.",
-    )
+    what = f"no phrase “{wanted.rstrip('.')}” in “{language}”"
+    raise d.DocumentError(what, instead=f"did you mean “{near[0]}”?" if near else f"add it to languages/{language}/{part}.toml.")
 
 
 def variant(language: str, slots: Mapping[str, Any]) -> str:

@@ -13,7 +13,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr.infix import RELATION_SIGNS, read_infix, read_relation
 from rbpsym.frozen import replace
 from rbpsym.languages import worded
-from rbpsym.statement.letters import letters_of
+from rbpsym.statement.own_text import letters_of
 
 if TYPE_CHECKING:
     from rbpsym.document.words import Words

@@ -115,10 +115,8 @@ class Program:
 
     def _call(self, found: atoms.Atom) -> str:
         if found.kind not in FUNCTIONS:
-            raise StatementError(
-                "no form of a result of this problem was found that a browser can compute",
-                instead="write its notes instead: rbpsym notes.",
-            )
+            what = "no form of a result of this problem was found that a browser can compute"
+            raise StatementError(what, instead="write its notes instead: rbpsym notes.")
         inner = self.value(found.arg) if isinstance(found.arg, Scalar) else self._sum(found.arg)
         return f"Math.{FUNCTIONS[found.kind]}({inner})"
 

@@ -74,10 +74,8 @@ def model(problem: Problem, language: str) -> Model:
     parts, unknown = known_stages(problem)
     study = parts[0].study
     if any(part.study.at_start for part in parts):
-        raise StatementError(
-            f"the motion of “{problem.name}” can't be followed: it is known at its start alone",
-            instead="its speeds, accelerations and forces there are in `rbpsym solve` and in notes.",
-        )
+        what = f"the motion of “{problem.name}” can't be followed: it is known at its start alone"
+        raise StatementError(what, instead="its speeds, accelerations and forces there are in `rbpsym solve` and in notes.")
     numbers = sliders(study, parts)
     names = tuple(slider.name for slider in numbers)
     _require_start(study, {slider.name: slider.value for slider in numbers})
@@ -109,10 +107,8 @@ def _require_start(study: Study, numbers: dict[str, float]) -> None:
     """Raises StatementError if the numbers of the example give no start."""
     for name, value in study.system.scope.start.items():
         if not math.isfinite(floating(value, numbers)):
-            raise StatementError(
-                f"with the numbers of the example there is no start: “{name}” has no value",
-                instead="give other numbers under [example].",
-            )
+            what = f"with the numbers of the example there is no start: “{name}” has no value"
+            raise StatementError(what, instead="give other numbers under [example].")
 
 
 def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...], notation: Notation) -> StagePhase:

@@ -101,7 +101,5 @@ def entries_of(study: Study) -> list[Scalar]:
 def _check_numbers(missing: set[str], problem: Problem) -> None:
     if missing:
         told = ", ".join(f'"{name}": 1.0' for name in sorted(missing))
-        raise StatementError(
-            f"the formulas of “{problem.name}” need a number for {', '.join(sorted(missing))}",
-            instead=f"give every parameter a value: {{{told}}}.",
-        )
+        what = f"the formulas of “{problem.name}” need a number for {', '.join(sorted(missing))}"
+        raise StatementError(what, instead=f"give every parameter a value: {{{told}}}.")

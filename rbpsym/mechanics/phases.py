@@ -125,17 +125,13 @@ def known_stages(problem: Problem) -> tuple[tuple[Stage, ...], NotApplicable | N
 def _next(stage: Stage, phase: Phase) -> Stage:
     study = stage.study
     if study.at_start and phase.event != "at once":
-        raise NotApplicable(
-            f"no closed form was found for the end of the phase before “{phase.name}”: its motion is known at its start alone",
-            instead="let the phase begin at once, or state it as a problem of its own.",
-        )
+        what = f"no closed form was found for the end of the phase before “{phase.name}”: its motion is known at its start alone"
+        raise NotApplicable(what, instead="let the phase begin at once, or state it as a problem of its own.")
     before = LAWS[phase.event].ends(study, phase)
     lost_track = [name for name, value in before.places.items() if value == symbol(name)]
     if lost_track:
-        raise NotApplicable(
-            f"no closed form was found for {lost_track[0]} at the end of the phase before “{phase.name}”",
-            instead="state this phase as a problem of its own, or follow it in the simulation.",
-        )
+        what = f"no closed form was found for {lost_track[0]} at the end of the phase before “{phase.name}”"
+        raise NotApplicable(what, instead="state this phase as a problem of its own, or follow it in the simulation.")
     clock = None if stage.clock is None or before.time is None else stage.clock + before.time
     phase = with_senses(study, phase, before)
     problem = shifted(phase, clock)

@@ -11,8 +11,8 @@ from rbpsym.mechanics.constraints import JOINTS, AngleJoin, Touch
 from rbpsym.mechanics.geometry import local_point, pair, position
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.system import Pose, System, rotated
-from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Body, PointRef, Problem
+from rbpsym.statement.own_text import letters_of
 
 Inertias = Mapping[str, Inertia]
 Row = tuple[Scalar, Scalar, Scalar]

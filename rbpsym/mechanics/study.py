@@ -22,8 +22,8 @@ from rbpsym.mechanics.system import ConstraintCondition, System
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.present.style import COEFFICIENT, OTHER, Style
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension, Quantity
-from rbpsym.statement.letters import Letters, letters_of
 from rbpsym.statement.model import Coordinate, Problem
+from rbpsym.statement.own_text import Letters, letters_of
 
 MOST_PRODUCTS = 600_000  # of terms, for the equations of motion: forty times as many as the longest of the library takes
 

@@ -29,10 +29,8 @@ def _equilibria(world: ProblemWorld, name: str, kind: str | None = "stable") -> 
     if name not in world.coordinates:
         raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, world.coordinates, "coordinates"))
     if orbit.turns(world.study, name):
-        raise StatementError(
-            f"“{name}” has no rest in this motion: a speed that is kept going drives it, and no steady motion was found",
-            instead="give values: “… with NAME = VALUE”; or let the motion start without that speed.",
-        )
+        what = f"“{name}” has no rest in this motion: a speed that is kept going drives it, and no steady motion was found"
+        raise StatementError(what, instead="give values: “… with NAME = VALUE”; or let the motion start without that speed.")
     known = [item for item in world.study.equilibria if name in item.at]
     stable = [item for item in known if item.stable] or [item for item in map(where_stable, known) if item.stable]
     unstable = [item for item in known if not item.stable and item.where is None]

@@ -144,10 +144,8 @@ class ProblemWorld(Frozen):
                 return found
             hint = did_you_mean(text, [*names, *self.offered], "")
             known = f"write a name ({', '.join(names)}), an expression, or a phrase of docs/ask.md such as “{self.offered[-1]}”."
-            raise StatementError(
-                f"“{text}” means nothing in the problem “{self.study.problem.name}”",
-                instead=hint if hint.startswith("did you mean") else known,
-            ) from None
+            what = f"“{text}” means nothing in the problem “{self.study.problem.name}”"
+            raise StatementError(what, instead=hint if hint.startswith("did you mean") else known) from None
 
     @kept
     def offered(self) -> list[str]:

@@ -27,7 +27,7 @@ from rbpsym.elements.interactions import INTERACTIONS
 from rbpsym.elements.kinds import ElementKind, known_names
 from rbpsym.elements.shapes import SHAPES
 from rbpsym.errors import StatementError
-from rbpsym.statement.assemble import assemble
+from rbpsym.statement.loader import assemble
 from rbpsym.statement.model import Problem
 from rbpsym.statement.source import Source, SourceTable, check_characters, kind_of
 
@@ -66,10 +66,8 @@ def _maker(kind: ElementKind, key: str, word: str) -> Callable[..., Stated]:
 
     def make(*values: object, **keys: object) -> Stated:
         if len(values) > len(fields):
-            raise StatementError(
-                f"{word} takes {len(fields)} values, not {len(values)}",
-                instead=f"in order: {', '.join(fields) or 'none'}; the rest by name.",
-            )
+            what = f"{word} takes {len(fields)} values, not {len(values)}"
+            raise StatementError(what, instead=f"in order: {', '.join(fields) or 'none'}; the rest by name.")
         return {key: word, **dict(zip(fields, values, strict=False)), **keys}
 
     make.__name__ = make.__qualname__ = word.replace("-", "_")

@@ -10,12 +10,12 @@ from rbpsym.errors import StatementError
 from rbpsym.expr.glyphs import MARKS
 from rbpsym.expr.tree import Node, Num, names
 from rbpsym.quantities import FORCE, Dimension
-from rbpsym.statement.example import check_example
 from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import fault_of_name, twice
 from rbpsym.statement.source import SourceTable, did_you_mean, in_radians
+from rbpsym.statement.starter import check_example
 
 MAX_BODIES = 64
 

@@ -14,9 +14,8 @@ from rbpsym.frozen import Frozen, field
 from rbpsym.statement.checks import check_marks
 from rbpsym.statement.library import course_files
 from rbpsym.statement.loader import load_table
-from rbpsym.statement.own_text import OwnParagraph, Sentence, own_paragraphs
+from rbpsym.statement.own_text import OwnParagraph, Sentence, own_paragraphs, strings, worded
 from rbpsym.statement.source import SourceTable, kind_of
-from rbpsym.statement.translations import strings, worded
 
 DETAILS = ("brief", "standard", "full")
 COMPARED = ("oscillation", "acceleration", "speed")

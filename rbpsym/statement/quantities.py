@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from rbpsym.errors import DimensionError
 from rbpsym.expr.tree import ZERO, Div, Neg, Node, Num, Sym, names, neg
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
-from rbpsym.statement.fitting import fitting
+from rbpsym.statement.completing import fitting
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import AXES, RESERVED, check_name, fault_of_name

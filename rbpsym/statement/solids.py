@@ -171,10 +171,8 @@ def integrate_ranges(integrand: Scalar, element: MassElement) -> Scalar:
     for item in reversed(element.ranges):
         found = definite(integrand, item.variable, scalar(item.lower), scalar(item.upper))
         if found is None:
-            raise StatementError(
-                f"the mass of this density can't be integrated in closed form over {item.variable}",
-                instead="use a polynomial density, or the shape “given” with its moment of inertia.",
-            )
+            what = f"the mass of this density can't be integrated in closed form over {item.variable}"
+            raise StatementError(what, instead="use a polynomial density, or the shape “given” with its moment of inertia.")
         integrand = tidy(found)
     return integrand
 

@@ -14,7 +14,7 @@ from rbpsym.elements.kinds import ElementKind, Field, ShapeKind
 from rbpsym.elements.shapes import SHAPES
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.quantity.phrases import PHRASES
-from rbpsym.statement.assemble import SECTIONS
+from rbpsym.statement.loader import SECTIONS
 from rbpsym.statement.phases import PHASE_KEYS
 
 Words = Mapping[str, str]  # what can be written, and what it means

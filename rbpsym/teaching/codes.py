@@ -51,10 +51,8 @@ def name_in(text: str) -> tuple[str, str]:
     """(worksheet, language) of a printed code. Raises RbpsymError for what is no code."""
     parts = text.strip().rsplit(".", 2)
     if len(parts) != 3 or not all(parts):
-        raise RbpsymError(
-            f"“{text}” is no form code",
-            instead="a code looks like ladder.en.7K3F-9QTM-2CAB-4D: worksheet, language, four groups.",
-        )
+        what = f"“{text}” is no form code"
+        raise RbpsymError(what, instead="a code looks like ladder.en.7K3F-9QTM-2CAB-4D: worksheet, language, four groups.")
     return parts[0], parts[1]
 
 
@@ -66,10 +64,8 @@ def read(text: str, secret: str, fingerprint: str) -> FormCode:
         if letter not in ALPHABET:
             raise RbpsymError(f"“{letter}” can't stand in a form code", instead=f"its characters are {ALPHABET}.")
     if len(letters) != LETTERS + CHECKS:
-        raise RbpsymError(
-            f"the form code has {len(letters)} characters instead of {LETTERS + CHECKS} after the language",
-            instead="copy it whole from the foot of the paper.",
-        )
+        what = f"the form code has {len(letters)} characters instead of {LETTERS + CHECKS} after the language"
+        raise RbpsymError(what, instead="copy it whole from the foot of the paper.")
     masked = sum(ALPHABET.index(letter) << shift for letter, shift in zip(letters, range(BITS - 5, -1, -5), strict=False))
     bare = FormCode(worksheet, language, 0)
     code = FormCode(worksheet, language, masked ^ _mask(bare, secret))

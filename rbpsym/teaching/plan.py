@@ -82,10 +82,8 @@ class WorksheetPlan(Frozen):
     def require(self, fingerprint: str, source: str) -> None:
         """Raises RbpsymError if the worksheet of another machine, called `source` there, is not this one."""
         if self.fingerprint != fingerprint:
-            raise RbpsymError(
-                f"the worksheet {source} of this worker is another one",
-                instead="give all machines the same files, and start the workers again.",
-            )
+            what = f"the worksheet {source} of this worker is another one"
+            raise RbpsymError(what, instead="give all machines the same files, and start the workers again.")
 
     def notation(self, language: str) -> Notation:
         """How the names of all its problems are printed."""
@@ -102,10 +100,8 @@ class WorksheetPlan(Frozen):
         """The paper with this form code. Raises RbpsymError if the code does not fit."""
         code = codes.read(text, secret, self.fingerprint)
         if code.worksheet != self.sheet.name:
-            raise RbpsymError(
-                f"the form code is of the worksheet “{code.worksheet}”, not of “{self.sheet.name}”",
-                instead=f"give the file of “{code.worksheet}”.",
-            )
+            what = f"the form code is of the worksheet “{code.worksheet}”, not of “{self.sheet.name}”"
+            raise RbpsymError(what, instead=f"give the file of “{code.worksheet}”.")
         return self._made(code, student, secret)
 
     def _made(self, code: codes.FormCode, student: Student | None, secret: str) -> Worksheet:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from rbpsym.errors import Place, RbpsymError, ReadError
 from rbpsym.frozen import Frozen, field
-from rbpsym.statement.files import text_in
+from rbpsym.statement.library import text_in
 from rbpsym.teaching.model import Student
 
 # --- tables in CSV files as spreadsheets save them: decoded, and cut into rows; what is wrong is told with its place

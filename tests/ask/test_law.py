@@ -8,9 +8,8 @@ import pytest
 
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import Refused, own_answers
-from rbpsym.ask.begun import needed
 from rbpsym.ask.concluded import concluded
-from rbpsym.ask.finding import Finding
+from rbpsym.ask.finding import Finding, needed
 from rbpsym.ask.parameters import finding
 from rbpsym.ask.seen import scene
 from rbpsym.decide.verdict import proved

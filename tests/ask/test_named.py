@@ -37,6 +37,12 @@ SAME = (
     ("ball-in-a-loop", "theta where the ball leaves the track", "theta where N vanishes"),
     ("ladder-with-friction", "friction at the floor", "f"),
     ("block-up-and-down-incline", "friction at N", "friction f"),
+    ("rod-pendulum", "angular velocity of the bar in the vertical position", "angular velocity of rod where theta = 0"),
+    ("rod-pendulum", "velocity of the midpoint of the rod at the start", "velocity of rod.cm at the start"),
+    ("disk-on-incline", "speed of the wheel after 2 turns of the drum", "speed of drum where number of turns of drum = 2"),
+    ("rod-hits-ball-at-bottom", "speed of the ball right after the rod hits it", "speed of ball right after impact"),
+    ("motor-with-load", "time until its angular speed is 1/9*omega_m", "time until speed of phi = 1/9*omega_m"),
+    ("disk-on-incline", "least coefficient of friction for which it does not slip", "least mu for which it does not slip"),
     ("block-up-and-down-incline", "how far up the incline does the block slide", "displacement of s until it stops"),
 )
 REFUSED = (

@@ -126,7 +126,7 @@ def test_bodies_alone_are_a_problem() -> None:
 
 WRONG = [
     ("moment of inertia of it about corner", "has no point"),
-    ("moment of inertia of wheel", "there is no body"),
+    ("moment of inertia of planet", "there is no body"),
     ("acceleration of it.end", "no point"),
 ]
 

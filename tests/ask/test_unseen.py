@@ -14,9 +14,8 @@ from pathlib import Path
 import pytest
 from scipy.optimize import linprog
 
-from rbpsym.ask.asked import Asked
+from rbpsym.ask.asked import Asked, bearable
 from rbpsym.ask.asking import answered
-from rbpsym.ask.undetermined import bearable
 from rbpsym.decide.equal import scalars_equal
 from rbpsym.expr.infix import read_infix
 from rbpsym.field.evaluate import scalar

@@ -10,10 +10,9 @@ import pytest
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import ask
 from rbpsym.ask.concluded import concluded
-from rbpsym.ask.finding import Finding, ground
+from rbpsym.ask.finding import SAID, Finding, doubts, ground
 from rbpsym.ask.parameters import finding
 from rbpsym.ask.telling import record
-from rbpsym.ask.words import SAID, doubts
 from rbpsym.commands.ask import lines
 from rbpsym.field.scalar import symbol
 from rbpsym.proof.rules import RULES

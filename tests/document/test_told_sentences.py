@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import rbpsym
-from rbpsym.ask.words import NAME, OF_IT, SAID
+from rbpsym.ask.finding import NAME, OF_IT, SAID
 from rbpsym.document.translated import translated
 from rbpsym.languages import languages
 

@@ -6,7 +6,7 @@ import pytest
 
 from rbpsym.errors import DimensionError
 from rbpsym.quantities import LENGTH, NUMBER
-from rbpsym.statement.fitting import fitting
+from rbpsym.statement.completing import fitting
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 

@@ -13,7 +13,7 @@ from rbpsym.claims.papers.macros import site_macros
 from rbpsym.claims.papers.marks import NOTE, NOTE_END
 from rbpsym.errors import LimitError, Place, RbpsymError
 from rbpsym.frozen import Frozen
-from rbpsym.statement.files import latin_or_utf8_in
+from rbpsym.statement.library import latin_or_utf8_in
 
 SITES = ("conf.py", "_config.yml", "myst.yml", "_quarto.yml", "mathjax-config.js")  # where the macros of a site may be said
 _TEX = re.compile(r"""["']([\w./-]{1,200}\.tex)["']""")

@@ -157,10 +157,8 @@ class Token(Frozen):
 def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
     """The tokens of a LaTeX formula, with an end token; `gaps`: with wide spaces too. Raises ReadError, LimitError."""
     if len(source.text) > MAX_LENGTH:
-        raise LimitError(
-            f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read",
-            instead="Split it into smaller parts.",
-        )
+        what = f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read"
+        raise LimitError(what, instead="Split it into smaller parts.")
     found = _given(_lowered(_unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"])))))
     return (*found, Token("end", "", len(source.text), len(source.text)))
 
