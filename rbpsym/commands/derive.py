@@ -12,8 +12,6 @@ from rbpsym.commands.arguments import detail_option, found, name_argument, state
 from rbpsym.commands.certify import lines as told
 from rbpsym.commands.certify import report_on
 from rbpsym.commands.solve import exit_code, verdict_line
-from rbpsym.commands.why import readings
-from rbpsym.commands.why import why as traced
 
 if TYPE_CHECKING:
     from rbpsym.decide.verdict import Verdict
@@ -66,6 +64,7 @@ def command(
     with Progress(f"deriving {name}"):
         derivation = derive(stated(path), simulation=simulation)
     if why:
+        from rbpsym.commands.why import why as traced
 
         click.echo("\n".join(traced(derivation, why, document_of(derivation, detail, method, lang), lang)))
     else:
@@ -107,6 +106,7 @@ def lines(derivation: Derivation, detail: str, method: str, language: str, repor
 
 def verdicts(derivation: Derivation) -> dict[str, Verdict]:
     """What became of the checks of each step, by the label of its formula."""
+    from rbpsym.commands.why import readings
 
     return {prefix + id: step.certificate.verdict for _, prefix, steps in readings(derivation) for id, step in steps.items()}
 

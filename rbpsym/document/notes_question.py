@@ -12,11 +12,10 @@ from rbpsym.ask.asking import Refused
 from rbpsym.ask.found import Answer
 from rbpsym.document.chapters import ends, in_page_order
 from rbpsym.document.model import Block, Display, Emph, Inlines, ItemList, Paragraph, Ref, Section, Text
-from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
 from rbpsym.document.translated import translated
 from rbpsym.document.used import leading, led_to
-from rbpsym.document.words import Words, capital, sentences
+from rbpsym.document.words import Words, capital, question, sentences, spoken
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import RELATION_SIGNS

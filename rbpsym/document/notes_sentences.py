@@ -28,8 +28,7 @@ def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
     if pose.study.problem.unstated:
         slots = {name: value for name, value in slots.items() if name not in FORCES}
     key = key if said.has(key) else "statement.other"
-    told: Inlines = capital(said.say(key, ground=Said(pose.study), kind=element.kind.replace("-", " "), **slots))
-    return told
+    return capital(said.say(key, ground=Said(pose.study), kind=element.kind.replace("-", " "), **slots))
 
 
 FORCES = ("force", "letter", "letters", "friction", "couple")  # slots for what no one asks for where masses are not stated

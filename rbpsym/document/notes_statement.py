@@ -120,8 +120,7 @@ def _letters(symbols: Table, told: tuple[Inlines, ...], said: Words) -> Iterator
 def _bodies(problem: Problem, said: Words, ground: Said) -> Inlines:
     """ "A thin uniform rod of mass m and length ℓ moves in a vertical plane."""
     described = [_described(body, said) for body in problem.bodies]
-    told: Inlines = capital(said.say("statement.vertical", ground=ground, bodies=described, count=len(described)))
-    return told
+    return capital(said.say("statement.vertical", ground=ground, bodies=described, count=len(described)))
 
 
 def _described(body: Body, said: Words) -> Inlines:

@@ -317,8 +317,7 @@ def hint(text: str, lines: list[str] = NONE, depth: int = 1, language: str = "en
 
 def record(text: str, lines: list[str], language: str = "en") -> Answer:
     """{problem, title, lines: [{line, verdict, says}], steps, all}: what a student hands in."""
-    found: Answer = _tutor(text, language).record(lines)
-    return found
+    return dict(_tutor(text, language).record(lines))
 
 
 def _one_of(value: str, known: tuple[str, ...], what: str) -> None:

@@ -92,11 +92,9 @@ def _students(rows: list[tuple[int, list[str]]], key: int, name: int | None, fil
 
 
 def _student(row: list[str], key: int, name: int | None, place: Place) -> Student:
-    cells = [cell.strip() for cell in row]
-    id = cells[key] if key < len(cells) else ""
+    id, shown = _cell(row, key).strip(), _cell(row, name).strip()
     if not id:
         raise ReadError("a student without a key", instead="fill in the first column.", place=place)
-    shown = cells[name] if name is not None and name < len(cells) else ""
     if len(id) > LONGEST or len(shown) > LONGEST or not (id + shown).isprintable():
         raise ReadError("a key or name that can't be printed", instead=f"use up to {LONGEST} letters.", place=place)
     return Student(id, shown or id)
@@ -153,13 +151,20 @@ def parse_answers(text: str, file: str = "answers.csv") -> AnswerTable:
         hint = "the first line names the columns: student, or code, and the items 1, 2, …"
         raise ReadError("there is no column “student” or “code”", instead=hint, place=Place(file, 1))
     item, answer = _column(names, ITEM), _column(names, ANSWER)
+    read = (((_cell(cells, who).strip(), _cell(cells, code).strip()), line, cells) for line, cells in lines)
     if item is not None and answer is not None:
-        return AnswerTable(_from_long(lines, who, code, item, answer, file))
+        typed = ((key, line, _cell(cells, item), _cell(cells, answer)) for key, line, cells in read)
+        return AnswerTable(_unique(_gathered(typed, file), file))
     columns = {place: found[1] for place, name in enumerate(names) if (found := _ITEM.fullmatch(name))}
     decided = {place: found[1] for place, name in enumerate(names) if (found := _POINTS.fullmatch(name))}
+    rows = []
+    for key, line, cells in read:
+        answers = {item: _cell(cells, place) for place, item in columns.items()}
+        points = {item: told for place, item in decided.items() if (told := _cell(cells, place).strip())}
+        rows.append(AnswerRow(*key, answers, line, decided=points))
     known = (*columns, *decided, who, code)
     other = tuple(header[place] for place in range(len(names)) if place not in known and header[place].strip())
-    return AnswerTable(_from_wide(lines, who, code, columns, decided, file), other)
+    return AnswerTable(_unique(rows, file), other)
 
 
 def _column(names: list[str], known: tuple[str, ...]) -> int | None:
@@ -170,38 +175,18 @@ def _cell(cells: list[str], place: int | None) -> str:
     return cells[place] if place is not None and place < len(cells) else ""
 
 
-def _from_wide(
-    lines: Iterator[tuple[int, list[str]]],
-    who: int | None,
-    code: int | None,
-    columns: Mapping[int, str],
-    decided: Mapping[int, str],
-    file: str,
-) -> tuple[AnswerRow, ...]:
-    rows = []
-    for line, cells in lines:
-        answers = {item: _cell(cells, place) for place, item in columns.items()}
-        points = {item: told for place, item in decided.items() if (told := _cell(cells, place).strip())}
-        rows.append(AnswerRow(_cell(cells, who).strip(), _cell(cells, code).strip(), answers, line, decided=points))
-    return _unique(rows, file)
-
-
-def _from_long(
-    lines: Iterator[tuple[int, list[str]]], who: int | None, code: int | None, item: int, answer: int, file: str
-) -> tuple[AnswerRow, ...]:
-    held: dict[tuple[str, str], dict[str, str]] = {}
-    first: dict[tuple[str, str], int] = {}
-    for line, cells in lines:
-        key = (_cell(cells, who).strip(), _cell(cells, code).strip())
-        found = _ITEM.fullmatch(_cell(cells, item).strip())
-        if not found:
-            raise ReadError(f"“{_cell(cells, item)[:40]}” is no item", instead="Items are 1, 2, 3.1, …", place=Place(file, line))
-        answers = held.setdefault(key, {})
-        if found[1] in answers:
-            raise ReadError(f"item {found[1]} of “{key[0] or key[1]}” is answered twice", place=Place(file, line))
-        answers[found[1]] = _cell(cells, answer)
-        first.setdefault(key, line)
-    return _unique([AnswerRow(*key, answers, first[key]) for key, answers in held.items()], file)
+def _gathered(typed: Iterable[tuple[tuple[str, str], int, str, str]], file: str) -> list[AnswerRow]:
+    """The answers of each student (told by key, line, item and answer) in one row."""
+    rows: dict[tuple[str, str], tuple[int, dict[str, str]]] = {}
+    for key, line, item, answer in typed:
+        named = _ITEM.fullmatch(item.strip())
+        if not named:
+            raise ReadError(f"“{item[:40]}” is no item", instead="Items are 1, 2, 3.1, …", place=Place(file, line))
+        answers = rows.setdefault(key, (line, {}))[1]
+        if named[1] in answers:
+            raise ReadError(f"item {named[1]} of “{key[0] or key[1]}” is answered twice", place=Place(file, line))
+        answers[named[1]] = answer
+    return [AnswerRow(*key, answers, line) for key, (line, answers) in rows.items()]
 
 
 def _unique(rows: list[AnswerRow], file: str) -> tuple[AnswerRow, ...]:

@@ -12,8 +12,7 @@ import pytest
 from click.testing import CliRunner
 
 from rbpsym.cli import main
-from rbpsym.commands import watching
-from rbpsym.commands.watching import KeptDerivations
+from rbpsym.commands.written import KeptDerivations, watch
 from rbpsym.courses import derive_course, sources
 from rbpsym.document.book import Chapter, around, book, index_page, occurring, page, problem_card
 from rbpsym.document.model import Display, Ref, numbered, parts
@@ -77,7 +76,7 @@ def test_a_course_derives_only_the_problem_that_changed() -> None:
 
 
 def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsys, monkeypatch) -> None:
-    monkeypatch.setattr(watching, "PAUSE", 0.005)
+    monkeypatch.setattr("rbpsym.commands.written.PAUSE", 0.005)
     edits = iter(
         [("half the length", "half of it"), ("[parameters]", "[parametres]"), ("[parametres]", "[parameters]")]
     )
@@ -93,7 +92,7 @@ def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsy
             return False
         return True
 
-    assert watching.watch(write, lambda: [file], until) == 0
+    assert watch(write, lambda: [file], until) == 0
     out, err = capsys.readouterr()
     assert len(written) == 3
     assert out.count("mine.html") == 3

@@ -7,8 +7,7 @@ from rbpsym.ask.found import Answer
 from rbpsym.derive import derive
 from rbpsym.document.model import Display, Math, Paragraph, Ref, Text, numbered, parts
 from rbpsym.document.notes import DETAILS, notes
-from rbpsym.document.questions import question
-from rbpsym.document.words import Words
+from rbpsym.document.words import Words, question
 from rbpsym.expr import tree as t
 from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem, load_text

@@ -28,12 +28,9 @@ def writer(format_name: str) -> Writer:
     if format_name not in WRITERS:
         known = ", ".join(WRITERS)
         raise DocumentError(f"unknown format “{format_name}”", instead=f"known: {known}.")
-    found: Writer = _found(*WRITERS[format_name])
+    module, name = WRITERS[format_name]
+    found: Writer = getattr(import_module(module), name)
     return found
-
-
-def _found(module: str, name: str) -> Any:
-    return getattr(import_module(module), name)
 
 
 Files = Callable[[Document, str], "Mapping[str, str | bytes]"]
@@ -48,7 +45,8 @@ SEVERAL: Mapping[str, tuple[str, str]] = {
 def files(document: Document, format_name: str, stem: str, engine: str = "typst") -> Mapping[str, str | bytes]:
     """The files of a document in a format, by the names that they should have; `engine` makes the PDF."""
     if format_name in SEVERAL:
-        several: Files = _found(*SEVERAL[format_name])
+        module, name = SEVERAL[format_name]
+        several: Files = getattr(import_module(module), name)
         return several(document, stem)
     write = writer(format_name)
     content = write(document, engine) if format_name == "pdf" else write(document)

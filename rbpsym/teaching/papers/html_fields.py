@@ -84,32 +84,22 @@ def _number(key: m.NumberKey, item: m.Item, worksheet: m.Worksheet, page: Page) 
     )
 
 
-def _formula(key: m.FormulaKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    found = _formula_key(key.value, key.anticipated, key.names, item, worksheet, page)
-    yield _field(f"{inline_math(key.left, page)} =", to_text(key.left, page.notation)), found
-
-
-def _blanks(key: m.BlanksKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
-    for blank in key.blanks:
-        found = _formula_key(blank.value, blank.anticipated, key.names, item, worksheet, page)
-        yield _field(f"{inline_math(m.blank(blank.number), page)} =", str(blank.number)), found
-
-
-def _formula_key(
-    value: Node, anticipated: tuple[m.Anticipated, ...], names: tuple[str, ...], item: m.Item, worksheet: m.Worksheet, page: Page
-) -> dict[str, object] | None:
-    points = sample_points(sorted({*names}), 5)
-    values = sampled(value, points)
-    if values is None:
-        return None
-    slips = [(slip, sampled(formula, points)) for formula, slip in m.wrong_formulas(anticipated)]
-    return {
-        "check": "formula",
-        "points": points,
-        "values": values,
-        "spellings": spellings(names, page.notation),
-        "slips": [{"values": v, "comment": _comment(slip, item, worksheet, page)} for slip, v in slips if v is not None],
-    }
+def _formulas(key: m.FormulaKey | m.BlanksKey, item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    wanted = [(key.left, to_text(key.left, page.notation), key)] if isinstance(key, m.FormulaKey) else [
+        (m.blank(blank.number), str(blank.number), blank) for blank in key.blanks
+    ]  # fmt: skip
+    points = sample_points(sorted({*key.names}), 5)
+    for left, about, one in wanted:
+        values = sampled(one.value, points)
+        slips = [(slip, sampled(formula, points)) for formula, slip in m.wrong_formulas(one.anticipated) if values]
+        check: dict[str, object] = {
+            "check": "formula",
+            "points": points,
+            "values": values,
+            "spellings": spellings(key.names, page.notation),
+            "slips": [{"values": v, "comment": _comment(slip, item, worksheet, page)} for slip, v in slips if v is not None],
+        }
+        yield _field(f"{inline_math(left, page)} =", about), None if values is None else check
 
 
 def spellings(names: tuple[str, ...], notation: Notation) -> dict[str, str]:
@@ -180,8 +170,8 @@ FIELDS: Mapping[type, Callable[[Any, m.Item, m.Worksheet, Page], Fields]] = {
     m.ChoiceKey: _choice,
     m.ComparisonKey: _compared,
     m.NumberKey: _number,
-    m.FormulaKey: _formula,
-    m.BlanksKey: _blanks,
+    m.FormulaKey: _formulas,
+    m.BlanksKey: _formulas,
     m.OrderKey: _order,
     m.SlipKey: _slip,
     m.SignsKey: _signs,

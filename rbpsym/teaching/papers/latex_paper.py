@@ -89,10 +89,9 @@ def marked(block: Marked, page: Page) -> str:
 def formula(node: Node, page: Page) -> str:
     """A formula in display style, broken where it is too wide."""
     lines = breaking.lines(node, page.notation, page.column - 4)
-    rows = [f"{render(line.left)} &{INDENT * line.indent}{render(line.right)}" for line in lines]
-    if len(rows) == 1:
-        return rf"\displaystyle {rows[0].replace(' &', ' ', 1)}"
-    return "\\begin{aligned}[t]" + r" \\ ".join(rows) + "\\end{aligned}"
+    if len(lines) == 1:
+        return rf"\displaystyle {lines[0].shown(render)}"
+    return "\\begin{aligned}[t]" + r" \\ ".join(line.shown(render, "&", INDENT) for line in lines) + "\\end{aligned}"
 
 
 def rules(block: WritingRules, page: Page) -> str:

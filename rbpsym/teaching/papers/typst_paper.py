@@ -14,7 +14,7 @@ from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, WritingRules, fits_a_page, is_kept
 from rbpsym.teaching.papers.layout import head
 from rbpsym.typeset.escaping import typst_string, typst_text
-from rbpsym.typeset.typst import render, to_typst
+from rbpsym.typeset.typst import render
 
 COLUMN = 38.0
 LEAST = 0.6  # of the room for an answer, where the page has no more to share out
@@ -70,23 +70,15 @@ def cells(row: tuple[Inlines, ...], page: Page) -> str:
 
 def marked(block: Marked, page: Page) -> str:
     """Formulas with their marks."""
-    items = ", ".join(f"([{mark}], {formula(node, page)}, {first_row(node, page)})" for mark, node in block.lines)
+    items = ", ".join(f"([{mark}], {formula(node, page)})" for mark, node in block.lines)
     return f"#marked({items},)"
 
 
 def formula(node: Node, page: Page) -> str:
-    """A formula that stands in a grid, broken where it is too wide."""
+    """A formula that stands in a grid, broken where it is too wide; its first row again, to be measured only."""
     lines = breaking.lines(node, page.notation, page.column - 4)
-    if len(lines) == 1:
-        return f"math.equation(alt: {spoken(node, page)}, math.display(${to_typst(node, page.notation)}$))"
-    rows = " \\ ".join(f"{render(line.left)} & {'wide ' if line.indent else ''}{render(line.right)}" for line in lines)
-    return f"math.equation(alt: {spoken(node, page)}, math.display(${rows}$))"
-
-
-def first_row(node: Node, page: Page) -> str:
-    """The first row of such a formula, to be measured only."""
-    line = breaking.lines(node, page.notation, page.column - 4)[0]
-    return f"$ {render(line.left)} {render(line.right)} $"
+    rows = " \\ ".join(line.shown(render, "& " if len(lines) > 1 else "", "wide ") for line in lines)
+    return f"math.equation(alt: {spoken(node, page)}, math.display(${rows}$)), $ {lines[0].shown(render)} $"
 
 
 def rules(block: WritingRules, page: Page) -> str:
