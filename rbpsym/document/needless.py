@@ -69,11 +69,11 @@ def _is_rest(step: Step) -> bool:
 
 def owed_by(steps: Iterable[Step], shown: Set[str], given: Assumptions) -> Mapping[str, tuple[Any, ...]]:
     """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on. What follows
-    from what the page has said, of the whole motion or of what it rests on, is not said again."""
+    from what the page has said, of the whole motion or of what it rests on or cites, is not said again."""
     by_id = {step.id: step for step in steps}
     found, told = dict[str, tuple[Any, ...]](), dict[str, tuple[Any, ...]]()
     for id in (id for id in by_id if id in shown):
-        ground = _ground(by_id, id)
+        ground = _ground(by_id, id, cited=True)
         said = (nodes for other, nodes in told.items() if other in ground or by_id[other].chapter not in OF_A_CASE)
         known = (*_in_its_words(by_id[id]), *chain.from_iterable(said))
         found[id] = unsaid(merged(_open(by_id, by_id[id], shown)), known, given)
@@ -96,11 +96,12 @@ def _read(nodes: Iterable[Any]) -> Iterator[tuple[Any, Demand]]:
             yield node, Demand(scalar(node.items[0]), node.ops[0])
 
 
-def _ground(by_id: Mapping[str, Step], id: str) -> set[str]:
-    """The steps that a step rests on."""
+def _ground(by_id: Mapping[str, Step], id: str, *, cited: bool = False) -> set[str]:
+    """The steps that a step rests on; with those that are `cited` for the reader's sake."""
     found, open_ = set[str](), [id]
     while open_:
-        new = [one for one in by_id[open_.pop()].premises if one in by_id and one not in found]
+        step = by_id[open_.pop()]
+        new = [one for one in (*step.premises, *(step.cites if cited else ())) if one in by_id and one not in found]
         found.update(new)
         open_ += new
     return found

@@ -55,14 +55,14 @@ def test_full_notes_leave_nothing_of_the_standard_out(name: str) -> None:
 @pytest.mark.parametrize("name", FOLLOWED)
 def test_no_condition_is_said_twice_on_a_page(name: str) -> None:
     found = unsimulated(name)
-    told = owed_by(in_page_order(found.steps), shown_steps(found, "standard"))
+    told = owed_by(in_page_order(found.steps), shown_steps(found, "standard"), found.study.assumptions)
     every = [node for nodes in told.values() for node in nodes]
     assert len(every) == len(set(every))
 
 
 def test_what_a_page_owes_is_said_where_it_is_needed_first() -> None:
     found = unsimulated("falling-spool")
-    told = owed_by(in_page_order(found.steps), shown_steps(found, "standard"))
+    told = owed_by(in_page_order(found.steps), shown_steps(found, "standard"), found.study.assumptions)
     first, *others = [id for id in (step.id for step in in_page_order(found.steps)) if id in told]
     assert not others, "h + y > 0 holds for all that follows"
     assert found.steps[0].id == first

@@ -276,8 +276,8 @@ def test_each_open_condition_is_told_somewhere(found, detail, monkeypatch):
     """What is not said again because the page has said it, the page has said."""
     owed, told, tell = [], [], Teller._owed
 
-    def noted(steps, shown):
-        conditions = owed_by(steps, shown)
+    def noted(steps, shown, given):
+        conditions = owed_by(steps, shown, given)
         owed.extend(node for nodes in conditions.values() for node in nodes)
         return conditions
 
