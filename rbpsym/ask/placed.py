@@ -9,7 +9,7 @@ from contextlib import suppress
 from rbpsym.ask.asked import Asked, NoClosedForm
 from rbpsym.ask.found import sense_at_sample, sense_stated
 from rbpsym.ask.moments import moment_of
-from rbpsym.ask.named import joined
+from rbpsym.ask.named import GROUNDS, SURFACES, joined
 from rbpsym.ask.question import SUPERLATIVES, Question, When
 from rbpsym.ask.seen import AskedPhase, place_in, scene
 from rbpsym.decide.signs import sign
@@ -21,6 +21,7 @@ from rbpsym.mechanics.arrivals import mover
 from rbpsym.present.forms import present
 from rbpsym.quantity.path import first_push, sense
 from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.statement.model import Line
 from rbpsym.typeset.machine import to_machine
 
 MEETS = re.compile(r"\b(until|when|where) (\w+) (?:meets|hits|catches(?: up with)?|overtakes|passes) (\w+)$")
@@ -119,10 +120,18 @@ def _struck(asked: Asked, text: str) -> str:
         return text
     bodies = {*asked.problem.body_names}
     met = {name for element in struck[0].impulses for name in joined(element)} & bodies
-    if any(name in bodies - met for name in (said["who"], said[3])) or said["who"] not in (*bodies, "it"):
+    lines = [line for e in struck[0].impulses if isinstance(line := e.values.get("line"), Line)]
+    other = {word for words, fits in SURFACES.items() if lines and not any(map(fits, lines)) for word in words.split("|")}
+    fixed = {*GROUNDS.split("|")} - other if len(met) < 2 else ()  # what is struck is a body, or what stays where it is
+    if said["who"] not in (*met, "it") or said[3] not in (None, "it", *met, *fixed):
         return text
-    side = SIDES.get(said["when"].split()[-1], "just before")
-    return f"{text[: said.start()]}{'until' if text.startswith('time') else side} {struck[0].name}{text[said.end() :]}"
+    head, name = text[: said.start()], struck[0].name
+    side = "until" if text.startswith("time") else SIDES.get(said["when"].split()[-1], "just before")
+    strikes = (said["who"] == "it" and " is " not in said[0]) or head.endswith(f" of {said['who']} ")
+    if said["when"] in ("when", "where", "as") and side != "until" and not strikes:
+        both = f"“just before {name}” or “right after {name}”"
+        raise StatementError(f"“{said[0]}” may be before the blow or after it", instead=f"write {both}.")
+    return f"{head}{side} {name}{text[said.end() :]}"
 
 
 END = re.compile(r"\b(upper|top|highest|lower|bottom|lowest|left|right)(?:most)? end(?: of ([\w-]+))?(?![\w-])")

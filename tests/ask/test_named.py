@@ -54,6 +54,10 @@ REFUSED = (
     ("rod-pendulum", "speed of rod.end when the rod is horizontal", "at 2 places"),
     ("block-up-and-down-incline", "magnitude of displacement of block until s = 0", "phase by phase"),
     ("bead-on-rotating-rod", "tension in the cord", "no tension"),
+    ("ball-and-hinged-rod", "angular velocity of the rod when the ball hits it", "before the blow or after it"),
+    ("ball-and-hinged-rod", "angular velocity of the rod when it is hit by the ball", "“right after bounced”"),
+    ("rod-hits-ball-at-bottom", "speed of the ball when it reaches the top", "means nothing"),
+    ("rod-dropped-on-rough-floor", "speed with which the rod strikes the wall", "means nothing"),
 )
 
 
