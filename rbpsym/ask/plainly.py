@@ -44,7 +44,6 @@ WORDS: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"^((?:horizontal |vertical )?(?:speed|velocity|kinetic energy)) (?:with|at) which ([\w-]+) (?!is )", r"\1 of \2 when \2 "),
     (r"^(angle|position|place) at which ", r"\1 where "),
     (r"\bin (vertical|horizontal) position\b", r"when it is \1"),
-    (r"\bat (?:moment of )?(?:first )?(impact|bounce|collision)" + _END, r"just before \1"),
     (r"^(?:least |smallest |minimum )?(coefficient of (?:static )?friction|mu) (?:needed|required) (?:for [\w-]+ not to slip|"
      r"so that [\w-]+ does not slip|to prevent slip(?:ping)?)" + _END, r"\1 for which it does not slip"),
     (r"^amplitude of small (?:oscillations?|vibrations?)" + _END, "amplitude for small oscillations"),

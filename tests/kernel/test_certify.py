@@ -221,7 +221,7 @@ SOME = Report(49, 90, {"motion.theta": "why"}, tuple(sorted(AXIOMS)), 1.0)
 
 
 def test_what_is_not_certified_has_another_mark_than_a_check(monkeypatch) -> None:
-    monkeypatch.setattr("rbpsym.commands.certify.report_on", lambda path: SOME)
+    monkeypatch.setattr("rbpsym.commands.derive.report_on", lambda path: SOME)
     plain = CliRunner().invoke(main, ["derive", "sliding-ladder"], standalone_mode=False).output
     told = CliRunner().invoke(main, ["derive", "sliding-ladder", "--certified"], standalone_mode=False).output
     assert "○" not in plain and told.count("○") == 1 and plain.count("✓") == told.count("✓") + 1
@@ -229,13 +229,13 @@ def test_what_is_not_certified_has_another_mark_than_a_check(monkeypatch) -> Non
 
 
 def test_without_coqc_nothing_is_marked_as_certified(monkeypatch) -> None:
-    monkeypatch.setattr("rbpsym.commands.certify.report_on", lambda path: replace(SOME, axioms=None))
+    monkeypatch.setattr("rbpsym.commands.derive.report_on", lambda path: replace(SOME, axioms=None))
     told = CliRunner().invoke(main, ["derive", "sliding-ladder", "--certified"], standalone_mode=False).output
     assert "✓" not in told and "○" in told
 
 
 def test_json_says_what_is_certified(monkeypatch) -> None:
-    monkeypatch.setattr("rbpsym.commands.certify.report_on", lambda path: SOME)
+    monkeypatch.setattr("rbpsym.commands.solve.report_on", lambda path: SOME)
     command = ["solve", "sliding-ladder", "--json", "--no-simulation"]
     told = json.loads(CliRunner().invoke(main, [*command, "--certified"], standalone_mode=False).output)
     assert told["certified"] == {

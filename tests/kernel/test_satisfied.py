@@ -10,7 +10,7 @@ from tests.kernel.motion import Motion
 from tests.library.derived import FOLLOWED, problem, unsimulated
 
 
-@pytest.mark.heavy(of=8)
+@pytest.mark.heavy(of=24)
 @pytest.mark.parametrize("name", [name for name in FOLLOWED if problem(name).coordinates])
 def test_the_premises_of_lemmas_are_true_of_a_motion(name: str) -> None:
     """A proof from premises that nothing satisfies would be worth nothing."""
