@@ -14,9 +14,10 @@ from rbpsym.quantities import FORCE, LENGTH, NUMBER
 from rbpsym.quantity.bound import without_articles
 from rbpsym.statement.model import Element, Line, Problem
 
+STRINGS = "string|rope|cord|cable|thread|chain|wire|coupling"
 # a word for an element -> the kinds that it may mean: the only one of these, or of those that touch what is named beside it
 ELEMENTS: Mapping[str, tuple[str, ...]] = {
-    "string|rope|cord|cable|thread|chain|wire|coupling|link|strut": ("string",),
+    f"{STRINGS}|link|strut": ("string",),
     "spring": ("spring", "torsion-spring"),
     "damper|dashpot": ("damper", "rotary-damper"),
     "pivot|fulcrum|nail": ("pivot",),
@@ -24,7 +25,6 @@ ELEMENTS: Mapping[str, tuple[str, ...]] = {
     "motor": ("couple",),
     "teeth": ("gear",),
 }
-STRINGS = next(iter(ELEMENTS)).replace("|link|strut", "")
 # what a contact with a fixed line is called by the slope of that line
 SURFACES: Mapping[str, Callable[[Line], bool]] = {
     "wall": lambda line: is_zero(scalar(line.b)),
@@ -42,11 +42,11 @@ PARAMETERS = {
 # words for bodies, by the shapes that they may have; the only body of these shapes may be called so
 KINDS: Mapping[str, tuple[str, ...]] = {
     "arm|bar|beam|boom|door|gate|ladder|lever|plank|pole|rod|shaft|stick|trapdoor": ("rod", "rectangle"),
-    "cylinder|disc|disk|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus", "given"),
+    "cylinder|disc|disk|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus"),
     "ball|bead|bob|marble|puck|sphere": ("ball", "shell", "particle"),
     "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|trolley|truck":
-        ("particle", "rectangle", "given"),
-}  # fmt: skip
+        ("particle", "rectangle"),
+}
 SHAPES = "|".join((*KINDS, "beam|bike|body|crank|gear|link|mass|pulley|wedge"))
 MOVES = "speed|velocity|acceleration|displacement|position|height|kinetic energy|momentum|cent(?:re|er)"
 FORCES = "force|tension|friction|work"

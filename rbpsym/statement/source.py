@@ -130,9 +130,9 @@ class SourceTable(Frozen):
 
     def rows(self, key: str, where: str) -> list[SourceTable]:
         """The tables in the list under `key`, empty if there is none."""
-        value = self.data.get(key, [])
+        value, named = self.data.get(key, []), ".".join(part for part in (*self.path, key) if isinstance(part, str))
         if not isinstance(value, (list, tuple)) or not all(isinstance(row, Mapping) for row in value):
-            raise self.value_error(key, f"{where} must be a list of tables", f"write [[{key}]] above the keys of each one")
+            raise self.value_error(key, f"{where} must be a list of tables", f"write [[{named}]] above the keys of each one")
         return [SourceTable(self.source, (*self.path, key, i), row) for i, row in enumerate(value)]
 
     def string(self, key: str, default: str = "") -> str:

@@ -57,6 +57,7 @@ REFUSED = (
     ("ball-and-hinged-rod", "angular velocity of the rod when the ball hits it", "before the blow or after it"),
     ("ball-and-hinged-rod", "angular velocity of the rod when it is hit by the ball", "“right after bounced”"),
     ("ball-and-hinged-rod", "velocity of the rod at impact", "means nothing"),
+    ("braking-car", "angular velocity of the wheel", "there is no body"),
     ("rod-hits-ball-at-bottom", "speed of the ball when it reaches the top", "means nothing"),
     ("rod-dropped-on-rough-floor", "speed with which the rod strikes the wall", "means nothing"),
 )

@@ -15,6 +15,7 @@ from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import components
 from rbpsym.mechanics.numbers import NoNumber, number, sample, samples
+from rbpsym.mechanics.pushing import begun_numbers
 from rbpsym.mechanics.rest import turns_within
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study
@@ -157,3 +158,33 @@ def test_a_zero_stands_for_all_its_turns_within_the_range(low, high, period, roo
     wanted = [float(root + period * k) for k in range(-20, 21) if low < root + period * k < high]
     assert [place for place in found if low + 1e-9 < place < high - 1e-9] == pytest.approx(wanted)
     assert len(found) <= len(wanted) + 1
+
+
+FALLING = """
+[parameters]
+m = "mass"
+R = "length"
+g = "acceleration"
+[coordinates.theta]
+start = "theta_0"
+range = ["0", "pi/2"]
+[bodies.block]
+shape  = "particle"
+mass   = "m"
+center = ["R*{0}(theta)", "R*{1}(theta)"]
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type   = "contact"
+point  = "block.center"
+circle = "O"
+radius = "R"
+side   = "outside"
+"""
+
+
+@pytest.mark.parametrize(("x", "y", "is_near_zero"), [("sin", "cos", True), ("cos", "sin", False)])
+def test_pictures_begin_where_the_motion_goes_far(x: str, y: str, is_near_zero: bool) -> None:
+    """On top of a dome, whether the angle is counted from the vertical or from the level."""
+    numbers = begun_numbers(Study(load_text(FALLING.format(x, y))), far=True)
+    assert (numbers["theta_0"] < math.pi / 4) is is_near_zero

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
-from functools import cache
+from functools import lru_cache
 from itertools import islice, product
 from pathlib import Path
 from typing import Any
@@ -142,7 +142,7 @@ def _likely(paper: Paper, symbols: set[str], told: Mapping[str, _Told]) -> list[
     return sorted(told, key=lambda name: (name in problem_files(), -likeness(name), name))[:MOST_PROBLEMS]
 
 
-@cache
+@lru_cache(maxsize=1)
 def _told(folder: Path) -> Mapping[str, _Told]:
     """Of each problem beside a text, and each that ships, the words of its title and its letters, as its file stands."""
     tables = {path.stem: load_table(path).data for path in folder.glob("*.toml") if not is_claims(path)}
