@@ -101,14 +101,10 @@ def _degree(poly: Poly) -> int:
             degree *= 2
         elif found.kind in ("cos", "sin"):
             order = lcm(order, _order(found.kind, Fraction(found.arg.terms[PI_TERM])))
-    return degree * max(1, _totient(order) // 2)
+    return degree * max(1, sum(gcd(k, order) == 1 for k in range(1, order + 1)) // 2)  # Euler's φ
 
 
 def _order(kind: str, turns: Fraction) -> int:
     """n where the number is cos(2πk/n)."""
     angle = turns if kind == "cos" else Fraction(1, 2) - turns
     return (angle / 2).denominator
-
-
-def _totient(n: int) -> int:
-    return sum(1 for k in range(1, n + 1) if gcd(k, n) == 1)

@@ -62,10 +62,6 @@ def _asin(reading: CaseReading, arg: Scalar) -> Poly:
     return _odd(reading, "asin", arg, angle_of_sine)
 
 
-def _acos(reading: CaseReading, arg: Scalar) -> Poly:
-    return QUARTER.num - _asin(reading, arg)
-
-
 def _atan(reading: CaseReading, arg: Scalar) -> Poly:
     return _odd(reading, "atan", arg, angle_of_tangent)
 
@@ -170,6 +166,6 @@ def _plain(kind: str) -> Inverse:
 
 
 INVERSES: dict[str, Inverse] = {
-    "exp": _exp, "asin": _asin, "acos": _acos, "atan": _atan,
+    "exp": _exp, "asin": _asin, "acos": lambda reading, arg: QUARTER.num - _asin(reading, arg), "atan": _atan,
     "elliptic_k": _plain("elliptic_k"), "elliptic_e": _plain("elliptic_e"),
 }  # fmt: skip

@@ -168,12 +168,8 @@ def _root_of(reading: CaseReading, poly: Poly) -> Poly | None:
     d = square_root(reading, reduced(a * a - b * b * square))
     if d is None or reading.sign(a) < 0:
         return None
-    low, high = (reading.power(_root_index(x), 1) for x in (a - d, a + d))
+    low, high = (reading.power(atoms.intern("root", Scalar(x.scaled(HALF))), 1) for x in (a - d, a + d))
     return high + low if reading.sign(b) > 0 else high - low
-
-
-def _root_index(twice: Poly) -> int:
-    return atoms.intern("root", Scalar(twice.scaled(HALF)))
 
 
 def square_root(reading: CaseReading, poly: Poly) -> Poly | None:

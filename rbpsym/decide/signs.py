@@ -179,15 +179,11 @@ def _above(end: int, reached: bool) -> int:
     return end | PLUS if reached else PLUS
 
 
-def _root_sign(study: SignStudy, arg: Scalar) -> int:
-    return PLUS if study.scalar(arg) == PLUS else PLUS_ZERO
-
-
 SYMBOL_SIGNS = {"positive": PLUS, "nonnegative": PLUS_ZERO, "nonzero": NONZERO, "real": ANY}
 
 ATOMS: dict[str, Callable[[SignStudy, Any], int]] = {
     "symbol": lambda study, name: PLUS if name == "pi" else SYMBOL_SIGNS[study.assumptions.sign_of(name)],
-    "root": _root_sign,
+    "root": lambda study, arg: PLUS if study.scalar(arg) == PLUS else PLUS_ZERO,
     "exp": lambda study, arg: PLUS,
     "ln": lambda study, arg: study.scalar(arg - 1),
     "atan": lambda study, arg: study.scalar(arg),

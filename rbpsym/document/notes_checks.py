@@ -15,7 +15,7 @@ from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Ma
 from rbpsym.document.needless import is_still
 from rbpsym.document.words import Words, capital, sentences
 from rbpsym.expr import tree as t
-from rbpsym.expr.tree import Node, Num, Pow
+from rbpsym.expr.tree import Num, Pow
 from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import BodyRef, Derivation, DerivedCourse, PhraseRef, Skipped, Step
 from rbpsym.remarks.choosing import remarks
@@ -162,13 +162,8 @@ def _oracles(summary: Mapping[str, Any], said: Words, ground: Said) -> Iterator[
     if summary["lagrange"]:
         yield said.say(f"checks.lagrange.{summary['lagrange']}", ground=ground)
     if summary["simulation"]:
-        error = power_above(summary["simulation"]["max_relative_error"])
-        yield said.say("checks.simulation", ground=ground, error=error)
-
-
-def power_above(error: float) -> Node:
-    """The power of ten that an error does not reach; an error of zero is that of the arithmetic itself."""
-    return Pow(Num(10), Num(floor(log10(max(error, 1e-16))) + 1))
+        error = max(summary["simulation"]["max_relative_error"], 1e-16)  # zero is that of the arithmetic itself
+        yield said.say("checks.simulation", ground=ground, error=Pow(Num(10), Num(floor(log10(error)) + 1)))
 
 
 # --- the table of roads: which lines each takes, and which unknown forces drop out of them

@@ -71,8 +71,9 @@ def start_of(system: System, tidy: Callable[[Scalar], Scalar]) -> Instant:
     _check_solved(system, solution)
     found = {name: tidy(value) for name, value in solution.values.items()}
     tied = system.tied()
-    there = {name: (at_start(tied.get(name, symbol(name)))) for c in system.problem.coordinates for name in _three(c.name)}
     names = [c.name for c in system.problem.coordinates]
+    kinds = [f"{name}{rate}" for name in names for rate in ("", "_dot", "_ddot")]
+    there = {name: at_start(tied.get(name, symbol(name))) for name in kinds}
     return Instant(
         {name: there[name] for name in names},
         {name: there[f"{name}_dot"] for name in names},
@@ -83,10 +84,6 @@ def start_of(system: System, tidy: Callable[[Scalar], Scalar]) -> Instant:
         {name: found[name] for name in system.unknowns},
         len(system.dependent),
     )
-
-
-def _three(name: str) -> tuple[str, str, str]:
-    return name, f"{name}_dot", f"{name}_ddot"
 
 
 def _check_places(system: System) -> None:

@@ -210,6 +210,7 @@ def angles(problem: Problem) -> frozenset[str]:
     """Names that stand under a sine, cosine or tangent of the statement, are given in degrees, or are starts of angles."""
     nodes = [node for body in problem.bodies for node in (*(body.placed[1] if body.placed else ()), body.angle) if node]
     nodes += [node for element in problem.elements for node in _nodes_of(element)]
+    nodes += [node for point in problem.points.values() for node in point]
     turned = [part.arg for node in nodes for part in walk(node) if isinstance(part, Fn) and part.name in TURNS]
     found = {leaf.name for arg in turned for leaf in walk(arg) if isinstance(leaf, Sym)}
     found |= {c.start.name for c in problem.coordinates if isinstance(c.start, Sym) and c.quantity.dimension == NUMBER}

@@ -40,7 +40,7 @@ def shifted(phase: Phase, begins: Scalar | None) -> Problem:
     """The problem of a phase with t counted from its beginning. Raises NotApplicable where that moment has no
     closed form (None) and something is given as a function of the time."""
     problem = phase.problem
-    if begins == NOTHING or not any(map(_runs, _given(problem))):
+    if begins == NOTHING or not any(depends_on(scalar(node), CLOCK) for node in _given(problem)):
         return problem
     if begins is None:
         raise NotApplicable(
@@ -59,10 +59,6 @@ def _given(problem: Problem) -> list[Node]:
     found += [part for body in problem.bodies for part in (body.angle, body.placed and body.placed[1])]
     parts = [part for value in found for part in (value if isinstance(value, tuple) else (value,))]
     return [part for part in parts if isinstance(part, Node)]
-
-
-def _runs(node: Node) -> bool:
-    return depends_on(scalar(node), CLOCK)
 
 
 class HandOver(Frozen):

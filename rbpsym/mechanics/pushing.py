@@ -52,17 +52,13 @@ def _never(study: Study) -> StatementError:
     )
 
 
-def start_valid(study: Study) -> tuple[Demand, ...] | None:
-    """Under which conditions the motion begins as stated; None if under none."""
-    return settle((demand for *_, demand in _asked(study, True)), study.assumptions)
-
-
 def begins(study: Study) -> tuple[Demand, ...]:
-    """The same as far as it is known: nothing where the forces grow too long; where nothing begins to slide, of what then stays
-    at rest. Raises StatementError if under none."""
+    """Under which conditions the motion begins as stated, as far as it is known: nothing where the forces grow too long; where
+    nothing begins to slide, of what then stays at rest. Raises StatementError if under none."""
     with suppress(LimitError):
-        still = (demand for *_, demand in _asked(study, False))
-        return possible(still, study.assumptions, _never(study)) if (left := start_valid(study)) is None else left
+        moving, still = ((demand for *_, demand in _asked(study, moves)) for moves in (True, False))
+        left = settle(moving, study.assumptions)
+        return possible(still, study.assumptions, _never(study)) if left is None else left
     return ()
 
 

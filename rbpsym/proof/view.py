@@ -125,7 +125,7 @@ class View(Context):
     def scope(self) -> Meanings:
         """The meanings that the premises grant; the start state as far as it is a premise."""
         view = proxy(self)  # no circle: a view goes when nobody holds it any more
-        kinds = (("scalars", View._opaque), ("vectors", View._opaque_vector), ("works", View._opaque_rate))
+        kinds = (("scalars", View._opaque), ("vectors", View._opaque_vector), ("works", lambda _, name: symbol(f"{name}'")))
         scalars, vectors, works = (_Letters(view, getattr(self, kind), opaque) for kind, opaque in kinds)
         return Meanings(scalars, vectors, self._rates, self._starts, lambda f, body: view.body_integral(f, body), works)
 
@@ -183,9 +183,6 @@ class View(Context):
                 self._rates.setdefault(letter, symbol(f"{letter}'"))
                 self._starts.setdefault(letter, symbol(f"{letter}°'"))
         return symbol(name)
-
-    def _opaque_rate(self, name: str) -> Scalar:
-        return symbol(f"{name}'")
 
     def _opaque_vector(self, name: str) -> Space:
         x, y, z = (self._opaque(f"{name}.{axis}") for axis in "xyz")

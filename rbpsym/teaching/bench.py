@@ -156,7 +156,7 @@ def generic_state(bench: ProblemBench) -> dict[str, float]:
 
 
 def _generic_state(bench: ProblemBench) -> dict[str, float]:
-    study, middle = bench.study, middles({**default_ranges(bench.study.problem), **bench.wishes})
+    study, middle = bench.study, middles({**default_ranges(bench.study), **bench.wishes})
     length, mass = (_typical(study.problem, middle, dimension) for dimension in (LENGTH, MASS))
     rate = math.sqrt(GRAVITY / length)
     found = {}

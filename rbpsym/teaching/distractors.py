@@ -30,7 +30,7 @@ from rbpsym.quantities import Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
-from rbpsym.teaching.misconceptions.told import is_true
+from rbpsym.teaching.misconceptions.told import is_asked_of, is_true
 from rbpsym.teaching.model import Measure, Slip
 from rbpsym.teaching.retold import Retelling, first_wrong
 from rbpsym.teaching.target import Target
@@ -190,7 +190,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
     own, moving = length(shown(right, study)), speeds_in(right)
     seen: dict[str, int] = {}
     for place, wrong in enumerate(pool.wrongs):
-        if target.kind not in (*wrong.misconception.about, *ANY):
+        if target.kind not in (*wrong.misconception.about, *ANY) or not is_asked_of(wrong.misconception.name, target.id):
             continue
         value = bounded(pool, place, partial(target.value, wrong.study))
         if value is None or speeds_in(value) - moving:

@@ -164,8 +164,5 @@ def shares(points: Fraction, weights: Sequence[int]) -> list[Fraction]:
 def gist(statement: t.Node) -> list[t.Node]:
     """A statement row by row, each without what stands between its first and its last side."""
     rows = t.rows(statement)
-    return [t.equation(row.items[0], row.items[-1]) if _is_equality(row) else row for row in rows]
-
-
-def _is_equality(row: t.Node) -> bool:
-    return isinstance(row, t.Chain) and set(row.ops) == {"="}
+    equal = [isinstance(row, t.Chain) and set(row.ops) == {"="} for row in rows]
+    return [t.equation(row.items[0], row.items[-1]) if plain else row for row, plain in zip(rows, equal, strict=True)]

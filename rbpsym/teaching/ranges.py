@@ -15,6 +15,9 @@ from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import angles, sample, unit_of_given
+from rbpsym.mechanics.phases import followable, known_stages
+from rbpsym.mechanics.pushing import begun_numbers
+from rbpsym.mechanics.study import Study
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.source import SourceItem, SourceTable, kind_of
@@ -139,11 +142,14 @@ def named_quantities(problem: Problem) -> Mapping[str, Dimension]:
     return {q.name: q.dimension for q in problem.parameters}
 
 
-def default_ranges(problem: Problem) -> dict[str, NumberRange]:
-    """A range for each constant of a problem, around its example."""
-    generic = sample(problem)
-    turned = angles(problem)
-    return {name: _around(name, dimension, problem, generic, turned) for name, dimension in named_quantities(problem).items()}
+def default_ranges(study: Study) -> dict[str, NumberRange]:
+    """A range for each constant of a problem, around its example, else around numbers at which it moves as it is stated."""
+    problem, named = study.problem, named_quantities(study.problem)
+    begun, turned = begun_numbers(study, followable(known_stages(problem)[0]), far=True), angles(problem)
+    weight = next((name for name, dimension in named.items() if dimension == ACCELERATION), None)
+    pace = math.sqrt(sample(problem)[weight] / begun[weight]) if weight else 1.0  # in other seconds it is the earth's gravity
+    generic = {name: begun[name] * pace**-dimension.time for name, dimension in named.items()}
+    return {name: _around(name, dimension, problem, generic, turned) for name, dimension in named.items()}
 
 
 def _around(name: str, dimension: Dimension, problem: Problem, generic: Mapping[str, float], turned: Set[str]) -> NumberRange:

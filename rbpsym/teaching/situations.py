@@ -16,6 +16,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.motion import along_motion
+from rbpsym.mechanics.phases import followable, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Coordinate
@@ -142,6 +143,7 @@ class Scenery(Frozen):
 # condition -> what was wrong, in words
 REASONS: Mapping[str, str] = {
     "mass": "a mass or a moment of inertia would not be positive",
+    "begin": "the motion would not begin as it is stated, or not come to all of its phases",
     "order": "sizes would not fit each other",
     "friction": "friction would not be enough",
     "frequency": f"an oscillation would be slower than {SLOWEST} Hz or faster than {FASTEST} Hz",
@@ -154,7 +156,7 @@ def scenery(study: Study, wishes: Mapping[str, NumberRange], is_timed: bool, end
     """The scenery of a problem; `wishes` are ranges by name; `is_timed`: an oscillation is to be measured; `ends`: where the
     next phase begins, by coordinate."""
     names = named_quantities(study.problem)
-    ranges = {**default_ranges(study.problem), **{n: r for n, r in wishes.items() if n in names}}
+    ranges = {**default_ranges(study), **{n: r for n, r in wishes.items() if n in names}}
     coordinate = followed(study)
     if coordinate is not None and coordinate not in wishes and not _gets_anywhere(study, ranges, coordinate, ends):
         coordinate = None
@@ -176,7 +178,7 @@ def _scenery(
     wished: NumberRange | None = None,
     is_timed: bool = False,
 ) -> Scenery:
-    sizes = (*_sound(study), *_ordered(study, ranges))
+    sizes = (*_sound(study), *_ordered(study, ranges), *_begun(study))
     still = (*_held_in_the_middle(sizes, ranges), *(_measurable(study, ranges) if is_timed else ()))
     along = () if coordinate is None else tuple(_kept(study, coordinate, ends))
     return Scenery(
@@ -217,6 +219,14 @@ def _sound(study: Study) -> Iterator[tuple[str, Scalar]]:
         for value in (state.mass, state.moment):
             if value and names_in(value) <= set(named_quantities(study.problem)):
                 yield "mass", value
+
+
+def _begun(study: Study) -> Iterator[tuple[str, Scalar]]:
+    """It begins as it is stated, and comes to all phases."""
+    known = {*named_quantities(study.problem)}
+    for demand in followable(known_stages(study.problem)[0]):
+        if demand.op != "!=" and names_in(demand.value) <= known:
+            yield "begin", demand.value
 
 
 def _ordered(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[str, Scalar]]:

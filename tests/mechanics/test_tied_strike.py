@@ -11,7 +11,7 @@ from rbpsym.field.normal import same
 from rbpsym.field.scalar import symbol
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.phases import stages
-from rbpsym.mechanics.pushing import start_valid
+from rbpsym.mechanics.pushing import begins
 from rbpsym.present.forms import present
 from rbpsym.statement import load_text
 from rbpsym.statement.library import problem_files
@@ -27,7 +27,7 @@ def test_the_edge_of_a_step_is_a_pivot_or_a_corner_over_which_it_rolls() -> None
     [_, held], [_, touching] = (stages(load_text(one)) for one in (text, rolled))
     assert same(held.began.energy_lost, touching.began.energy_lost)
     assert same(touching.began.speeds["x"], held.began.speeds["phi"] * (symbol("R") - symbol("h")))
-    asked = start_valid(touching.study)  # the edge only pushes, which the pivot does not tell
+    asked = begins(touching.study)  # the edge only pushes, which the pivot does not tell
     assert asked and all(isinstance(one, Demand) for one in asked)
 
 

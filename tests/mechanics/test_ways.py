@@ -12,7 +12,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number, samples
-from rbpsym.mechanics.pushing import start_valid, ways_taken
+from rbpsym.mechanics.pushing import begins, ways_taken
 from rbpsym.mechanics.strings import StringCrosses, segments
 from rbpsym.mechanics.study import Study
 from rbpsym.statement import load_text
@@ -90,4 +90,4 @@ path = ["cw drum", "w.center"]
     open_, said = Study(load_text(text)), Study(load_text(text.replace('sign = "real"', 'sign = "positive"')))
     [(element, value)] = ways_taken(open_)
     assert element.name == "T" and is_zero(value - scalar(open_.problem.coordinate("x").start))
-    assert [demand.op for demand in start_valid(open_)] == [">"] and start_valid(said) == ()
+    assert [demand.op for demand in begins(open_)] == [">"] and begins(said) == ()

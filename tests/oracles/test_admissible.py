@@ -18,7 +18,7 @@ from rbpsym.mechanics.demands import assuming
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.phases import stages
-from rbpsym.mechanics.pushing import check_start, start_valid
+from rbpsym.mechanics.pushing import begins, check_start
 from rbpsym.mechanics.rest import _demands
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import _demands as told
@@ -110,7 +110,7 @@ def test_friction_against_the_motion_is_refused_at_its_place():
 
 def test_from_rest_a_ladder_slides_only_if_friction_lets_it():
     study = case("ladder-rough")
-    assert "cos(theta_0) - 2*mu*sin(theta_0) > 0" in told(start_valid(study), study)
+    assert "cos(theta_0) - 2*mu*sin(theta_0) > 0" in told(begins(study), study)
     steps = derive(study.problem, simulation=False).steps
     step = next(step for step in steps if step.id == "slides.N_f")
     assert step.certificate.verdict.is_proved and step.obligations

@@ -13,6 +13,8 @@ from rbpsym.field import NOTHING, substitute
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import same
 from rbpsym.field.scalar import Scalar
+from rbpsym.mechanics.numbers import floating
+from rbpsym.mechanics.phases import followable, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.teaching import model as m
 from rbpsym.teaching.compiled import compiled
@@ -44,6 +46,14 @@ def test_no_answer_is_given_away(name: str) -> None:
                 others[item.id] = plain[item.id]
             for place, found in others.items():
                 assert not any(same(value, other) or same(value, -other) for other in found), (item.id, place, answer)
+
+
+@by_name
+def test_its_motion_begins_as_it_is_told_and_comes_to_all_phases(name: str) -> None:
+    plan, sheet = paper(name)
+    problem, numbers = plan.parts[0].bench.study.problem, {n: si(measure) for n, measure in sheet.parts[0].given.items()}
+    asked = [demand.value for demand in followable(known_stages(problem)[0]) if demand.op != "!="]
+    assert all(floating(value, numbers, 0.0) >= 0 for value in asked)
 
 
 @by_name

@@ -73,6 +73,7 @@ BY_HAND = [
     (INCLINE, "turning-force-moves-nothing", "acceleration.s", "g*sin(beta)"),
     (INCLINE, "whole-weight-along-slope", "acceleration.s", "2*g/3"),
     (INCLINE, "normal-force-is-weight", "reaction.N", "M*g"),
+    ("block-up-and-down-incline", "whole-weight-along-slope", "acceleration.s", "-g*(1 + mu*cos(beta))"),
     (INCLINE, "translational-energy-left-out", "speed.s", "4*g*s*sin(beta)"),
     (INCLINE, "half-forgotten-in-kinetic-energy", "speed.s", "2*g*s*sin(beta)/3"),
     (INCLINE, "diameter-for-radius", "moment.drum", "2*M*R**2"),

@@ -11,6 +11,7 @@ import pytest
 from rbpsym.decide.equal import equal, scalars_equal
 from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
@@ -19,7 +20,7 @@ from rbpsym.teaching.distractors import apart, without_noise
 from rbpsym.teaching.lines import gaps, lines_to
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
 from rbpsym.teaching.plan import WorksheetPlan, bench_of, plan_of
-from rbpsym.teaching.ranges import default_ranges, si
+from rbpsym.teaching.ranges import default_ranges, middles, si
 from rbpsym.teaching.sheet import sheet_of_text
 from rbpsym.teaching.tasks.compare import variants
 from rbpsym.teaching.tasks.registry import TASKS
@@ -293,8 +294,25 @@ def test_nothing_comes_before_what_does_not_need_it() -> None:
 
 
 def test_a_couple_is_in_newton_metres_and_an_angle_in_degrees() -> None:
-    found = default_ranges(load_text(TURNED, "turned"))
+    found = default_ranges(study_of(load_text(TURNED, "turned")))
     assert found["C"].unit == "N*m" and found["beta"].unit == "deg" and found["mu"].unit == ""
+
+
+def test_numbers_let_it_move_as_it_is_told_and_weigh_as_on_earth() -> None:
+    """What a spring pushes over a rough floor starts, and gets to where the spring ends."""
+    found = middles(default_ranges(study_of(load_text(PUSHED, "pushed"))))
+    assert found["k"] * found["d"] > 2 * found["mu"] * found["m"] * found["g"] and found["g"] == pytest.approx(9.8)
+
+
+PUSHED = """
+parameters = { m = "mass", k = "stiffness", d = "length", mu = "number", g = "acceleration" }
+coordinates.x = { dimension = "length", start = "-d" }
+bodies.block = { shape = "particle", mass = "m", center = ["x", "0"] }
+interactions.W = { type = "gravity" }
+interactions.F = { type = "force", on = "block.center", force = ["-k*x", "0"] }
+constraints.N = { type = "contact", point = "block.center", line = "y = 0", coefficient = "mu", slip = "forward" }
+phases = [{ name = "free", event = "reaches", of = "x", at = "0", without = ["F"] }]
+"""
 
 
 TURNED = """
@@ -302,6 +320,6 @@ parameters = { m = "mass", C = "torque", beta = "angle, acute", mu = "number", d
 coordinates.s = { dimension = "length", start = "0" }
 bodies.block = { shape = "particle", mass = "m", center = ["s*cos(beta)", "s*sin(beta)"] }
 interactions.W = { type = "gravity" }
-interactions.K = { type = "force", on = "block.center", force = ["C/d", "0"] }
-constraints.N = { type = "contact", point = "block.center", line = "y*cos(beta) - x*sin(beta) = 0", coefficient = "mu" }
+interactions.K = { type = "force", on = "block.center", force = ["2*m*g + C/d", "0"] }
+constraints.N = { type = "contact", point = "block.center", line = "y = x*tan(beta)", coefficient = "mu", slip = "forward" }
 """

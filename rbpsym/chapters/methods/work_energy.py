@@ -17,7 +17,7 @@ from rbpsym.field import NOTHING, Scalar, derivative, short, substitute, symbol
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.motion import ForceWork, Work
-from rbpsym.mechanics.system import BodyState, Force
+from rbpsym.mechanics.system import Force
 from rbpsym.proof.draft import Draft
 from rbpsym.proof.step import FULL, STANDARD, BodyRef, StepRef
 
@@ -113,7 +113,8 @@ def _row(draft: Draft, item: ForceWork, half: str, work: Work) -> t.Node | None:
 
 def _theorem(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:
     """The halves for each body."""
-    for name, state in _bodies_with_known_motion(draft):
+    is_known = draft.study.dynamics.accelerations is not None  # else only the whole can be decided
+    for name, state in draft.study.system.bodies.items() if is_known else ():
         own = [item for item in works if item.on == name]
         for (half, word), kinetic in zip(HALVES, _kinetic_nodes(draft, name), strict=True):
             terms = [t.Sym(name_of(draft, i, half)) for i in own if getattr(i, word).parts]
@@ -132,11 +133,6 @@ def _theorem(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:
                 count=len(terms),
                 level=level,
             )
-
-
-def _bodies_with_known_motion(draft: Draft) -> list[tuple[str, BodyState]]:
-    """All bodies; none where the accelerations have no closed formula, and only the whole can be decided."""
-    return [] if draft.study.dynamics.accelerations is None else list(draft.study.system.bodies.items())
 
 
 def _kinetic_nodes(draft: Draft, name: str) -> tuple[t.Node, t.Node]:

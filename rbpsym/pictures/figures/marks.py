@@ -149,14 +149,10 @@ def arrow(start: s.Point, end: s.Point, style: str = "force") -> s.Polyline:
     return s.Polyline((start, end), style, heads="end")
 
 
-def snapped(angle: float) -> float:
-    """The nearest multiple of a right angle."""
-    return round(angle / (math.pi / 2)) * math.pi / 2
-
-
 def away_from(at: s.Point, others: list[s.Point]) -> float:
     """The direction, along an axis, that leads away from the middle of some points."""
     if not others:
         return -math.pi / 2
     middle = tuple(sum(values) / len(others) for values in zip(*others, strict=True))
-    return snapped(s.direction(middle, at)) if math.dist(middle, at) > 1e-9 else -math.pi / 2
+    right = math.pi / 2
+    return round(s.direction(middle, at) / right) * right if math.dist(middle, at) > 1e-9 else -right

@@ -86,7 +86,7 @@ def is_near(typed: Typed, exact: float, tolerance: Tolerance) -> bool:
 
 def _is_rounded(typed: Typed, exact: float, tolerance: Tolerance) -> bool:
     """Is it the exact value, rounded to as many figures as are accepted and typed?"""
-    fewest = max(tolerance.digits - tolerance.fewer, 1)
+    fewest = max(tolerance.digits - tolerance.fewer, typed.fewest, 1)
     return bool(exact and typed.most) and any(_is_rounded_to(typed, exact, k) for k in range(fewest, typed.most + 1))
 
 

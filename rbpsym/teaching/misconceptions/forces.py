@@ -124,11 +124,6 @@ def _lever(study: Study, force: Force) -> Vector | None:
     return change.arms(study).get(force.on)
 
 
-def _leaning(study: Study, force: Force) -> Vector | None:
-    """The lever arm from a fixed axis, else the slope."""
-    return _lever(study, force) or _slope(study, force)
-
-
 def _weights_along(
     direction: Callable[[Study, Force], Vector | None], wrong: Callable[[Study, Force, Vector], Force]
 ) -> tuple[change.Pick, change.Wrong]:
@@ -165,14 +160,10 @@ def _at_other_end(study: Study, force: Force, arm: Vector) -> Force:
     return replace(force, point=study.system.bodies[force.on].center + arm)
 
 
-def _whole_along(study: Study, force: Force, along: Vector) -> Force:
-    return replace(force, vector=along * (force.vector.y * -(change.sign_of(study, along.dot(force.vector)) or 1)))
-
-
-def _whole_across(study: Study, force: Force, along: Vector) -> Force:
-    across = along.turned()
-    way = change.sign_of(study, across.dot(force.vector)) or 1
-    return replace(force, vector=along * along.dot(force.vector) + across * (force.vector.y * -way))
+def _whole(study: Study, force: Force, along: Vector) -> Force:
+    """All of the weight along a direction; its component across it stays."""
+    across, way = along.turned(), change.sign_of(study, along.dot(force.vector)) or 1
+    return replace(force, vector=along * (force.vector.y * -way) + across * across.dot(force.vector))
 
 
 # --- other values of the unknown forces
@@ -257,7 +248,7 @@ MISCONCEPTIONS = (
     _changed("whole-length-for-lever-arm", *_weights_along(_lever, _at_other_end), MOTION, WELL),
     _changed("weight-at-middle-of-shape", _off_middle,
              lambda s, f: replace(f, point=s.system.bodies[f.on].pose.origin), MOTION, WELL),
-    _changed("sine-for-cosine", *_weights_along(_leaning, _mirrored), MOTION),
+    _changed("sine-for-cosine", *_weights_along(lambda s, f: _lever(s, f) or _slope(s, f), _mirrored), MOTION),
     _changed("sine-for-cosine-in-lever-arm", _slanting_contacts, _sine_in_arm, MOTION, WELL, drawn=t.Sym),
     Misconception("forces-as-at-rest", _as_at_rest, FORCES, WELL),
     Misconception("f-is-ma-at-contact-point", _at_the_contact, FORCES),
@@ -269,8 +260,8 @@ MISCONCEPTIONS = (
     _changed("force-acts-at-center", _off_center, lambda s, f: _with_couple(f, -_turning(s, f)), MOTION),
     _changed("weight-sign", _falling, lambda s, f: change.opposite(f), DRIVEN, NO_FORCES),
     _changed("weight-left-out", lambda s: _falling(s) if len(s.system.bodies) > 1 else [], lambda s, f: None, MOTION, NO_FORCES),
-    _changed("whole-weight-along-slope", *_weights_along(_slope, _whole_along), DRIVEN | {"friction"}),
-    _changed("normal-force-is-weight", *_weights_along(_slope, _whole_across), MOTION),
+    _changed("whole-weight-along-slope", *_weights_along(_slope, _whole), DRIVEN | {"friction"}),
+    _changed("normal-force-is-weight", *_weights_along(_slope, lambda s, f, along: _whole(s, f, along.turned())), MOTION),
     _changed("one-of-two-parts-of-string", _strings_with_two_parts, lambda s, f: replace(f, vector=f.vector * HALF), MOTION),
     _changed("action-along-reaction", _reactions, lambda s, f: change.opposite(f), MOTION),
     _changed("third-law-forgotten", _reactions, lambda s, f: None, MOTION),

@@ -68,6 +68,17 @@ TRUE_OF: Mapping[str, Condition] = {
 }
 
 
+ASKED_OF: Mapping[str, tuple[str, ...]] = {  # a sum, no single body; what comes of a start, no start that is asked for
+    "one-body-not-in-the-sum": ("momentum.total", "kinetic", "question"),
+    "start-speed-forgotten": ("speed", "reaction", "loss", "question"),
+}
+
+
+def is_asked_of(name: str, target: str) -> bool:
+    """Whether the feedback of a misconception speaks of a target with this id."""
+    return target.startswith(ASKED_OF.get(name, ""))
+
+
 def is_true(name: str, study: Study, site: Site) -> bool:
     """Whether the feedback of a misconception is true of this place in the system."""
     condition = TRUE_OF.get(name)

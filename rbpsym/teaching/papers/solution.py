@@ -48,8 +48,9 @@ def _rows(problem: Problem, situation: Situation, said: Words) -> Iterator[tuple
 
 def _start(problem: Problem, name: str, said: Words) -> Inlines:
     """What a constant is at which a coordinate or a speed starts."""
-    of = [t.Sym(c.name) for c in problem.coordinates if getattr(c.start, "name", None) == name]
-    of += [t.Sym(f"{c.name}_dot") for c in problem.coordinates if getattr(c.speed, "name", None) == name]
+    begun = [(t.Sym(c.name), c.start) for c in problem.coordinates]
+    begun += [(t.Sym(f"{c.name}_dot"), c.speed) for c in problem.coordinates]
+    of = [turn(node) for node, value in begun for turn in (t.mul, t.neg) if value == turn(t.Sym(name))]
     return said.say("symbols.start", of=of, count=len(of))
 
 
