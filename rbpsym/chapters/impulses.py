@@ -49,7 +49,10 @@ def _define(draft: Draft, blow: Blow) -> None:
     draft.context.scalars.update(found)
     draft.context.introduced.update(dict.fromkeys(found, ("", None)))
     for body in blow.after.bodies:
-        rows = (_less(draft, blow, *change) for change in _changes(blow, body))
+        rows = (
+            new_value(draft, blow, after - sum(parts, NOTHING)) - old_value(draft, blow, before)
+            for after, before, parts in _changes(blow, body)
+        )
         _state_law(draft, f"law.blow.{body}", body, rows)
     for element, name, factor in _partings(blow):
         new, old = (approach(system, element, name, blow.after) for system in (blow.after, blow.before))
@@ -83,11 +86,6 @@ def _changes(blow: Blow, name: str) -> list[tuple[Scalar, Scalar, list[Scalar]]]
         (new.velocity.y * new.mass, old.velocity.y * old.mass, [force.vector.y for force in own]),
         (new.omega * new.moment, old.omega * old.moment, [torque_about_center(force, new) for force in own]),
     ]
-
-
-def _less(draft: Draft, blow: Blow, after: Scalar, before: Scalar, parts: list[Scalar]) -> Scalar:
-    """(new) - (old) - Σ impulses."""
-    return new_value(draft, blow, after - sum(parts, NOTHING)) - old_value(draft, blow, before)
 
 
 def _is_asked(draft: Draft, blow: Blow) -> bool:

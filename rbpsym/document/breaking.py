@@ -49,12 +49,9 @@ def lines(node: Node, notation: Notation, column: float) -> tuple[DisplayLine, .
     widest_left = max((left for left in lefts if left <= 0.5 * column), default=0.0)
     room = [column - max(widest_left - left, 0.0) for left in lefts]
     found = tuple(line for part, own in zip(parts, room, strict=True) for line in chain_lines(part, notation, own))
-    return found if widest(found) <= column else tuple(map(unaligned, found))
-
-
-def unaligned(line: DisplayLine) -> DisplayLine:
-    """The line from the margin on: in a block that has no room with its relation signs below each other."""
-    return DisplayLine(EMPTY, b.Row((*flat(line.left), *flat(line.right))), line.indent)
+    if widest(found) > column:  # no room with the relation signs below each other: each line from the margin on
+        return tuple(DisplayLine(EMPTY, b.Row((*flat(line.left), *flat(line.right))), line.indent) for line in found)
+    return found
 
 
 def display_lines(block: Display, notation: Notation, column: float) -> tuple[DisplayLine, ...]:

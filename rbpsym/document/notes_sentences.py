@@ -112,14 +112,9 @@ def _curve(element: Element, pose: DrawnPose, said: Words) -> Inlines:
     slots = {"radius": element["radius"], "center": point_in_words(center, pose, said)}
     if element["radius"] == t.ZERO:
         return said.say("line.corner", center=slots["center"])
-    if center.body and _is_round_itself(element, pose):
+    if center.body and element["radius"] in pose.study.problem.body(center.body).shape.sizes.values():  # its own rim
         return said.say("line.inside_body", body=BodyRef(center.body)) if side == "inside" else said.the(center.body)
     return said.say("line.inside" if side == "inside" else "line.circle", **slots)
-
-
-def _is_round_itself(element: Element, pose: DrawnPose) -> bool:
-    """Is the circle the rim of the body, and not one drawn on it?"""
-    return element["radius"] in pose.study.problem.body(element["circle"].body).shape.sizes.values()
 
 
 def touched(element: Element, pose: DrawnPose, said: Words) -> Slots:

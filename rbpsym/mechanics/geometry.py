@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from rbpsym.errors import NoNumber, StatementError, there
-from rbpsym.field import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root, tidy
+from rbpsym.field import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, is_zero, root, tidy
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.roots import side_of
 from rbpsym.frozen import Frozen, field
@@ -107,10 +107,6 @@ class Geometry(Frozen):
         """The root of the square of a length: ℓ, with the sign that makes it positive at the start, for ℓ²."""
         side = side_of(square)
         return root(square) if side is None or not self.sign(side) else side * self.sign(side)
-
-    def is_unsaid(self, value: Scalar) -> bool:
-        """Whether its sign hangs on where something is that nothing says."""
-        return any(depends_on(value, name) for name in self.unsaid)
 
     def velocity(self, body: str | None, place: Vector) -> Vector:
         """Velocity of the material point of a body at a place: V + ω k × (place - R)."""

@@ -9,7 +9,7 @@ Kleppner & Kolenkow 2.4, 7.6.
 from __future__ import annotations
 
 from rbpsym.errors import StatementError
-from rbpsym.field import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, symbol, tidy
+from rbpsym.field import QUARTER, UNITY, Scalar, Vector, depends_on, is_rooted, is_zero, polar, symbol, tidy
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry, no_direction
@@ -68,7 +68,7 @@ def _straight(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector
         other = other or (along, length)
     if other is None:
         return _slanting(apart, offset, geometry)
-    return other if geometry.is_unsaid(other[1]) else None
+    return other if any(depends_on(other[1], name) for name in geometry.unsaid) else None
 
 
 def _slanting(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector, Scalar]:

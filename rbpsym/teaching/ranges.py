@@ -10,11 +10,13 @@ from collections.abc import Callable, Iterator, Mapping, Set
 from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from fractions import Fraction
 
+from rbpsym.ask.asking import answered_all, letters
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.numbers import angles, sample, unit_of_given
+from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.numbers import angles, floating, sample, unit_of_given
 from rbpsym.mechanics.phases import followable, known_stages
 from rbpsym.mechanics.pushing import begun_numbers
 from rbpsym.mechanics.study import Study
@@ -142,10 +144,21 @@ def named_quantities(problem: Problem) -> Mapping[str, Dimension]:
     return {q.name: q.dimension for q in problem.parameters}
 
 
+def conditions(study: Study, *, asks: bool = True) -> list[Demand]:
+    """What it takes for the motion to begin as it is told, to come to all phases and to what the problem itself asks."""
+    found = [*followable(known_stages(study.problem)[0])]
+    for answer in answered_all(study, letters(study)) if asks and not study.problem.phases else ():
+        found += [Demand(scalar(row.items[0]), row.ops[0]) for row in getattr(answer, "valid", ())]
+    return [demand for demand in found if demand.op != "!="]
+
+
 def default_ranges(study: Study) -> dict[str, NumberRange]:
     """A range for each constant of a problem, around its example, else around numbers at which it moves as it is stated."""
-    problem, named = study.problem, named_quantities(study.problem)
-    begun, turned = begun_numbers(study, followable(known_stages(problem)[0]), far=True), angles(problem)
+    problem, named, turned = study.problem, named_quantities(study.problem), angles(study.problem)
+    for asked in (conditions(study), conditions(study, asks=False)):
+        begun = begun_numbers(study, asked, far=True)
+        if all(floating(demand.value, begun) >= 0 for demand in asked):
+            break
     weight = next((name for name, dimension in named.items() if dimension == ACCELERATION), None)
     pace = math.sqrt(sample(problem)[weight] / begun[weight]) if weight else 1.0  # in other seconds it is the earth's gravity
     generic = {name: begun[name] * pace**-dimension.time for name, dimension in named.items()}

@@ -16,14 +16,13 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, field
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.motion import along_motion
-from rbpsym.mechanics.phases import followable, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Coordinate
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import Evaluate, compiled
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.ranges import NumberRange, default_ranges, middles, named_quantities, si, step_near
+from rbpsym.teaching.ranges import NumberRange, conditions, default_ranges, middles, named_quantities, si, step_near
 
 MOST_DRAWS = 600
 WAY = (0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)  # shares of the way that are looked at
@@ -143,7 +142,7 @@ class Scenery(Frozen):
 # condition -> what was wrong, in words
 REASONS: Mapping[str, str] = {
     "mass": "a mass or a moment of inertia would not be positive",
-    "begin": "the motion would not begin as it is stated, or not come to all of its phases",
+    "begin": "the motion would not begin as it is stated, or not come to all phases and to what is asked",
     "order": "sizes would not fit each other",
     "friction": "friction would not be enough",
     "frequency": f"an oscillation would be slower than {SLOWEST} Hz or faster than {FASTEST} Hz",
@@ -222,11 +221,9 @@ def _sound(study: Study) -> Iterator[tuple[str, Scalar]]:
 
 
 def _begun(study: Study) -> Iterator[tuple[str, Scalar]]:
-    """It begins as it is stated, and comes to all phases."""
+    """It begins as it is stated, and comes to all phases and to what is asked."""
     known = {*named_quantities(study.problem)}
-    for demand in followable(known_stages(study.problem)[0]):
-        if demand.op != "!=" and names_in(demand.value) <= known:
-            yield "begin", demand.value
+    yield from (("begin", demand.value) for demand in conditions(study) if names_in(demand.value) <= known)
 
 
 def _ordered(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[str, Scalar]]:

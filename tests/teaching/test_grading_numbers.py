@@ -72,6 +72,8 @@ PARTS = [
     ("28.6 deg", 0.5, "rad", 3, "vuf"),
     ("0 N", 0, "N", 2, "vuf"),
     ("3 N", 0, "N", 2, ""),
+    ("1.1 m/s", 1.0783, "m/s", 3, "vuf"),  # a figure fewer; with a zero it is another number
+    ("1.10 m/s", 1.0783, "m/s", 3, ""),
 ]
 
 

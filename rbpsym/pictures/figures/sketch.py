@@ -210,13 +210,8 @@ LENGTHS = frozenset({"at", "start", "end", "radius", "c", "center_of_mass", "siz
 def scaled(sketch: Sketch, factor: float) -> Sketch:
     """The sketch, larger or smaller."""
     lists = {item.name: getattr(sketch, item.name) for item in fields(sketch)}
-    parts = {name: value for name, value in lists.items() if is_list_of_parts(value)}
+    parts = {name: value for name, value in lists.items() if isinstance(value, tuple) and value and is_dataclass(value[0])}
     return replace(sketch, **{name: times(value, factor) for name, value in parts.items()})
-
-
-def is_list_of_parts(value: object) -> bool:
-    """Is it a tuple of bodies, points, marks, ...?"""
-    return isinstance(value, tuple) and bool(value) and is_dataclass(value[0])
 
 
 def scaled_part(part: Any, factor: float) -> Any:

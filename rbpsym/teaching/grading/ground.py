@@ -7,6 +7,8 @@ from functools import cached_property
 from types import MappingProxyType
 
 from rbpsym.decide.assumptions import NONE, Assumptions
+from rbpsym.decide.signs import SYMBOL_SIGNS
+from rbpsym.errors import RbpsymError
 from rbpsym.expr.glyphs import Notation, glyph, renamed
 from rbpsym.expr.letters import without_accents
 from rbpsym.expr.symbol_table import SymbolTable, drawn_glyph, symbol_table
@@ -123,6 +125,8 @@ class GradingGround(Frozen):
 def bare_ground(symbols: Iterable[str] | Mapping[str, str], language: str = "en") -> GradingGround:
     """The ground of some names alone, with their signs (“positive”, “nonnegative”, “nonzero”, “real”)."""
     signs = dict(symbols) if isinstance(symbols, Mapping) else {}
+    if unknown := sorted({*signs.values()} - {*SYMBOL_SIGNS}):
+        raise RbpsymError(f"“{unknown[0]}” is no sign", instead=f"write one of {', '.join(SYMBOL_SIGNS)}.")
     return GradingGround(book(symbols, _rates_named(frozenset(symbols)), language), Assumptions(signs))
 
 

@@ -16,7 +16,7 @@ from rbpsym.proof.step import BodyRef
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import model as change
-from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site, Sites, of_bodies
+from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site, Sites, of_bodies, spinning
 
 KINETIC = ENERGY | {"kinetic"}
 SUMS = frozenset({"momentum", "kinetic"})
@@ -52,7 +52,7 @@ def _times(translational: int, rotational: int) -> Sites:
 
 def _directed_energy(study: Study) -> Iterator[Site]:
     """Energies of rotations in opposite senses taken to subtract."""
-    states = [state for _, state in change.spinning(study)]
+    states = [state for _, state in spinning(study)]
     turning = [(state, change.sign_of(study, short(state.omega / states[0].omega))) for state in states]
     if {way for _, way in turning} == {1, -1}:
         total = sum((s.moment * s.omega * s.omega * way for s, way in turning), NOTHING) / 2
@@ -145,11 +145,6 @@ def _small_angle(study: Study) -> Iterator[Site]:
 
 
 Changes = Iterable[tuple[str, Mapping[str, Any]]]
-
-
-def _orbital_dropped(study: Study) -> Changes:
-    """Only I_cm ω: the motion of the centre of mass is left out of the momentum (or the energy)."""
-    return ((name, {"velocity": ORIGIN}) for name, state in change.spinning(study) if state.velocity)
 
 
 def _one_body_forgotten(study: Study) -> Changes:
@@ -277,13 +272,14 @@ def _torque_about_axis(study: Study) -> Iterator[Site]:
         yield Site({"body": BodyRef(name)}, partial(change.with_kinematics, study, system))
 
 
+STILL = {"velocity": ORIGIN}  # only I_cm ω: the motion of the centre of mass is left out
 MISCONCEPTIONS = (
     Misconception("rotational-energy-left-out", _times(1, 0), KINETIC, WELL),
     Misconception("damping-left-out", _damping_left_out, frozenset({"acceleration", "reaction", "frequency"})),
     Misconception("energy-kept", _energy_kept, ENERGY),
     Misconception("start-speed-forgotten", _start_forgotten, ENERGY, WELL),
     Misconception("speed-of-end-for-center", _speed_of_end, SUMS | {"speed"}),
-    Misconception("orbital-part-dropped", of_bodies(_orbital_dropped), SUMS, WELL),
+    Misconception("orbital-part-dropped", of_bodies(lambda s: ((n, STILL) for n, b in spinning(s) if b.velocity)), SUMS, WELL),
     Misconception("small-angle-for-large", _small_angle, frozenset({"acceleration", "speed"})),
     Misconception("torque-about-axis-in-work", _torque_about_axis, WORKS, WELL),
     Misconception("contact-forces-do-no-work", _contact_forces_workless, WORKS),

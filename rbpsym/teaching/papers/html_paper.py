@@ -36,6 +36,7 @@ def write_html(worksheet: m.Worksheet, *, is_key: bool = False) -> str:
     body = "\n".join(_sections(document, worksheet, page, keys, is_key=is_key))
     language, student = worksheet.language, worksheet.student
     words = {verdict: plain_text(f"paper.{key}", language) for verdict, key in VERDICTS.items()}
+    found = json.dumps({"keys": keys, "words": words}, ensure_ascii=False)
     return shell(
         "worksheet.html",
         autoescape=True,
@@ -49,14 +50,9 @@ def write_html(worksheet: m.Worksheet, *, is_key: bool = False) -> str:
         style=Markup(style()),
         font=Markup(font()),
         body=Markup(body),
-        keys=Markup(_safe_json({"keys": keys, "words": words})),
+        keys=Markup(found.replace("<", "\\u003c").replace("&", "\\u0026")),  # it can't close the script element it stands in
         script=Markup((data_folder("templates") / "worksheet.js").read_text(encoding="utf-8")) if is_key else "",
     )
-
-
-def _safe_json(value: object) -> str:
-    """JSON that can't close the script element that it stands in."""
-    return json.dumps(value, ensure_ascii=False).replace("<", "\\u003c").replace("&", "\\u0026")
 
 
 def _without_areas(document: Document) -> Document:

@@ -8,7 +8,6 @@ from itertools import islice
 from rbpsym.document.model import Display, Inlines, Paragraph
 from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics.study import Study
 from rbpsym.proof.draft import length
 from rbpsym.proof.step import Step
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench
@@ -73,7 +72,8 @@ def _with_slip(bench: ProblemBench, target: Target, place: int) -> Told | None:
     lines = bench.pool.retold(place).steps(s.id for s in usual) if len(usual) >= FEWEST else None
     if lines is None:
         return None
-    short = SHORT | (SPLITS if _has_negative_moment(wrong.study) else frozenset())
+    moments = [state.moment for state in wrong.study.system.bodies.values() if state.moment]  # a negative one: a shift was taken
+    short = SHORT | (SPLITS if any(sign_of(wrong.study, moment) < 0 for moment in moments) else frozenset())  # off, none writes
     shown, right = (tuple(brief(step, short) for step in row) for row in (lines, usual))
     first = next((k for k, (a, b) in enumerate(zip(shown, right, strict=True)) if a.statement != b.statement), None)
     if first is None or shown[-1].statement == right[-1].statement or not _reads_well(shown[first], right[first]):
@@ -88,11 +88,6 @@ def _is_the_only_one(bench: ProblemBench, told: Told) -> bool:
     pairs = zip(told.lines, told.right, strict=True)
     wrong = [place for place, (line, right) in enumerate(pairs) if line.statement != right.statement]
     return all((told.first, place) in follows for place in wrong if place != told.first)
-
-
-def _has_negative_moment(study: Study) -> bool:
-    """Whether a shift of the axis was taken off a moment, so that its spin part alone is nothing a student writes."""
-    return any(sign_of(study, state.moment) < 0 for state in study.system.bodies.values() if state.moment)
 
 
 def brief(step: Step, rules: frozenset[str]) -> Step:
