@@ -12,7 +12,7 @@ from rbpsym.languages import phrases
 from rbpsym.teaching.distractors import pool
 from rbpsym.teaching.misconceptions.model import Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
-from rbpsym.teaching.misconceptions.told import TRUE_OF
+from rbpsym.teaching.misconceptions.told import ASKED_OF, TRUE_OF, is_asked_of
 from rbpsym.teaching.targets import targets
 from tests.library.derived import unsimulated
 
@@ -73,6 +73,13 @@ turning-force-moves-nothing weight-at-middle-of-shape weight-left-out weight-sig
 whole-length-for-lever-arm whole-weight-along-slope work-at-application-point work-sign wrong-sense-of-rotation
 """  # beside that, it tells what the place itself is chosen for (a weld, a slope, a force off the centre), or a law
 SAYS_WHAT_WAS_DONE = frozenset(WHAT_WAS_DONE.split())
+
+
+def test_what_is_said_of_a_sum_or_a_way_is_not_said_of_one_body_or_the_start() -> None:
+    assert set(ASKED_OF) <= set(MISCONCEPTIONS)
+    told = [is_asked_of("one-body-not-in-the-sum", id) for id in ("momentum.total", "momentum.drum")]
+    told += [is_asked_of("start-speed-forgotten", id) for id in ("speed.phi", "start.phi_dot")]
+    assert told == [True, False, True, False] and is_asked_of("weight-sign", "start.phi_dot")
 
 
 def test_there_is_no_third_kind() -> None:

@@ -9,9 +9,12 @@ from functools import cache
 import pytest
 
 from rbpsym.decide.equal import equal, scalars_equal
+from rbpsym.document.model import Math
+from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.at_start import study_of
+from rbpsym.mechanics.numbers import angles
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
@@ -19,6 +22,7 @@ from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import apart, without_noise
 from rbpsym.teaching.lines import gaps, lines_to
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
+from rbpsym.teaching.papers.solution import _start
 from rbpsym.teaching.plan import WorksheetPlan, bench_of, plan_of
 from rbpsym.teaching.ranges import default_ranges, middles, si
 from rbpsym.teaching.sheet import sheet_of_text
@@ -302,6 +306,13 @@ def test_numbers_let_it_move_as_it_is_told_and_weigh_as_on_earth() -> None:
     """What a spring pushes over a rough floor starts, and gets to where the spring ends."""
     found = middles(default_ranges(study_of(load_text(PUSHED, "pushed"))))
     assert found["k"] * found["d"] > 2 * found["mu"] * found["m"] * found["g"] and found["g"] == pytest.approx(9.8)
+
+
+def test_a_start_below_is_told_and_an_angle_of_a_place_is_in_degrees() -> None:
+    text = PUSHED.replace('"-d"', '"-h"').replace("parameters = {", 'parameters = { beta = "angle",')
+    problem = load_text(text + 'points = { Q = ["0", "d*tan(beta)"] }', "below")
+    [start] = [part.node for part in _start(problem, "h", Words("en", problem)) if isinstance(part, Math)]
+    assert start == t.neg(t.Sym("x")) and "beta" in angles(problem)
 
 
 PUSHED = """
