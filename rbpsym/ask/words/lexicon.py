@@ -1,0 +1,198 @@
+"""What the bodies, points, forces, coordinates and letters of a problem may be called, each phrase with all that it may mean."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+
+from rbpsym.ask.named import ELEMENTS, KINDS, PARAMETERS, SHAPES, SURFACES, joined
+from rbpsym.ask.named import PLAIN as TOO_PLAIN
+from rbpsym.expr import tree as t
+from rbpsym.quantities import NUMBER
+from rbpsym.quantity.bound import without_articles
+from rbpsym.statement.checks import unknowns_of
+from rbpsym.statement.model import Element, Line, PointRef, Problem
+
+Phrases = Mapping[tuple[str, ...], tuple[str, ...]]
+SHAPE_WORDS = tuple(SHAPES.split("|"))
+RESTING = ("pivot", "pin", "weld", "clamp")  # what holds a point both ways
+TOUCHING = ("contact", "touch", "rolling", "sticking")  # what pushes along a normal
+PULLING = ("string", "link", "pull")
+# words for what holds or pushes, each with the kinds of elements that it may mean
+ROLES: Mapping[str, tuple[str, ...]] = {
+    "normal force|normal reaction|normal|contact force|support force|normal reaction force": TOUCHING,
+    "tension|tensile force|pull|tension force": PULLING,
+    "friction|friction force|frictional force|force of friction|static friction|force of static friction": TOUCHING,
+    "reaction|reaction force|support reaction|force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|tooth force":
+        (*RESTING, *TOUCHING, *PULLING, "spring", "torsion-spring", "damper", "rotary-damper", "gear", "slider", "guide"),
+}  # fmt: skip
+CANONICAL = ("normal force", "tension", "friction", "force")
+SIDES = {"left", "right", "upper", "lower", "front", "rear", "top", "bottom", "back"}
+FEET = ("end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
+GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
+GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
+
+
+class Lexicon:
+    """The phrases of a problem, by the name under which a grammar reads them."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.elements = [*problem.constraints, *problem.interactions]
+        self.blows = [(phase.name, e) for phase in problem.phases for e in phase.impulses]
+        self.it = ""  # whom “it” means in the question that is read
+        self.of: dict[str, dict[tuple[str, ...], list[str]]] = defaultdict(lambda: defaultdict(list))
+        for add in (self._bodies, self._coordinates, self._letters, self._points, self._held, self._phases):
+            add()
+
+    def _add(self, kind: str, phrase: str, name: str) -> None:
+        words = tuple(phrase.replace("-", " ").split()) if " " in phrase else (phrase,)
+        if name not in (known := self.of[kind][words]):
+            known.append(name)
+
+    def _bodies(self) -> None:
+        masses = [body.mass.name for body in self.problem.bodies if isinstance(body.mass, t.Sym)]
+        for body in self.problem.bodies:
+            own = {body.name, body.name.replace("-", " "), body.name.replace("_", " ")}
+            kinds = [word for words, shapes in KINDS.items() if body.shape.kind in shapes for word in words.split("|")]
+            lone = [word for words, shapes in KINDS.items() for word in words.split("|")
+                    if body.shape.kind in shapes and sum(b.shape.kind in shapes for b in self.problem.bodies) == 1]  # fmt: skip
+            if len(self.problem.bodies) == 1:
+                lone += ["body", "object", "mass", *(word for word in SHAPE_WORDS if word in kinds)]
+            mass = body.mass.name if isinstance(body.mass, t.Sym) and masses.count(body.mass.name) == 1 else ""
+            if mass:
+                own |= {mass, f"mass {mass}", *(f"{word} {mass}" for word in kinds), *self._meant(mass, "mass of ")}
+            for name in own:
+                self._add("Body", name, body.name)
+            for word in SHAPE_WORDS:
+                self._add("Body", f"{body.name} {word}", body.name)
+                self._add("Body", f"{word} {body.name}", body.name)
+            for word in lone:
+                if word not in self.problem.body_names:
+                    self._add("Body", word, body.name)
+
+    def _meant(self, letter: str, before: str) -> Iterator[str]:
+        meaning = next((q.meaning for q in self.problem.parameters if q.name == letter), "")
+        if meaning.startswith(before):
+            of = without_articles(meaning.removeprefix(before).removeprefix("the "))
+            yield from [of] if of and not of.startswith("of ") else []
+
+    def _coordinates(self) -> None:
+        for coordinate in self.problem.coordinates:
+            name, meaning = coordinate.name, without_articles(coordinate.quantity.meaning)
+            nouns = ("angle", "position", "coordinate", "distance", "displacement", "height", "length")
+            for phrase in (name, *(f"{noun} {name}" for noun in nouns), *([meaning] if meaning and meaning not in TOO_PLAIN else [])):
+                self._add("Coord", phrase, name)
+        self._add("Coord", "t", "t")
+
+    def _letters(self) -> None:
+        nouns = ("angle", "speed", "velocity", "force", "couple", "torque", "mass", "length", "distance", "height", "coefficient", "power",
+                 "radius", "acceleration", "angular velocity", "angular speed", "stiffness", "spring constant", "load", "time")  # fmt: skip
+        for q in self.problem.parameters:
+            meaning = without_articles(q.meaning)
+            for phrase in (q.name, *(f"{noun} {q.name}" for noun in nouns), *([meaning] if meaning not in ("", *TOO_PLAIN) else [])):
+                self._add("Par", phrase, q.name)
+        stated = (*self.elements, *(e for _, e in self.blows))
+        for words, keys in PARAMETERS.items():
+            values = {v.name for e in stated for key in keys if isinstance(v := e.values.get(key), t.Sym)}
+            if words.startswith("coefficient"):
+                values = {v for v in values if self.problem.dimensions.get(v) == NUMBER}
+            for phrase in words.split("(?:kinetic|sliding)") if "(?:" not in words else [words.replace("(?:kinetic|sliding)", k)
+                                                                                        for k in ("kinetic", "sliding")]:  # fmt: skip
+                for value in sorted(values):
+                    self._add("Par", phrase, value)
+
+    def _points(self) -> None:
+        counted: dict[str, list[str]] = defaultdict(list)
+        for body in self.problem.bodies:
+            for point in (*body.points, "cm"):
+                full = f"{body.name}.{point}"
+                self._add("Point", full, full)
+                for name in self.called("Body", body.name):
+                    self._add("Point", f"{point} of {name}", full)
+                counted[point].append(full)
+            centre = f"{body.name}.{'center' if 'center' in body.points else 'cm'}"
+            for name in self.called("Body", body.name):
+                for word in ("centre", "center", "middle", "midpoint"):
+                    self._add("Point", f"{word} of {name}", centre)
+                for word in ("centre of mass", "center of mass", "centre of gravity", "center of gravity"):
+                    self._add("Point", f"{word} of {name}", f"{body.name}.cm")
+            if len(self.problem.bodies) == 1:
+                for word, point in (("centre", centre), ("center", centre), ("centre of mass", f"{body.name}.cm"),
+                                    ("center of mass", f"{body.name}.cm"), ("mass centre", f"{body.name}.cm")):  # fmt: skip
+                    self._add("Point", word, point)
+        for point, places in counted.items():
+            if len(places) == 1 and point not in ("cm", "start", "end", "center"):
+                self._add("Point", point, places[0])
+                self._add("Point", f"point {point}", places[0])
+        for name in ("O", *self.problem.points):
+            self._add("Point", name, name)
+            self._add("Point", f"point {name}", name)
+        for e in self.elements:
+            if e.kind in RESTING and isinstance(at := e.values.get("at") or e.values.get("center"), PointRef):
+                for word in ("pivot", "hinge", "axle", "axis", "pin", "bearing"):
+                    self._add("Point", word, at.label)
+
+    def called(self, kind: str, name: str) -> list[str]:
+        """The phrases for what has a name."""
+        return [" ".join(words) for words, names in self.of[kind].items() if name in names]
+
+    def _held(self) -> None:
+        for e in self.elements:
+            self._add("Element", e.name, e.name)
+            for name in unknowns_of(e) if e in self.problem.constraints else ():
+                self._add("Force", name, name)
+            self._add("Force", e.name, e.name)
+            self._add("Force", f"force {e.name}", e.name)
+            for words, kinds in ELEMENTS.items():
+                if e.kind in kinds:
+                    for word in words.split("|"):
+                        for phrase in (word, f"{word} {e.name}", f"{e.name} {word}"):
+                            self._add("Element", phrase, e.name)
+                        for other in joined(e):
+                            for phrase in (f"{other} {word}", f"{word} at {other}", f"{word} on {other}", f"{word} of {other}"):
+                                self._add("Element", phrase, e.name)
+            size = next((v.name for v in e.values.values() if isinstance(v, t.Sym) and e in self.problem.interactions), None)
+            if size and e.kind in ("force", "couple", "pull"):
+                self._add("Force", size, e.name)
+            for word in self.grounds(e):
+                self._add("Contact", word, e.name)
+            for word in GUIDES.split("|") if e.kind in ("slider", "guide") else ():
+                self._add("Element", word, e.name)
+            for other in joined(e) & {*self.problem.body_names} if e.kind in TOUCHING else ():
+                for phrase in self.called("Body", other):
+                    self._add("Contact", phrase, e.name)
+            for other in joined(e) - {*self.problem.body_names}:
+                for phrase in (other, f"point {other}", *self.called("Point", other)):
+                    self._add("Contact", phrase, e.name)
+            for part in e.values.values():
+                if isinstance(part, PointRef) and part.body:
+                    for phrase in (*self.called("Point", f"{part.body}.{part.point}"), *([part.point] if part.point else [])):
+                        self._add("Contact", phrase, e.name)
+                    for side in {*(part.point or "").split("_")} & SIDES:
+                        for noun in FEET:
+                            self._add("Contact", f"{side} {noun}", e.name)
+
+    def grounds(self, e: Element) -> Iterator[str]:
+        """The words for what a body touches that does not move."""
+        line = e.values.get("line")
+        if isinstance(line, Line) and not e.values.get("of"):
+            yield from (word for words, fits in SURFACES.items() if fits(line) for word in words.split("|"))
+            yield from ["horizontal", "edge", "corner", "step", "peg", *GROUND.split("|")]
+        elif e.kind in TOUCHING and not e.values.get("of"):
+            yield from [*GROUND.split("|"), "circle", "hoop", "loop", "dome", "bowl", "sphere", "cylinder", "hill", "peg", "corner", "edge",
+                        "incline", "slope", "wire", "step", "ramp"]  # fmt: skip
+
+    def _phases(self) -> None:
+        for phase in self.problem.phases:
+            kind = "Blow" if phase.impulses else "Begin"
+            for phrase in (phase.name, phase.name.replace("-", " "), f"phase {phase.name}"):
+                self._add(kind, phrase, phase.name)
+                self._add("Phase", phrase, phase.name)
+        for _, e in self.blows:
+            for word in (e.name, *self.grounds(e), *(p for b in joined(e) & {*self.problem.body_names} for p in self.called("Body", b))):
+                self._add("Struck", word, e.name)
+
+    def finders(self, kinds: Iterable[str]) -> dict[str, Phrases]:
+        """The phrases by kind, each a tuple of words."""
+        return {kind: {words: tuple(names) for words, names in self.of[kind].items()} for kind in kinds}

@@ -1,0 +1,192 @@
+"""What the rows of the grammar mean that hang on the problem: functions of what was read, None where they mean nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from rbpsym.ask.named import _phases, joined
+from rbpsym.ask.words.chart import Caps
+from rbpsym.ask.words.lexicon import CANONICAL, RESTING, ROLES, TOUCHING, Lexicon
+from rbpsym.quantities import LENGTH, NUMBER
+from rbpsym.statement.model import Element
+from rbpsym.typeset.machine import to_machine
+
+Of = Callable[[Lexicon, Caps], str | None]
+
+
+def _element(lexicon: Lexicon, name: str) -> Element | None:
+    return next((e for e in lexicon.elements if e.name == name), None)
+
+
+def _of_kind(*kinds: str) -> Of:
+    def find(lexicon: Lexicon, caps: Caps) -> str | None:
+        e = _element(lexicon, caps["Element"])
+        return caps["Element"] if e and e.kind in kinds else None
+
+    return find
+
+
+def _role(lexicon: Lexicon, role: str, e: Element | None) -> str | None:
+    """What holds or pushes by its name, if the noun may mean it: “reaction” is none of a rough contact, which has two parts."""
+    row = next(((k, kinds) for k, (words, kinds) in enumerate(ROLES.items()) if role in words.split("|")), None)
+    if row is None or e is None or e.kind not in row[1]:
+        return None
+    if row[0] == 3 and e.kind in TOUCHING and e.values.get("friction"):
+        return None
+    if row[0] == 2 and not e.values.get("friction"):
+        return None
+    noun = "reaction" if row[0] == 3 and e.kind in RESTING else CANONICAL[row[0]]
+    return f"{noun} {e.name}"
+
+
+def _held(lexicon: Lexicon, caps: Caps) -> str | None:
+    return _role(lexicon, caps["Role"], _element(lexicon, caps["Where"]))
+
+
+def _held_on(lexicon: Lexicon, caps: Caps) -> str | None:
+    if caps["Where"]:
+        return _held(lexicon, caps)
+    found = [_role(lexicon, caps["Role"], e) for e in lexicon.elements if caps["Holder"] in joined(e)]
+    lone = [one for one in found if one]
+    return lone[0] if len(lone) == 1 else None
+
+
+def _between(lexicon: Lexicon, caps: Caps) -> str | None:
+    both = {caps["a"], caps["b"]}
+    found = [_role(lexicon, caps["Role"], e) for e in lexicon.elements if both <= joined(e)]
+    lone = [one for one in found if one]
+    return lone[0] if len(lone) == 1 and len(both) == 2 else None
+
+
+def _component(lexicon: Lexicon, caps: Caps) -> str | None:
+    axis, e = {"horizontal": "x", "vertical": "y"}[caps["x"]], _element(lexicon, caps["Held"].split()[-1])
+    return f"{e.name}_{axis}" if e and e.kind in RESTING else f"{axis} component of {caps['Held']}"
+
+
+def _coordinate(lexicon: Lexicon, caps: Caps) -> str | None:
+    wanted = NUMBER if caps["x"] == "angle" else LENGTH
+    found = [c.name for c in lexicon.problem.coordinates if c.quantity.dimension == wanted]
+    return found[0] if len(found) == 1 and caps["x"] != "place" else None
+
+
+def _lone(lexicon: Lexicon) -> str:
+    names = [c.name for c in lexicon.problem.coordinates]
+    return names[0] if len(names) == 1 else ""
+
+
+def _point(lexicon: Lexicon, name: str) -> str:
+    return f"{name}.cm" if name in lexicon.problem.body_names else name
+
+
+def _relative(lexicon: Lexicon, caps: Caps) -> str | None:
+    names = [c.name for c in lexicon.problem.coordinates]
+    if caps["a"] in names or caps["b"] in names:
+        return None
+    size, noun = ("magnitude of ", "velocity") if caps["RelNoun"] == "speed" else ("", caps["RelNoun"])
+    return f"{size}{noun} of {_point(lexicon, caps['a'])} relative to {_point(lexicon, caps['b'])}"
+
+
+def _of_it(lexicon: Lexicon, noun: str) -> str:
+    return f"{noun} of {lexicon.it}" if lexicon.it else noun
+
+
+def _cut(lexicon: Lexicon, caps: Caps) -> str | None:
+    found = _phases(lexicon.problem, f"{caps['who']} is cut")
+    return found.removesuffix(" begins") if found.endswith(" begins") else None
+
+
+def _blow(lexicon: Lexicon, caps: Caps) -> str | None:
+    side = caps["side"].replace("immediately", "just").replace("right before", "just before")
+    return f"{side or 'when'} {caps['Subj'] or 'it'} hits {caps['HitWhat']}" if lexicon.blows else None
+
+
+def _ratio(lexicon: Lexicon, caps: Caps) -> str:
+    return f"ratio of {caps['Noun']} of {caps['a']} to {caps['Noun']} of {caps['b']} {caps['Tails']}"
+
+
+def _named(lexicon: Lexicon, caps: Caps) -> str | None:
+    e = _element(lexicon, caps["Force"])
+    return _role(lexicon, caps["Role"], e) if e else f"{caps['Role']} {caps['Force']}" if caps["Role"] in CANONICAL else None
+
+
+def _ratio_held(lexicon: Lexicon, caps: Caps) -> str | None:
+    both = [_role(lexicon, caps["Role"], _element(lexicon, caps[side])) for side in "ab"]
+    return f"ratio of {both[0]} to {both[1]}" if all(both) else None
+
+
+def _angle_of(lexicon: Lexicon, caps: Caps) -> str | None:
+    angles = [c.name for c in lexicon.problem.coordinates if c.quantity.dimension == NUMBER]
+    return angles[0] if len(angles) == 1 == len(lexicon.problem.bodies) else None
+
+
+def _of_thing(lexicon: Lexicon, caps: Caps, what: str) -> str | None:
+    who = caps["Thing"] or _lone(lexicon)
+    return f"{what} of {who}" if who and "." not in who else None
+
+
+def _full(lexicon: Lexicon, caps: Caps) -> str | None:
+    """A full turn is one of the only coordinate that is an angle, from its start."""
+    found = [c for c in lexicon.problem.coordinates if c.quantity.dimension == NUMBER]
+    if len(found) != 1 or len(lexicon.problem.coordinates) != 1 or found[0].start is None:
+        return None
+    return f"{found[0].name} reaches {to_machine(found[0].start)} + 2*pi"
+
+
+def _weight(lexicon: Lexicon, caps: Caps) -> str | None:
+    names = lexicon.problem.body_names
+    return f"weight of {names[0]}" if len(names) == 1 else None
+
+
+def _of_kinds(what: str, *kinds: str) -> Of:
+    def find(lexicon: Lexicon, caps: Caps) -> str | None:
+        e = _element(lexicon, caps["Element"])
+        return f"{what} {e.name}" if e and e.kind in kinds else None
+
+    return find
+
+
+MEANINGS: Mapping[str, Of] = {
+    "ratio_held": _ratio_held,
+    "angle_of": _angle_of,
+    "full": _full,
+    "weight": _weight,
+    "stable": lambda lexicon, caps: f"{found} is {caps['x']}" if (found := _of_thing(lexicon, caps, "equilibrium")) else None,
+    "equilibrium": lambda lexicon, caps: _of_thing(lexicon, caps, "equilibrium"),
+    "slowing": lambda lexicon, caps: _of_thing(lexicon, caps, caps["x"].replace("retardation", "deceleration")),
+    "distance_from": lambda lexicon, caps: f"distance from {caps['Point']} to {_point(lexicon, caps['Thing'])}",
+    "difference": lambda lexicon, caps: f"{caps['State']} {caps['a']} - {caps['State']} {caps['b']}",
+    "couple": _of_kinds("couple", "couple", "prescribed", "prescribed-angle", "torsion-spring", "rotary-damper", "resisting-couple"),
+    "dissipated": _of_kinds("minus work of", "damper", "rotary-damper", "resistance", "resisting-couple"),
+    "impulse": lambda lexicon, caps: f"impulse of {caps['Struck']}" if caps["Struck"] else "impulse" if lexicon.blows else None,
+    "ratio": _ratio,
+    "strikes": lambda lexicon, caps: f"speed of {caps['Subj']} <2>just before {caps['Subj']} hits {caps['HitWhat']}"
+                                     if lexicon.blows else None,
+    "with_which": lambda lexicon, caps: f"{_of_it(lexicon, 'speed')} <2>where {caps['Event']}",
+    "where": lambda lexicon, caps: f"{_lone(lexicon)} where {caps['Event']}" if _lone(lexicon) else None,
+    "cut": _cut,
+    "blow": _blow,
+    "coordinate": _coordinate,
+    "speed": lambda lexicon, caps: f"speed of {caps['Subj']} = {caps['SpeedValue']}",
+    "rests": lambda lexicon, caps: f"{caps['Subj'] or 'it'} comes to rest",
+    "leaves": lambda lexicon, caps: f"{caps['Subj'] or 'it'} leaves {caps['g']}",
+    "vanishes": lambda lexicon, caps: f"{caps['Held']} vanishes",
+    "stretched": lambda lexicon, caps: f"{'compression' if caps['c'] == 'compressed' else 'elongation'} of {caps['Spring']} = "
+                                       f"{caps['Length']}",
+    "spring": _of_kind("spring", "torsion-spring"),
+    "string": _of_kind("string"),
+    "its": lambda lexicon, caps: _of_it(lexicon, caps["Noun"]),
+    "relative": _relative,
+    "component": _component,
+    "multiple": lambda lexicon, caps: f"{'2' if caps['x'] in ('twice', 'double') else '1/2'}*{caps['State']}",
+    "held": _held,
+    "held_on": _held_on,
+    "between": _between,
+    "named": _named,
+    "distance": lambda lexicon, caps: f"distance travelled by {caps['Thing'] or caps['Subj']}",
+    "angle": lambda lexicon, caps: f"angle turned by {caps['Holder']}" if caps["Holder"] else "angle turned",
+    "turns": lambda lexicon, caps: f"number of turns of {caps['Holder']}" if caps["Holder"] else "number of turns",
+    "work": lambda lexicon, caps: f"work of {caps['Force']}{' on ' if caps['Holder'] else ''}{caps['Holder']}",
+    "work_between": lambda lexicon, caps: next((f"work of {e.name} on {caps['Holder']}" for e in lexicon.elements
+                                                if {caps["Holder"], caps["Body"]} <= joined(e)), None),
+    "change": lambda lexicon, caps: f"change of {caps['State']}",
+}  # fmt: skip
