@@ -139,11 +139,39 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     try:
         with granted(MOST_PRODUCTS):
             other, plain, given = in_letters(with_coefficient(asked, text), text)
-            found = _stated(other, plain, letter)
+            found = _in_its_words(other, plain, letter)
             given = {**found.given, **given}
             return found if plain == text else replace(found, question=replace(found.question, text=text), given=given)
     except WorkSpent as error:
         raise WorkSpent(f"“{text}”: {error.what}", instead=LESS) from None
+
+
+def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
+    """The answer to a question, or to what the grammar of a book's English makes of it, if that is proved. Raises StatementError
+    where it may mean several things with other answers."""
+    try:
+        return _stated(asked, plain, letter)
+    except (StatementError, ReadError) as error:
+        refused = error
+    from rbpsym.ask.words.reader import read
+
+    found: dict[str, Answer] = {}
+    for text in read(asked.problem, plain):
+        with suppress(RbpsymError):
+            one = _stated(asked, text, letter)
+            if one.verdict.is_proved and not any(_is_one(one, other) for other in found.values()):
+                found[text] = one
+    if len(found) > 1:
+        told = " or ".join(f"“{text}”" for text in found)
+        raise StatementError(f"“{plain}” may mean several things", instead=f"write {told}.")
+    for text, one in found.items():
+        return replace(one, question=replace(one.question, text=plain), read_as=text)
+    raise refused
+
+
+def _is_one(found: Answer, other: Answer) -> bool:
+    """Whether two answers say the same."""
+    return (found.relation, found.says, found.values, found.symbol) == (other.relation, other.says, other.values, other.symbol)
 
 
 def _stated(asked: Asked, plain: str, letter: str) -> Answer:

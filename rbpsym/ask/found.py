@@ -63,7 +63,7 @@ class Answer(Frozen):
     sentence, yes or no (`holds_so`), the `equation` that it solves where that has no closed solution; `at`: where an
     extremum lies; what is `given` for letters of the question itself; the `conclusion`, and the `grounds` on which rules
     have checked it; the speeds that it takes to be `kept`, since no acceleration is stated; `derivations`: the steps with their
-    letters, phase by phase, for the prover that is asked of them."""
+    letters, phase by phase, for the prover that is asked of them; `read_as`: what a book's words were taken to mean."""
 
     question: Question
     study: Study
@@ -85,6 +85,7 @@ class Answer(Frozen):
     grounds: tuple[Step, ...] = ()
     derivations: tuple[Derivation, ...] = field(default=(), compare=False, repr=False)
     kept: tuple[t.Node, ...] = ()
+    read_as: str = ""
 
     @property
     def value(self) -> Scalar:
