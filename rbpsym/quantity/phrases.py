@@ -75,8 +75,8 @@ def _gathered(world: ProblemWorld, phrase: str) -> Bound:
 
 def _of_coordinate(order: int) -> Callable[[ProblemWorld, str], Bound]:
     def find(world: ProblemWorld, name: str) -> Bound:
-        if name in world.study.system.bodies and name not in world.coordinates:
-            return _of_point(order)(world, f"{name}.cm")
+        if name in {*world.study.system.bodies, *world.study.system.unknowns} - {*world.coordinates}:  # a contact is at its point
+            return _of_point(order)(world, name)
         if name in {quantity.name for quantity in world.study.problem.parameters}:
             hint = did_you_mean(name, [*world.coordinates, *world.study.system.bodies], "coordinates and bodies")
             raise StatementError(f"“{name}” is a constant, and does not move", instead=hint)
@@ -92,7 +92,7 @@ def _of_coordinate(order: int) -> Callable[[ProblemWorld, str], Bound]:
 def _speed_of(world: ProblemWorld, noun: str, name: str) -> Bound:
     """The rate of a coordinate, with its sign; of a body the velocity of its centre of mass, or the magnitude of that."""
     found = _of_coordinate(1)(world, name)
-    return _magnitude(world, f"velocity of {name}.cm") if noun == "speed" and found.vector is not None else found
+    return _magnitude(world, f"velocity of {name}") if noun == "speed" and found.vector is not None else found
 
 
 def _of_point(order: int) -> Callable[..., Bound]:

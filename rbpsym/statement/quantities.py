@@ -81,7 +81,7 @@ def _parameter(name: str, section: SourceTable) -> Quantity:
     if not isinstance(item.value, str) or not item.value.strip():
         raise item.error(f"the parameter “{name}” must be a text, not {kind_of(item.value)}", _EXAMPLE)
     head, _, meaning = item.value.partition(":")
-    dimension, _, sign = _BOUND.sub("", head, count=1).partition(",")
+    dimension, _, sign = _BOUND.sub("", re.sub(r"^\s*acute\b", "angle, acute", head), count=1).partition(",")  # “acute” alone
     checked = _sign(item, sign, len(dimension) + 1) if sign else "positive"
     return _quantity(item, name, _dimension(item, dimension), meaning.strip(), checked)
 

@@ -304,7 +304,7 @@ def in_radians(value: float, dimension: Dimension | None) -> str:
 def for_a_dimension(word: str, hint: str) -> str:
     """Where a number with its unit, a sign, or the meaning alone, stands for a dimension."""
     if word in SIGNS:
-        return f'“{word}” is a sign and stands after the dimension: "{"angle" if word == "acute" else "length"}, {word}: ..."'
+        return f'“{word}” is a sign and stands after the dimension: "length, {word}: ..."'
     number, _, unit = word.strip().partition(" ")
     if re.match(r"[-+]?\d", number):
         found = unit_named(unit) if unit else None

@@ -27,6 +27,7 @@ ANSWERS = (
     ("block-drawn-back", "a for which it stops within D", "mu*m*g/k + D/2"),
     ("wheel-spun-forward", "least speed of phi", "(R*w_0 + v_0)/(2*R)"),
     ("wheel-spun-forward", "largest speed of phi", "w_0"),
+    ("puck-on-dome", "speed with which it leaves", "sqrt((2*g*R + v_0**2)/3)"),  # N's point: it was 0, the rate of a force
 )
 
 

@@ -11,7 +11,7 @@ from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 
 BLOCK = """
-parameters = {m = "mass", g = "acceleration", beta = "angle, acute", v_0 = "velocity"}
+parameters = {m = "mass", g = "acceleration", beta = "acute", v_0 = "velocity"}
 coordinates.s = {start = "0", speed = "v_0"}
 bodies.block = {shape = "particle", mass = "m", center = ["s*cos(beta)", "s*sin(beta)"]}
 interactions.W = {type = "gravity"}
