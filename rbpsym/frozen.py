@@ -16,7 +16,7 @@ from operator import attrgetter
 from typing import Any, NoReturn, dataclass_transform
 
 put = object.__setattr__
-OFTEN = 50  # times that a class is made before its constructor is written out
+OFTEN = 300  # times that a class is made before its constructor is written out
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
