@@ -63,6 +63,10 @@ class StatementError(RbpsymError):
     """A problem statement that contradicts itself or does not determine the motion."""
 
 
+class Ambiguous(StatementError):
+    """Words that were understood, and may mean several things here, or nothing that is known: no other meaning is looked for."""
+
+
 class Indistinct(StatementError):
     """Unknown forces that the equations do not tell apart: `free`."""
 

@@ -10,7 +10,7 @@ from itertools import permutations
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
-from rbpsym.errors import Indistinct, LimitError, NotApplicable, StatementError, Undecided, there
+from rbpsym.errors import Ambiguous, Indistinct, LimitError, NotApplicable, StatementError, Undecided, there
 from rbpsym.field import NOTHING, Poly, Scalar, depends_on, derivative, kept, names_in, short, substitute, symbol
 from rbpsym.frozen import Frozen, field, replace
 from rbpsym.mechanics.arrivals import ArrivalState, with_starts
@@ -138,11 +138,11 @@ def _at_end(value: Scalar, gain: Scalar, name: str, end: Scalar | None, known: S
     return _follows(short(substitute(value, {name: end})), [short(substitute(fact, {name: end})) for fact in known], given)
 
 
-class NoClosedForm(StatementError):
+class NoClosedForm(Ambiguous):
     """What is asked has no closed form that is found here; with numbers it may be found."""
 
 
-class NotMet(StatementError):
+class NotMet(Ambiguous):
     """A moment does not come at any of the numbers that were tried."""
 
 

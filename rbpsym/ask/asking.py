@@ -19,7 +19,7 @@ from rbpsym.ask.seen import scene
 from rbpsym.ask.senses import converse, taken_for_kept, under, whichever
 from rbpsym.ask.special import COEFFICIENT, special_problem, with_coefficient
 from rbpsym.ask.units import in_letters
-from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided, WorkSpent
+from rbpsym.errors import Ambiguous, RbpsymError, ReadError, StatementError, Undecided, WorkSpent
 from rbpsym.field import depends_on, granted
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.arrivals import mover
@@ -151,6 +151,8 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
     where it may mean several things with other answers."""
     try:
         return _stated(asked, plain, letter)
+    except Ambiguous:
+        raise
     except (StatementError, ReadError) as error:
         refused = error
     from rbpsym.ask.words.reader import read
@@ -163,7 +165,7 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
                 found[text] = one
     if len(found) > 1:
         told = " or ".join(f"“{text}”" for text in found)
-        raise StatementError(f"“{plain}” may mean several things", instead=f"write {told}.")
+        raise Ambiguous(f"“{plain}” may mean several things", instead=f"write {told}.")
     for text, one in found.items():
         return replace(one, question=replace(one.question, text=plain), read_as=text)
     raise refused

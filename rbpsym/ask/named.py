@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from rbpsym.errors import StatementError
+from rbpsym.errors import Ambiguous
 from rbpsym.expr import tree as t
 from rbpsym.field import is_zero
 from rbpsym.field.evaluate import scalar
@@ -78,7 +78,7 @@ def _elements(problem: Problem, text: str) -> str:
         many = _any([word for word in {*touched} if 1 < touched.count(word) < len(found) + (word in problem.body_names)])
         if open_ := re.search(rf"\bthe (?:{many}) (?:{words})\b", text):
             meant = " or ".join(f"“{e.name}”" for e in found if {*open_[0].split()} & joined(e))
-            raise StatementError(f"“{open_[0]}” may be {meant}", instead="write its name.")
+            raise Ambiguous(f"“{open_[0]}” may be {meant}", instead="write its name.")
         for element in found:
             own = _any([word for word in joined(element) if touched.count(word) == 1 and len(found) > 1])
             said = rf"(?:{own}) (?:{words})|(?:{words})(?: (?:at|on|to|of))?(?: the)? (?:{own})"

@@ -13,7 +13,7 @@ from rbpsym.ask.named import GROUNDS, SURFACES, joined
 from rbpsym.ask.question import SUPERLATIVES, Question, When
 from rbpsym.ask.seen import AskedPhase, place_in, scene
 from rbpsym.decide.signs import sign
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.errors import Ambiguous, RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import PI, Scalar, depends_on, derivative, is_zero, names_in, root, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -130,7 +130,7 @@ def _struck(asked: Asked, text: str) -> str:
     strikes = (said["who"] == "it" and " is " not in said[0]) or head.endswith(f" of {said['who']} ")
     if said["when"] in ("when", "where", "as") and side != "until" and not strikes:
         both = f"“just before {name}” or “right after {name}”"
-        raise StatementError(f"“{said[0]}” may be before the blow or after it", instead=f"write {both}.")
+        raise Ambiguous(f"“{said[0]}” may be before the blow or after it", instead=f"write {both}.")
     return f"{head}{side} {name}{text[said.end() :]}"
 
 

@@ -14,7 +14,7 @@ from rbpsym.ask.placed import along_a_line, placed
 from rbpsym.ask.question import GREATEST, SUPERLATIVES, Question, When
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.errors import Ambiguous, RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, depends_on, is_zero, names_in, short
 from rbpsym.mechanics.arrivals import mover
@@ -161,7 +161,7 @@ def _require_heat(asked: Asked) -> None:
     drives = next((element.name for element in elements if element.kind in DRIVES), None)
     if drives is not None:
         what = f"“{drives}” does work too: what becomes heat is not what the motion loses"
-        raise StatementError(what, instead="ask for the work of what rubs or brakes: “minus work of FORCE until …”.")
+        raise Ambiguous(what, instead="ask for the work of what rubs or brakes: “minus work of FORCE until …”.")
 
 
 def _way(asked: Asked, name: str, of: str = "way") -> str:

@@ -18,7 +18,7 @@ from rbpsym.decide.bounds import of_symbol
 from rbpsym.decide.dimensions import a, dimension_of
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
-from rbpsym.errors import DimensionError, StatementError, Undecided, all_there
+from rbpsym.errors import Ambiguous, DimensionError, StatementError, Undecided, all_there
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.field.evaluate import scalar
@@ -36,7 +36,7 @@ from rbpsym.statement.source import did_you_mean
 from rbpsym.typeset.text import to_text
 
 
-class NeverThere(StatementError):
+class NeverThere(Ambiguous):
     """A coordinate does not come to a place in this phase."""
 
 

@@ -32,6 +32,7 @@ def record(found: Answer, given: GivenNumbers | None = None) -> dict[str, Any]:
     names = sorted({name for node in (*found.nodes, *found.valid) for name in t.names(node)} - {"pi"})
     return {
         "question": found.question.text,
+        **({"read_as": found.read_as} if found.read_as else {}),
         **({"given": dict(found.given)} if found.given else {}),
         "answer": _answer(found),
         "latex": latex_of(found) or None,

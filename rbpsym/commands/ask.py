@@ -114,6 +114,7 @@ def lines(
 
     notation = Notation(problem.notation)
     yield click.style(record["question"], bold=True)
+    yield from [click.style(f"    (read as “{record['read_as']}”)", dim=True)] if "read_as" in record else ()
     is_doubtful = report is not None and record["verdict"] == PROVED and not report.is_whole
     sign, colour = UNCERTIFIED if is_doubtful else MARKS[Kind(record["verdict"])]
     mark = click.style(sign, fg=colour)

@@ -1,8 +1,9 @@
 """A reader of grammars: every way to read a text from its beginning to its end, with what each costs.
 
-A grammar has rows “pattern -> meaning” under names. In a pattern a word stands for itself, `a|b` for one of two, `[…]` for what may
-be missing, `(…)` for a group (`(…):x` for its words under the name x), and a name with a capital letter for what is read under that name; a meaning takes these up by their
-names in braces, or is a function of them (`@name`), which returns None where they mean nothing.
+A grammar has rows “pattern -> meaning” under names. In a pattern a word stands for itself, `a|b` for one of two, `[…]` for
+what may be missing, `(…)` for a group (`(…):x` for its words under the name x), and a name with a capital letter for what is
+read under that name; a meaning takes these up by their names in braces, or is a function of them (`@name`), None where they
+mean nothing.
 """
 
 from __future__ import annotations

@@ -23,10 +23,17 @@ ROLES: Mapping[str, tuple[str, ...]] = {
     "normal force|normal reaction|normal|contact force|support force|normal reaction force": TOUCHING,
     "tension|tensile force|pull|tension force": PULLING,
     "friction|friction force|frictional force|force of friction|static friction|force of static friction": TOUCHING,
-    "reaction|reaction force|support reaction|force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|tooth force":
+    "reaction|reaction force|support reaction|force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|"
+    "tooth force":
         (*RESTING, *TOUCHING, *PULLING, "spring", "torsion-spring", "damper", "rotary-damper", "gear", "slider", "guide"),
 }  # fmt: skip
 CANONICAL = ("normal force", "tension", "friction", "force")
+CURVED = "circle|hoop|loop|dome|bowl|sphere|cylinder|hill|peg|corner|edge|incline|slope|wire|step|ramp"
+OF_LETTERS = (
+    "angle", "speed", "velocity", "force", "couple", "torque", "mass", "length", "distance", "height", "coefficient",
+    "power", "radius",
+    "acceleration", "angular velocity", "angular speed", "stiffness", "spring constant", "load", "time",
+)  # fmt: skip
 SIDES = {"left", "right", "upper", "lower", "front", "rear", "top", "bottom", "back"}
 FEET = ("end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
 GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
@@ -81,24 +88,23 @@ class Lexicon:
         for coordinate in self.problem.coordinates:
             name, meaning = coordinate.name, without_articles(coordinate.quantity.meaning)
             nouns = ("angle", "position", "coordinate", "distance", "displacement", "height", "length")
-            for phrase in (name, *(f"{noun} {name}" for noun in nouns), *([meaning] if meaning and meaning not in TOO_PLAIN else [])):
+            own = [meaning] if meaning and meaning not in TOO_PLAIN else []
+            for phrase in (name, *(f"{noun} {name}" for noun in nouns), *own):
                 self._add("Coord", phrase, name)
         self._add("Coord", "t", "t")
 
     def _letters(self) -> None:
-        nouns = ("angle", "speed", "velocity", "force", "couple", "torque", "mass", "length", "distance", "height", "coefficient", "power",
-                 "radius", "acceleration", "angular velocity", "angular speed", "stiffness", "spring constant", "load", "time")  # fmt: skip
         for q in self.problem.parameters:
             meaning = without_articles(q.meaning)
-            for phrase in (q.name, *(f"{noun} {q.name}" for noun in nouns), *([meaning] if meaning not in ("", *TOO_PLAIN) else [])):
+            own = [] if meaning in ("", *TOO_PLAIN) else [meaning]
+            for phrase in (q.name, *(f"{noun} {q.name}" for noun in OF_LETTERS), *own):
                 self._add("Par", phrase, q.name)
         stated = (*self.elements, *(e for _, e in self.blows))
         for words, keys in PARAMETERS.items():
             values = {v.name for e in stated for key in keys if isinstance(v := e.values.get(key), t.Sym)}
             if words.startswith("coefficient"):
                 values = {v for v in values if self.problem.dimensions.get(v) == NUMBER}
-            for phrase in words.split("(?:kinetic|sliding)") if "(?:" not in words else [words.replace("(?:kinetic|sliding)", k)
-                                                                                        for k in ("kinetic", "sliding")]:  # fmt: skip
+            for phrase in {words.replace("(?:kinetic|sliding)", kind) for kind in ("kinetic", "sliding")}:
                 for value in sorted(values):
                     self._add("Par", phrase, value)
 
@@ -180,8 +186,7 @@ class Lexicon:
             yield from (word for words, fits in SURFACES.items() if fits(line) for word in words.split("|"))
             yield from ["horizontal", "edge", "corner", "step", "peg", *GROUND.split("|")]
         elif e.kind in TOUCHING and not e.values.get("of"):
-            yield from [*GROUND.split("|"), "circle", "hoop", "loop", "dome", "bowl", "sphere", "cylinder", "hill", "peg", "corner", "edge",
-                        "incline", "slope", "wire", "step", "ramp"]  # fmt: skip
+            yield from (*GROUND.split("|"), *CURVED.split("|"))
 
     def _phases(self) -> None:
         for phase in self.problem.phases:
@@ -190,7 +195,8 @@ class Lexicon:
                 self._add(kind, phrase, phase.name)
                 self._add("Phase", phrase, phase.name)
         for _, e in self.blows:
-            for word in (e.name, *self.grounds(e), *(p for b in joined(e) & {*self.problem.body_names} for p in self.called("Body", b))):
+            struck = (phrase for body in joined(e) & {*self.problem.body_names} for phrase in self.called("Body", body))
+            for word in (e.name, *self.grounds(e), *struck):
                 self._add("Struck", word, e.name)
 
     def finders(self, kinds: Iterable[str]) -> dict[str, Phrases]:

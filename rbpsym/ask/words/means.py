@@ -155,8 +155,8 @@ MEANINGS: Mapping[str, Of] = {
     "slowing": lambda lexicon, caps: _of_thing(lexicon, caps, caps["x"].replace("retardation", "deceleration")),
     "distance_from": lambda lexicon, caps: f"distance from {caps['Point']} to {_point(lexicon, caps['Thing'])}",
     "difference": lambda lexicon, caps: f"{caps['State']} {caps['a']} - {caps['State']} {caps['b']}",
-    "couple": _of_kinds("couple", "couple", "prescribed", "prescribed-angle", "torsion-spring", "rotary-damper", "resisting-couple"),
-    "dissipated": _of_kinds("minus work of", "damper", "rotary-damper", "resistance", "resisting-couple"),
+    "couple": _of_kinds("couple", "couple", "prescribed-angle", "torsion-spring", "rotary-damper", "resisting-couple"),
+    "dissipated": _of_kinds("minus work of", "resisting-couple"),
     "impulse": lambda lexicon, caps: f"impulse of {caps['Struck']}" if caps["Struck"] else "impulse" if lexicon.blows else None,
     "ratio": _ratio,
     "strikes": lambda lexicon, caps: f"speed of {caps['Subj']} <2>just before {caps['Subj']} hits {caps['HitWhat']}"

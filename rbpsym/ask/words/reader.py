@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache, partial
 
-from rbpsym.ask.words.chart import Chart, Reading, Rule, Token, compiled, tokens
-from rbpsym.ask.words.lexicon import GROUND, ROLES, Lexicon
+from rbpsym.ask.words.chart import Chart, Meaning, Node, Reading, Token, compiled, tokens
+from rbpsym.ask.words.clauses import CLAUSES
+from rbpsym.ask.words.lexicon import GROUND, ROLES, Lexicon, Phrases
 from rbpsym.ask.words.means import MEANINGS
-from rbpsym.ask.words.rules import RULES
+from rbpsym.ask.words.nouns import NOUNS
+from rbpsym.ask.words.questions import QUESTIONS
 from rbpsym.ask.words.verbs import patterns
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
@@ -21,20 +23,22 @@ from rbpsym.statement.model import Problem
 
 UNREAD, MOST_UNREAD = 4, 16  # what a word costs that is taken as it is written, and what a reading may cost
 NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Phase", "Struck")
-ARTICLE = re.compile(r"\b(?:[Tt]he|an?) (?=[A-Za-z]\w\w)(?!for|with|where|when|and|until|from|vanishes|equals|reaches|relative)")
-GROUNDS = f"{GROUND}|wall|incline|slope|ramp|hill|dome|bowl|loop|circle|sphere|wedge|edge|corner|step|peg|hoop|guide|wire|cylinder|drum|curve|tube|bar|rod"
+GROUNDS = (
+    f"{GROUND}|wall|incline|slope|ramp|hill|dome|bowl|loop|circle|sphere|wedge|edge|corner|step|peg|hoop|guide|wire|cylinder|drum|"
+    "curve|tube|bar|rod"
+)
+A_NOUN = "distance|height|time|speed|angle|function|full|complete|length|force|turn|revolution|depth|way"
 VALUES = {"Length": LENGTH, "Angle": NUMBER, "Time": TIME, "SpeedValue": LENGTH / TIME, "TurnValue": NUMBER / TIME}
 
 
 @cache
-def grammar() -> dict[str, list[tuple[object, str, int]]]:
+def grammar() -> dict[str, list[tuple[Node, str, int]]]:
     """The rows of the grammar by name, with what each costs."""
-    found: dict[str, list[tuple[object, str, int]]] = {}
-    rows = found
-    for line in RULES.splitlines():
+    rows: dict[str, list[tuple[Node, str, int]]] = {}
+    for line in re.sub(r"\n {4,}", " ", QUESTIONS + CLAUSES + NOUNS).splitlines():
         if line and not line[0].isspace():
-            name = line.strip()
-        elif line.strip():
+            name = line
+        elif line:
             rows.setdefault(name, []).append(_row(line))
     for name, row in patterns().items():
         rows[name] = [_row(row)]
@@ -45,7 +49,7 @@ def grammar() -> dict[str, list[tuple[object, str, int]]]:
     return rows
 
 
-def _row(line: str) -> tuple[object, str, int]:
+def _row(line: str) -> tuple[Node, str, int]:
     pattern, _, meaning = line.strip().partition(" ->")
     meaning, _, cost = meaning.partition(" !")
     return compiled(re.sub(r"(?<=[\s\[(|])an? ", "", pattern)), meaning.strip(), int(cost or 0)
@@ -64,12 +68,10 @@ def read(problem: Problem, text: str) -> list[str]:
         "Formula": partial(_value, problem, plain, None, True),
         "Raw": partial(_raw, plain),
     }
-    functions = {name: partial(find, lexicon) for name, find in MEANINGS.items()}
+    functions: dict[str, Meaning] = {name: partial(find, lexicon) for name, find in MEANINGS.items()}
     functions["it"] = lambda caps: lexicon.it or "it"
-    rules: dict[str, list[Rule]] = {
-        name: [(node, functions[meaning[1:]] if meaning.startswith("@") else meaning, cost) for node, meaning, cost in rows]
-        for name, rows in grammar().items()
-    }  # type: ignore[misc]
+    rules = {name: [(node, functions.get(meaning[1:], meaning), cost) for node, meaning, cost in rows]
+             for name, rows in grammar().items()}  # fmt: skip
     found = {spoken: cost for one, cost in Chart(plain, rules, finders).read("Question").items() if (spoken := _ordered(one))}
     least = min(found.values(), default=MOST_UNREAD)
     return [one for one, cost in found.items() if cost == least < MOST_UNREAD]
@@ -82,7 +84,7 @@ def _plain(problem: Problem, text: str) -> str:
         plain = plain[0].lower() + plain[1:]
     plain = re.sub(r"\b(?:the|an) (?=\S)", "", plain)
     if "a" in problem.dimensions:
-        return re.sub(r"\ba (?=(?:distance|height|time|speed|angle|function|full|complete|length|force|turn|revolution|depth|way)\b)", "", plain)
+        return re.sub(rf"\ba (?=(?:{A_NOUN})\b)", "", plain)
     return re.sub(r"\ba (?=[A-Za-z])", "", plain)
 
 
@@ -98,7 +100,7 @@ def _it(lexicon: Lexicon, words: list[Token]) -> str:
     return names[0] if len(names) == 1 else ""
 
 
-def _phrase(known: dict[tuple[str, ...], tuple[str, ...]], words: list[Token], at: int) -> Iterator[Reading]:
+def _phrase(known: Phrases, words: list[Token], at: int) -> Iterator[Reading]:
     for phrase, names in known.items():
         if at < len(words) and phrase[0] == words[at].word and phrase == tuple(one.word for one in words[at : at + len(phrase)]):
             yield from (Reading(at + len(phrase), name, 0) for name in names)
@@ -121,7 +123,8 @@ def _value(problem: Problem, plain: str, dimension: object, is_formula: bool, wo
 
 
 def _raw(plain: str, words: list[Token], at: int) -> Iterator[Reading]:
-    yield from (Reading(to, plain[words[at].begin : words[to - 1].end], UNREAD * (to - at)) for to in range(at + 1, len(words) + 1))
+    ends = range(at + 1, len(words) + 1)
+    yield from (Reading(to, plain[words[at].begin : words[to - 1].end], UNREAD * (to - at)) for to in ends)
 
 
 def _ordered(text: str) -> str | None:

@@ -1,0 +1,232 @@
+"""The clauses of questions (see `questions`): moments, spans of the motion, what happens in it."""
+
+from __future__ import annotations
+
+CLAUSES = r"""
+Tails
+  Tail [,] [Tails] -> {Tail} {Tails}
+
+Tail
+  Moment -> <2>{Moment}
+  (as [a] function of|in terms of|as functions of|by) Arg -> <3>as a function of {Arg}
+  (in|during) phase Phase -> <1>in phase {Phase}
+  (for|in|under|in case of) small (oscillations|swings|vibrations|displacements|amplitudes) -> <4>for small oscillations
+  (for|if|when|in case of) [it is|Thing is] (critically damped|critical damping|underdamped|overdamped):x -> <4>{x}
+  (when|if) (damping is critical|critical damping) -> <4>critically damped
+  Given -> <5>{Given}
+
+Arg
+  Coord -> {Coord}
+  time -> t
+  Par -> {Par}
+  (state|positions and speeds|position and speed) -> state
+  (speed|velocity) of Coord -> speed of {Coord}
+
+Given
+  (with|if|when|where|for|given|taking|at) Par (=|is) Value [Givens] -> with {Par} = {Value}{Givens}
+
+Givens
+  [,|and] Par (=|is) Value [Givens] -> , {Par} = {Value}{Givens}
+
+Moment
+  At (start|beginning|first|outset|release|moment of release|instant of release|start of motion|beginning of motion|instant
+      it is released|moment it is released|very start|very beginning) -> at start
+  (initially|at first|just after release|right after release|immediately after release|shortly after release|on release|upon
+      release|at release|when released|just after it is released) -> at start
+  [JustAfter|when|as soon as|once|at instant|at moment|instant|moment] Subj (is|are|has been|was) (released|let go|set free)
+      [from rest] [from Raw] -> at start
+  (at|in) its (initial|starting) position -> at start
+  When Event -> where {Event}
+  When Begin -> when {Begin} begins
+  When BeginClause -> when {BeginClause} begins
+  JustBefore Event -> where {Event}
+  JustBefore (Begin|Blow):x [Begins] -> just before {x}
+  JustBefore BeginClause -> just before {BeginClause}
+  JustAfter (Begin|Blow):x [Begins] -> right after {x}
+  after (Begin|Blow):x [Begins] -> right after {x}
+  JustAfter BeginClause -> right after {BeginClause}
+  after BeginClause -> right after {BeginClause}
+  JustAfter Event -> where {Event}
+  after Event -> where {Event}
+  before (Blow|BlowNoun):x -> just before {x}
+  JustBefore BlowNoun -> just before impact
+  (JustAfter|after) BlowNoun -> right after impact
+  (just before|right before|immediately before|just after|right after|immediately after|before|after):side Subj Hit HitWhat
+      -> @blow
+  When Subj (first|) Hit HitWhat -> @blow
+  At Place -> where {Place}
+  on (hitting|striking) HitWhat -> @blow
+  (at|in|for) [its|position of] [stable] (equilibrium|rest|equilibrium position|equilibrium configuration|rest position) ->
+      in equilibrium
+  (at|in) [its|position of] unstable (equilibrium|equilibrium position) -> in unstable equilibrium
+  At [its] (lowest|bottom):x (point|position|place) [of [its] (path|swing|motion|arc|track|loop|circle|hill|dip)] -> at its
+      lowest point
+  At [its] (highest|top|uppermost):x (point|position|place) [of [its] (path|swing|motion|arc|track|loop|circle|hill)] -> at
+      its highest point
+  At bottom [of [its] (path|swing|motion|arc|track|loop|circle|bowl|dip|trough)] -> at bottom
+  At top [of [its] (path|swing|motion|arc|track|loop|circle|hill)] -> at top
+  When Subj [Aux] (is in|is at|in|reach|reaches|pass|passes|passes through|is passing through|reaches its|passes its|goes
+      through|is passing) [its|through] (lowest|bottom) [point|position|place] [of [its] (path|swing|motion|arc|track|loop|
+      circle)] -> where {Subj} is at its lowest point
+  When Subj [Aux] (is in|is at|in|reach|reaches|pass|passes|passes through|is passing through|goes through|is passing) [its|
+      through] (highest|uppermost|top) [point|position|place] [of [its] (path|swing|motion|arc|track|loop|circle)] -> where
+      {Subj} is at its highest point
+  At [its] turning point [of Coord] -> at turning point
+  At end of (phase Phase|Phase) -> at end of phase {Phase}
+  after Elapsed -> {Elapsed}
+
+Elapsed
+  [a] [time] [of] Time -> where t = {Time}
+  Value (turns|revolutions|rotations|turn|revolution) [of Body] -> after {Value} turns
+  a fall of Value -> where it has fallen {Value}
+  (falling|descending|dropping) [through] [a (distance|height) [of]] Value -> where it has fallen {Value}
+
+At
+  (at|in|from|for|with it at) [moment of|instant of|point of] ->
+  at [the] ->
+
+When
+  (when|where|once|as|while|as soon as|at instant|at instant when|at instant that|at moment|at moment when|at moment that|at
+      point where|at time|at time when|just as|just when|the moment|the instant|by time|at which|at position where|at place
+      where|for position where|at instant at which) [first] ->
+
+JustBefore
+  (just|right|immediately|shortly|directly|an instant|the instant) (before|prior to) ->
+
+JustAfter
+  (just|right|immediately|shortly|directly|an instant) after ->
+  as soon as ->
+
+Begins
+  (begins|starts|has begun|sets in|begin) ->
+
+BeginClause
+  (Element|It|Contact):who Cut -> @cut
+
+Aux
+  (has|have|had|has just|have just|just|will|first|has first|to|can|would|could|next|again|is just|does|do|did|may|must|
+      finally|momentarily|to just|will just|just has|is|are|be|being|in|on|by|will have|first has) ->
+
+BlowNoun
+  (impact|collision|blow|bounce|it is struck|striking|hit) ->
+
+HitWhat
+  (Body|Ground|Point):x -> {x}
+
+Event
+  Coord [Aux] (=|is|reaches|equals|becomes|reach|has reached|has value|reaches value|is equal to|be|to be|has become) Value
+      -> {Coord} = {Value}
+  [angle|position] Coord = Value -> {Coord} = {Value}
+  Subj Reach Place -> {Place}
+  Subj (at|is at) Place -> {Place}
+  State (=|is|reaches|equals|becomes|has fallen to|has dropped to|falls to|drops to|has risen to|is reduced to|is equal to|
+      has decreased to|has increased to) Value -> {State} = {Value}
+  State:a (=|is|reaches|equals|becomes|is equal to) State:b -> {a} = {b}
+  State (is|becomes|reaches its) Top -> {State} is {Top}
+  Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|is moving at|is moving with|moves with|moves at|
+      to reach|to attain|reaching|to have|moves with a|travels at) [a|its] [speed|velocity] [of] SpeedValue -> @speed
+  Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|to reach|to attain|reaching|to have|rotates at|
+      turns at|turns with) [its] (angular velocity|angular speed|speed) [of] TurnValue -> angular velocity of {Subj} =
+      {TurnValue}
+  [Subj] Stop [again|momentarily|completely|for first time|instantaneously] -> @rests
+  [Subj] Return [to (its|start|starting|initial|where|original)] [start|point|position|starting point|starting position|place|
+      it started] -> {Subj} comes back
+  [Subj] Fall [down|by|through] [a|its] [(distance|height|depth|way)] [of] Length -> {Subj} has fallen {Length}
+  [Subj] Rise [up|by|through] [a] [(distance|height)] [of] Length -> {Subj} has risen {Length}
+  [Subj] Go [down|up|by|through|along] [a|its] [(distance|way|length)] [of] Length [Along] -> {Subj} has moved {Length}
+  [Subj] Turn [through|by|around] [angle] [of] Turned -> {Subj} has turned {Turned}
+  [Subj] [Aux] (made|make|makes|making|complete|completed|completes|Turn) Value (turns|revolutions|rotations|full turns) ->
+      {Subj} has turned 2*pi*({Value})
+  [Subj] [Aux] (made|make|makes|making|complete|completed|completes) (one|a|one full|a full|a complete|one complete) (turn|
+      revolution|rotation) -> {Subj} has turned 2*pi
+  [Subj] [Aux] Leave [Ground:g|Body:g|Point:g] -> @leaves
+  String [Aux] (goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
+  Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
+  (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost
+  [Subj] (stops|stop|ceases|cease|no longer|has stopped) (slipping|sliding|slips|slides|skidding|to slip|to slide|skids) ->
+      {Subj} stops slipping
+  (slipping|sliding|slip|skidding) (stops|ceases|ends|has ceased|has stopped) -> it stops slipping
+  [Subj] (begins|starts|begin|start|has begun|has started|beginning|starting|to begin|to start) (rolling|to roll|pure
+      rolling) [without slipping|purely] -> {Subj} stops slipping
+  [Subj] (rolls|roll|rolling|is rolling|to roll) [without slipping|without sliding|purely] -> {Subj} stops slipping
+  (rolling|pure rolling|rolling without slipping) (begins|starts|sets in|has begun|occurs) -> it stops slipping
+  [Subj] (begins|starts|begin|start|to begin|to start|just begins|first begins|beginning|starting) (to slip|to slide|slipping|
+      sliding|to skid) -> {Subj} slips
+  [Subj] (slips|slip) -> {Subj} slips
+  [Subj] [Aux] Tip -> {Subj} tips
+  Subj (is|becomes|are|gets|has become|be|being|to be) (vertical|horizontal):x -> {Subj} is {x}
+  Subj (makes|makes an angle of|forms|makes an angle|is inclined at|is at) [an angle of] Value [degrees|deg]:d (with|to|from)
+      [the] (vertical|horizontal):x -> {Subj} makes {Value} {d} with {x}
+  [Subj] (is in|in|to) [a] (vertical|horizontal):x position -> {Subj} is {x}
+  Body:a (catches|overtakes|reaches|catches up with|meet|meets|catch|overtake|passes) Body:b -> {a} meets {b}
+  Body:a and Body:b (meet|pass|are level|are side by side|collide|are at same height|are at same level) -> {a} meets {b}
+  Body:a and Body:b (have|turn with|rotate with|turn at|rotate at) (same|equal|a common) angular (velocity|speed|velocities|
+      speeds) -> {a} and {b} have same angular velocity
+  Spring [Aux] (reaches|is at|has|regains|returns to|attains) [its] (natural|unstretched|free|original|undeformed|relaxed)
+      length -> {Spring} is unstretched
+  Spring [Aux] (is|becomes|gets) (relaxed|unstretched|unstressed|undeformed|slack|uncompressed) -> {Spring} is unstretched
+  Spring (is|has) (most compressed|maximum compression|its maximum compression|fully compressed|compressed most) ->
+      compression of {Spring} is largest
+  Spring (is|has) (most stretched|maximum extension|its maximum extension|stretched most|fully stretched) -> elongation of
+      {Spring} is largest
+  Spring (is|has been) (compressed|stretched|extended):c by Length -> @stretched
+  Subj (is|are|be) (moving|going|sliding|turning|rolling) (fastest|most quickly) -> speed of {Subj} is largest
+
+Turned
+  Angle -> {Angle}
+  Value (degrees|deg|degree) -> ({Value})*pi/180
+
+Place
+  Coord [=|of] Value -> {Coord} = {Value}
+  [its] (lowest|bottom) (point|position) -> it is at its lowest point
+  [its] (highest|top) (point|position) -> it is at its highest point
+  [its] [stable] (equilibrium|equilibrium position|position of equilibrium) -> it is in equilibrium !2
+
+Spans
+  Span [,] [Spans] -> {Span} {Spans}
+  Given -> <5>{Given}
+
+Span
+  Until Event [for first time] -> <2>until {Event}
+  Until (Begin|Blow|Phase):x [Begins] -> <2>until {x}
+  Until BeginClause -> <2>until {BeginClause}
+  from (start|rest|release|beginning) (to|until|till|up to) [where|when|moment when|instant when|moment|instant] Event ->
+      <2>until {Event}
+  between (start|release) and [moment when|instant when|where|when] Event -> <2>until {Event}
+  (in|during) Gerund -> <2>until {Gerund}
+  (during|in|over|throughout) (phase Phase|Phase) -> <1>in phase {Phase}
+  (during|in|by|due to|at) (collision|impact|blow|bounce) -> <2>in impact
+  Reached ->
+  (as [a] function of|in terms of) Arg -> <3>as a function of {Arg}
+  after (Begin|Blow|BlowNoun):x -> <2>after {x}
+  At start -> <2>at start
+  over Par -> <2>over {Par}
+  over Par between Value:a and Value:b -> <2>over {Par} between {a} and {b}
+  (from|between) Coord:c [=] Value:a (to|and) [Coord] [=] Value:b -> <2>from {c} = {a} to {c} = {b}
+
+Until
+  (until|till|up to|before|by time|by time that|when|once|to|in|for|at instant|as|upto|until moment when|until it|by moment|
+      while|after|for it|up to where|by instant) [where|when|moment|instant] ->
+
+Gerund
+  Event -> {Event}
+
+After
+  [JustAfter|after|on] BlowNoun -> after impact
+  after (Blow|Begin):x -> after {x}
+
+Along
+  (up|down|along|on|over|across|upwards|downwards|forward|forwards|back|backwards|horizontally|vertically|out|away) [on|
+      along] [Ground|incline|slope|plane|hill|ramp|table|floor] ->
+
+FarVerb
+  (go|move|slide|roll|travel|climb|rise|fall|drop|get|advance|gone|moved|slid|travelled|driven|pushed|recoil|descend|sink|
+      drop|skid) ->
+
+Moving
+  (moving|going|sliding|rolling|travelling|traveling|falling|rising|move|go|slide|roll|travel|swing|fall|rise|be moving|then
+      moving|be going) ->
+
+Turning
+  (turning|rotating|spinning|turn|rotate|spin|swinging) ->
+"""

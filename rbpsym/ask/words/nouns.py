@@ -1,0 +1,147 @@
+"""The nouns of questions (see `questions`): who moves, what is asked of it, and what is counted over the motion."""
+
+from __future__ import annotations
+
+NOUNS = r"""
+Thing
+  Point -> {Point}
+  Body -> {Body}
+  Coord -> {Coord}
+  It -> {It}
+
+Subj
+  Body -> {Body}
+  Coord -> {Coord}
+  Point -> {Point} !1
+  It -> {It}
+
+Holder
+  Body -> {Body}
+  It -> {It}
+
+CoordNoun
+  Coord -> {Coord}
+  (angle|position|height|place|distance):x -> @coordinate
+
+Spring
+  Element -> @spring
+
+String
+  Element -> @string
+
+State
+  Sign (State) -> {Sign} {State}
+  Noun of Thing -> {Noun} of {Thing}
+  its Noun -> @its
+  Noun -> {Noun} !2
+  RelNoun of Thing:a (relative to|with respect to|as seen from|seen from) Thing:b -> @relative
+  relative RelNoun of Thing:a (and|to) Thing:b -> @relative
+  (speed|velocity) with which Event -> @with_which
+  (speed|velocity) (at|with) which Subj (Hit) HitWhat -> @strikes
+  angle of Holder -> @angle_of
+  equilibrium (angle|distance|position|height|length|value|coordinate) [of Thing] -> @equilibrium
+  (period|frequency):x of damped (oscillations|oscillation|vibrations|vibration|swings|motion) -> damped {x}
+  distance of Thing from Point -> @distance_from
+  (torque|couple|moment) (of|from|exerted by|supplied by) Element -> @couple
+  (angular deceleration|deceleration|angular retardation|retardation):x [of Thing] -> @slowing
+  Turns of Holder -> {Turns} of {Holder}
+  Turns -> {Turns} !1
+  Energy of (Holder|system):x -> {Energy} of {x}
+  Energy -> {Energy}
+  (linear momentum|momentum) of Holder -> linear momentum of {Holder}
+  angular momentum [of (Holder|system):x] [About] -> angular momentum of {x} {About}
+  moment of inertia [of (Holder|system):x] [About] -> moment of inertia of {x} {About}
+  radius of gyration [of (Holder|system):x] [About] -> radius of gyration of {x} {About}
+  instantaneous (centre|center) [of rotation|of velocity|of zero velocity] of Holder -> instantaneous centre of {Holder}
+  distance (from|between) Point:a (to|and) Point:b -> distance from {a} to {b}
+  height of Thing [above Ground] -> height of {Thing}
+  Held -> {Held}
+  (horizontal|vertical):x [component of|part of] Held -> @component
+  (horizontal|vertical):x [component of|part of] Noun of Thing -> {x} component of {Noun} of {Thing}
+  (direction|angle) of Held -> direction of {Held}
+  (size|magnitude) of State -> magnitude of {State}
+  (net|resultant|total) force on Holder -> net force on {Holder}
+  (net|resultant|total) torque on Holder [About] -> net torque on {Holder} {About}
+  (torque|moment) of Force [on Holder] About -> torque of {Force} on {Holder} {About}
+  (elongation|stretch|extension) [of|in] Spring -> elongation of {Spring}
+  compression [of|in] Spring -> compression of {Spring}
+  force (in|of|exerted by|from) Spring -> force {Spring}
+  spring force -> spring force
+  power (of|delivered by|supplied by|developed by|exerted by) Force -> power of {Force}
+  weight -> @weight
+  weight of Holder -> weight of {Holder}
+  (half|twice|double|one half of|half of):x [of] State -> @multiple
+  [angle|position|coordinate|value of] Coord -> {Coord}
+  Formula -> {Formula} !1
+
+Sign
+  (magnitude of|size of) -> magnitude of
+
+About
+  (about|around|with respect to|relative to) Point -> about {Point}
+  (about|around) [its] [own] (centre|center|centre of mass|center of mass|mass centre) -> about its centre of mass
+
+Noun
+  (speed|velocity|acceleration|displacement|position):x -> {x}
+  (linear|translational) (speed|velocity|acceleration):x -> {x}
+  Turns -> {Turns}
+
+RelNoun
+  (speed|velocity|acceleration|position|displacement):x -> {x}
+
+Turns
+  (angular velocity|angular speed|rate of rotation|rotational speed|spin rate|rotation rate) -> angular velocity
+  (angular acceleration|rotational acceleration) -> angular acceleration
+
+Energy
+  [total] kinetic energy -> kinetic energy
+  (rotational kinetic energy|kinetic energy of rotation|rotational energy) -> rotational kinetic energy
+  (translational kinetic energy|kinetic energy of translation) -> translational kinetic energy
+  [total] potential energy -> potential energy
+  (mechanical energy|total energy|total mechanical energy) -> mechanical energy
+
+Held
+  Role (at|on|of|in|from|by|exerted by|due to|under|with|between) Where [on Holder] -> @held
+  Role Force -> @named
+  Force -> {Force}
+  Role on Holder [at|from|by|of|exerted by|due to] [Where] -> @held_on
+  Role (that|which|with which) Body:a (exerts|exert|acts|pushes|presses) on Body:b -> @between
+  Role (of|by|exerted by|from) Body:a (on|exerted on|upon) Body:b -> @between
+  Role (between|exerted between) [gears|bodies|blocks|balls|wheels|masses|disks|carts|cars|cylinders|boxes] Body:a and Body:b
+      -> @between
+  Role on Body:b (from|by|exerted by|due to) Body:a -> @between
+  Role -> {Role} !2
+
+Role
+  [magnitude of|size of] RoleNoun -> {RoleNoun}
+
+Where
+  Contact -> {Contact}
+  Element -> {Element}
+
+Gone
+  (time|time needed|time required|time taken|time it takes) [for|to] Event -> time until {Event}
+  work done on Holder -> net work on {Holder}
+  (energy|heat|mechanical energy|kinetic energy) (dissipated|absorbed|lost|generated|taken up|produced) (by|in|to) Element ->
+      @dissipated
+  impulse [(of|on|from|exerted by|at|given to|received by|exerted on) Struck] -> @impulse
+  (time|time needed|time required|time taken|time interval|elapsed time|duration) [for Subj] -> time
+  time [it takes|that it takes|it takes it|taken by it|required] [for] Subj -> time
+  (distance|way|path length) [that] [Subj] (travelled|covered|moved|traveled|slid|rolled|travels|moves|slides|rolls|goes|
+      covers|falls|climbs|skids|rises|recoils) [by Thing] [Along] -> @distance
+  distance [through which|by which|which|that] Subj (falls|moves|slides|rolls|rises|sinks|descends|travels|goes|drops|has
+      moved|climbs) [Along] -> @distance
+  angle [turned|rotated|swept] [through] [by Holder] -> @angle
+  angle (through|by) which Holder (turns|rotates|swings|has turned|has rotated) -> angle turned by {Holder}
+  number of (turns|revolutions|rotations) [of|made by|it makes] [Holder] -> @turns
+  work [done] (of|by) Force [on Holder] -> @work
+  work Force (does|do|has done) [on Holder] -> @work
+  work [done] on Holder by Force -> @work
+  work [done] on Holder (by|of) Body -> @work_between
+  impulse (of|exerted by) Force -> impulse of {Force}
+  (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
+  (loss of|loss in) (energy|kinetic energy|mechanical energy) -> energy lost
+  (average|mean) Noun [of Thing] -> average {Noun} of {Thing}
+  (change|increase|gain):x (of|in) State -> @change
+  (decrease|loss|drop):x (of|in) State -> minus change of {State}
+"""

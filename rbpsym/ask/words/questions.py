@@ -1,0 +1,182 @@
+"""The grammar of questions: what a book's words mean in the language of `docs/ask.md`.
+
+A row is “pattern -> meaning” (see `chart`), its further lines set in; a meaning “@name” is a function of MEANINGS in `means`.
+What is not said in these words is taken as it is written (`Raw`), at a cost, so that a reading that understands more is
+preferred. Marks <1> to <5> say where a clause stands in the language of the engine: phase, moment, function, manner, values.
+"""
+
+from __future__ import annotations
+
+QUESTIONS = r"""
+Question
+  [Ask] State [Tails] -> {State} {Tails}
+  Moment [,] [Ask] State [Tails] -> {State} <2>{Moment} {Tails}
+  [Ask] Gone [Spans] -> {Gone} {Spans}
+  Span [,] [Ask] Gone -> {Gone} {Span}
+  [Ask] Best State [Spans] -> {Best} {State} {Spans}
+  Best State Reached -> {Best} {State}
+  [Ask] ratio of State:a (to|and) State:b [Tails] -> ratio of {a} to {b} {Tails}
+  [Ask] ratio of Noun of Thing:a (to|and) (that|Noun:other) of Thing:b [Tails] -> @ratio
+  [Ask] ratio of Noun of Thing:a (to|and) Thing:b [Tails] -> @ratio
+  [Ask] ratio of Role (on|at|of) Where:a to that (on|at|of) Where:b -> @ratio_held
+  [Ask] ratio of Turns of Holder:a to that of Holder:b [Tails] -> ratio of {Turns} of {a} to {Turns} of {b} {Tails}
+  [Ask] difference (between|of) State Moment:a and Moment:b -> @difference
+  [Ask] ratio between Noun of Thing:a and Thing:b [Tails] -> @ratio
+  Ask Raw -> {Raw}
+  Asking -> {Asking}
+  Condition -> {Condition}
+
+Ask
+  what (is|are|was|were|will be|must be|should be|would be) ->
+  (find|determine|calculate|compute|give|express|evaluate|obtain|derive|state) ->
+  how (large|big|great|strong|high|long|fast) (is|are|was|will be) ->
+
+Asking
+  how fast (is|does|will|do|are|can) Thing [Moving] [Tails] -> speed of {Thing} {Tails}
+  how fast (is|does|will|do) Body [be] Turning [Tails] -> angular velocity of {Body} {Tails}
+  (with|at) (what|which) (speed|velocity) (is|does|will) Thing (Moving|Turn|Go|move) [Tails] -> speed of {Thing} {Tails}
+  (with|at) (what|which) (speed|velocity) (does|will|do) Subj Hit HitWhat -> @strikes
+  (with|at) (what|which) (speed|velocity) (does|will|do) Event -> @with_which
+  what (speed|velocity|acceleration):x (does|will|has) Thing [have] [Tails] -> {x} of {Thing} {Tails}
+  what (angular velocity|angular speed|angular acceleration):x (does|will) Thing [have] [Tails] -> {x} of {Thing} {Tails}
+  how far (does|will|can|has|do|is) Thing FarVerb [Along] [Spans] -> distance travelled by {Thing} {Spans}
+  how high (does|will|can) Thing (Rise|Go|Turn|swing|go|get|jump|bounce|fly|climb|rise|rebound) [up|above ground] [After] ->
+      how high does {Thing} rise {After}
+  how long (does it take|will it take|does it last|is it|did it take) (until|before|till|for) Event -> time until {Event}
+  how long (does it take|will it take|did it take) Event -> time until {Event}
+  how long (does|will) Subj take Event -> time until {Event}
+  how (long|much time) (until|before|passes before|elapses before|passes until) Event -> time until {Event}
+  after (what|which) time (does|do|will|is|has) Event -> time until {Event}
+  (when|at what time|at which time) (does|do|will|is|has) Event -> time until {Event}
+  (where|at what point|at which point|at what place|at what position) (does|do|will) Event -> @where
+  at (what|which) [value of] CoordNoun (does|do|will|is|has) Event -> {CoordNoun} where {Event}
+  (through|by) (what|which) angle (does|will|has) Body Turn [Spans] -> angle turned by {Body} {Spans}
+  how many (turns|revolutions|rotations) (does|will|has) Body (make|makes|made|complete|Turn) [Spans] -> number of turns of
+      {Body} {Spans}
+  how much (energy|kinetic energy|mechanical energy) (is|was) lost [Spans] -> energy lost {Spans}
+  how much work (does|did|is done by) Force [do] [Spans] -> work of {Force} {Spans}
+  how much work is done by Force [Spans] -> work of {Force} {Spans}
+  how much does Spring (stretch|extend) [Tails] -> elongation of {Spring} {Tails}
+  (does|do|will|can) Condition -> does {Condition}
+
+Condition
+  [Ask] Best coefficient of [static] friction [needed|required] [(for|to) Slipless] [between Raw] [SafeMoment] -> smallest mu
+      for which it does not slip {SafeMoment}
+  [Ask] [Best] Par ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
+  [Ask] [Best] Par (needed|required|necessary|to be used) (for|to|so that|that|if) Cond [Given] -> {Best} {Par} for which
+      {Cond} {Given}
+  [Ask] [Best] Par (that makes|that causes|that lets|that allows|to make|to let|to cause|which makes|that will cause|that
+      will make) Cond [Given] -> {Best} {Par} for which {Cond} {Given}
+  [Ask] [Best] Par (that|which|that just|that will|to|that can) (keep|keeps|prevent|prevents) Subj (from|in) Kept -> {Best}
+      {Par} for which {Subj} {Kept}
+  [Ask] [Best] Par (to|that|needed to|required to) (prevent|prevents|avoid) (slipping|slip|sliding) -> {Best} {Par} for which
+      it does not slip
+  [Ask] [Best] Par (to|that|needed to|required to) (prevent|prevents|avoid) (tipping|tip|overturning) -> {Best} {Par} for
+      which it does not tip
+  (for|at|with) (what|which) [Best] [value|values|range of values] [of] Par (does|do|will|is|are|would|can|has) Cond ->
+      {Best} {Par} for which {Cond}
+  for (what|which) [Best] [value|values|range of values] [of] Par Cond -> {Best} {Par} for which {Cond}
+  what (must|should|would|does|do|will) Par (be|have to be|need to be) (for|so that|such that|if|in order that|to have) Cond
+      -> {Par} for which {Cond}
+  how (large|great|big|high|long|heavy|strong|small|fast) (must|should|may|can) Par be (for|so that|such that|if|before) Cond
+      -> {Par} for which {Cond}
+  what (value|values) of Par (makes|make|gives|give|will make|will give|would make|lets|causes) Cond -> {Par} for which {Cond}
+  what [is] Best [value of] Par ForWhich Cond -> {Best} {Par} for which {Cond}
+
+Slipless
+  (pure rolling|rolling without slipping|rolling|roll without slipping|prevent slipping|prevent sliding|no slipping|no slip|
+      prevent slip) ->
+
+SafeMoment
+  Moment -> {Moment}
+
+ForWhich
+  (for|at|with|of|by) which [the] ->
+  (such|so) that ->
+  (that|if|when) ->
+  for -> !3
+
+Kept
+  (slipping|sliding|skidding|slip) -> does not slip
+  (tipping|overturning|toppling) -> does not tip
+  (equilibrium|balance) -> is in equilibrium
+  (at rest|rest|moving) -> stays at rest
+
+Cond
+  Event -> {Event}
+  Subj Not (slip|slide|skid) [Spans] -> {Subj} does not slip {Spans}
+  Subj Not (tip|topple|overturn|tip over) -> {Subj} does not tip
+  Subj Not (leave|lose contact with|lift off|lift from|fly off) [Ground] [Spans] -> {Subj} stays in contact {Spans}
+  Subj (stays|stay|remains|remain|keeps) [in] contact [with Ground] [Spans] -> {Subj} stays in contact {Spans}
+  Subj (stays|stay|remains|remain|keeps) on Ground [Spans] -> {Subj} stays in contact {Spans}
+  Subj Nearly (slip|slide|move|skid|slipping|sliding|skidding|moving|slips|slides) -> {Subj} slips
+  Subj Nearly (tip|tips|tipping|overturn|overturning|topple|toppling|tip over|tipping over) -> {Subj} tips
+  Subj Nearly (lift|lifting|leave|leaving|lose contact with|losing contact with|lift off|lifting off|rise|rising) [from]
+      [Ground] -> {Subj} lifts
+  (slipping|sliding|slip) (is|impends) [impending|imminent] -> it slips
+  (tipping|motion) (is|impends) [impending|imminent] -> it slips
+  Subj (stays|stay|remains|remain|is|be|are) (at rest|in equilibrium|balanced) -> {Subj} stays at rest
+  Subj (does not|do not|will not|not|to not|never) (move|start moving|begin to move|start to move) -> {Subj} stays at rest
+  Subj Rolls (without slipping|without sliding|purely) -> {Subj} does not slip
+  (rolling|it rolls|pure rolling) (occurs|without slipping|is possible|without slipping is possible) -> it does not slip
+  (there is no|no|without any) (slipping|sliding|slip) [occurs] -> it does not slip
+  Subj (comes to rest|stops|is brought to rest|come to rest) (at|when|where) Coord (=|is|reaches) Value -> {Coord} comes to
+      rest at {Coord} = {Value}
+  Subj Full -> @full
+  equilibrium [position] [of Thing] (is|be) (stable|unstable):x -> @stable
+  State Not (fall|drop|decrease|go) below Value -> {State} stays above {Value}
+  State Not (exceed|rise above|grow beyond|go above) Value -> {State} stays below {Value}
+  State:a Cmp State:b [Tails] -> {a} {Cmp} {b} {Tails}
+  State:a Cmp Value [Tails] -> {a} {Cmp} {Value} {Tails}
+  State:a and State:b (are|become|is) (equal|same|equal in magnitude|of equal magnitude) [Tails] -> {a} = {b} {Tails}
+  State:a (does not depend on|is independent of) Par -> {a} does not depend on {Par}
+  State (is|becomes|be|are) Top -> {State} is {Top}
+  (there is no|no) State [Tails] -> {State} vanishes {Tails}
+  Raw -> {Raw}
+
+Full
+  [Aux] (make|makes|making|complete|completes|completing|perform|performs|describe|describes) (full|complete|whole|entire|one
+      full|one complete) (circle|loop|turn|revolution|circles|revolutions|rotation) ->
+  [Aux] (complete|completes) (circle|loop) ->
+  [Aux] (go|goes) (all way round|full circle|right round|over top) ->
+
+Not
+  (does not|do not|will not|cannot|can not|never|not|to not|not to|just does not|must not|should not|would not) [begin to|
+      start to|just|quite] ->
+
+Nearly
+  [Aux] (just|first|nearly|almost) ->
+  (is|are|be|being) (about to|on point of|on verge of|at point of|ready to) [start|begin] ->
+  (just|first|to|would|will|just) (begins|begin|starts|start|about) to ->
+  (begins|begin|starts|start|to begin|to start) to ->
+  (begins|begin|starts|start) ->
+  to (just|first) ->
+
+Rolls
+  (rolls|roll|to roll|rolling|will roll|rolled) ->
+
+Cmp
+  (=|equals|is equal to|becomes equal to|be equal to) -> =
+  (is|becomes|reaches|be|has reached|are) -> =
+  (>=|is at least|is not less than) -> >=
+  (<=|is at most|does not exceed|is not more than|is not greater than|not exceed|not to exceed) -> <=
+  (>|exceeds|is greater than|is more than|is larger than) -> >
+  (<|is less than|is smaller than) -> <
+  (is|equals|becomes|has fallen to|falls to|drops to|has dropped to|has been reduced to|is reduced to|has increased to|has
+      decreased to) -> =
+
+Best
+  (largest|greatest|maximum|highest|maximal) [possible|allowable|permissible|safe] -> largest
+  (smallest|least|minimum|lowest|minimal) [possible|allowable|required|necessary] -> smallest
+  longest -> longest
+  shortest -> shortest
+
+Top
+  (largest|greatest|maximum|highest|a maximum|maximal|as large as possible|as great as possible) -> largest
+  (smallest|least|minimum|lowest|a minimum|minimal|as small as possible) -> smallest
+
+Reached
+  (reached|attained|acquired|achieved|experienced) [by Subj] ->
+  [that|which] Subj (reaches|attains|acquires|gets|has|achieves|will reach|will attain|experiences) ->
+  (during|in|throughout|over) [whole|entire|subsequent|resulting|its|ensuing] (motion|swing|movement) ->
+"""

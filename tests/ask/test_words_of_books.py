@@ -1,0 +1,99 @@
+"""The grammar of a book's English: what it makes of a question, and that what was refused for a reason stays refused."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import pytest
+
+from rbpsym.ask.asked import Asked
+from rbpsym.ask.asking import answered, ask
+from rbpsym.ask.words.chart import Chart, compiled, tokens
+from rbpsym.ask.words.means import MEANINGS
+from rbpsym.ask.words.reader import NAMED, VALUES, grammar, read
+from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.statement.loader import load_problem
+from tests.library.derived import problem
+
+# (problem, a book's words, what they mean in the engine's)
+MEANT = [
+    ("ball-in-a-loop", "how long does it take until the ball stops?", "time until ball comes to rest"),
+    ("ball-in-a-loop", "smallest v_0 such that the ball does not leave the loop", "smallest v_0 for which ball stays in contact"),
+    ("rod-pendulum", "What is the angular velocity of the rod when theta has reached pi/2?",
+     "angular velocity of rod where theta = pi/2"),
+    ("rod-pendulum", "at what theta does the rod come to rest", "theta where rod comes to rest"),
+    ("sliding-ladder", "how fast is the ladder turning when it is horizontal",
+     "angular velocity of ladder where ladder is horizontal"),
+    ("sliding-ladder", "the horizontal velocity of ladder.end at the instant when theta = pi/6",
+     "horizontal component of velocity of ladder.end where theta = pi/6"),
+    ("sliding-ladder", "colour of the ladder where it is warmest", None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "said", "meant"), MEANT)
+def test_words_are_read(name: str, said: str, meant: str | None) -> None:
+    assert (meant in read(problem(name), said)) if meant else read(problem(name), said) == []
+
+
+def test_every_name_of_the_grammar_is_defined_and_every_function_used() -> None:
+    """A row that names what nobody reads would never be read; a function that no row names would not be tried."""
+    rows, used = grammar(), set()
+
+    def names(node: tuple) -> None:
+        kind, what = node
+        if kind == "named":
+            used.add(what[0])
+        for part in what if kind in ("either", "all") else [what[0]] if kind == "caught" else []:
+            names(part)
+
+    for row in (row for rows_ in rows.values() for row in rows_):
+        names(row[0])
+    assert used - rows.keys() <= {*NAMED, *VALUES, "Value", "Formula", "Raw"}
+    assert rows.keys() - used == {"Question"}
+    said = {meaning[1:] for rows_ in rows.values() for _, meaning, _ in rows_ if meaning.startswith("@")}
+    assert said <= {*MEANINGS, "it"}
+
+
+def test_the_chart_finds_every_reading() -> None:
+    rules = {"S": [(compiled("A [b] (c|d):x"), "{A}{x}", 0)], "A": [(compiled("a"), "1", 0), (compiled("a b"), "2", 1)]}
+    assert Chart("a b c", rules, {}).read("S") == {"1c": 0, "2c": 1}
+    assert Chart("a c", rules, {}).read("S") == {"1c": 0} and Chart("b c", rules, {}).read("S") == {}
+    assert [one.word for one in tokens("x_1 = 2*pi, rod.end")] == ["x_1", "=", "2", "*", "pi", ",", "rod.end"]
+
+
+NOWHERE = [  # refused as it was read: no other meaning is looked for
+    ("ball-in-a-loop", "time until theta = -5"),
+    ("ball-and-hinged-rod", "angular velocity of the rod when it is hit by the ball"),
+    ("rod-pendulum", "speed of the zeppelin when it comes to rest"),
+    ("sliding-ladder", "largest mu for which the ladder does not slide up"),
+    ("rod-pendulum", "speed of rod.end if the rod were twice as long"),
+]
+
+
+@pytest.mark.parametrize(("name", "said"), NOWHERE)
+def test_what_is_not_understood_is_refused(name: str, said: str) -> None:
+    with pytest.raises(RbpsymError):
+        answered(Asked(problem(name)), said)
+
+
+WORDS = ("speed", "velocity", "acceleration", "kinetic energy", "angular velocity")
+MOMENTS = {"at the start": "at start", "when released": "at start", "at the moment of release": "at start"}
+
+
+@pytest.mark.parametrize(("noun", "moment"), list(product(WORDS, MOMENTS)))
+def test_each_quantity_goes_with_each_moment(noun: str, moment: str) -> None:
+    """In front or behind, with or without an opening: it is one question."""
+    own, orders = problem("rod-pendulum"), ("{q} {m}", "{m}, {q}", "what is {q} {m}?", "find {q} {m}.")
+    said = {tuple(read(own, order.format(q=f"the {noun} of the rod", m=moment))) for order in orders}
+    assert said == {(f"{noun} of rod {MOMENTS[moment]}",)}
+
+
+def test_what_was_read_is_told() -> None:
+    [found] = ask(load_problem("rod-pendulum"), "how fast is the rod turning when theta has reached pi/2")
+    assert found.read_as == "angular velocity of rod where theta = pi/2" and found.question.text.startswith("how fast")
+    assert not ask(load_problem("rod-pendulum"), "F_y at the start")[0].read_as
+
+
+def test_several_meanings_are_refused_by_name() -> None:
+    with pytest.raises(StatementError, match="may mean several things"):
+        answered(Asked(problem("brake-drum")), "vertical component of the reaction at the hinge at the start")
