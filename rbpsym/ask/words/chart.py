@@ -25,7 +25,7 @@ class Heard(NamedTuple):
     end: int
 
 
-class Sense(NamedTuple):
+class Parsed(NamedTuple):
     """What is read up to a token, what it means, and what that costs."""
 
     to: int
@@ -88,31 +88,31 @@ class Chart:
     """All readings of one text by the rules of a grammar, and by what finds the names and values of a problem in it."""
 
     def __init__(
-        self, text: str, rules: Mapping[str, list[Rule]], finders: Mapping[str, Callable[[list[Heard], int], Iterator[Sense]]]
+        self, text: str, rules: Mapping[str, list[Rule]], finders: Mapping[str, Callable[[list[Heard], int], Iterator[Parsed]]]
     ) -> None:
         self.words, self.rules, self.finders = tokens(text), rules, finders
-        self.known: dict[tuple[str, int], list[Sense]] = {}
+        self.known: dict[tuple[str, int], list[Parsed]] = {}
 
     def read(self, name: str) -> dict[str, int]:
         """What the whole text may mean under a name, with what each reading costs."""
         whole = [one for one in self._named(name, 0) if one.to == len(self.words)]
         return {one.text: one.cost for one in sorted(whole, key=lambda one: -one.cost)}
 
-    def _named(self, name: str, at: int) -> list[Sense]:
+    def _named(self, name: str, at: int) -> list[Parsed]:
         if (name, at) not in self.known:
             self.known[name, at] = []  # what begins with itself is not read again
             best: dict[tuple[int, str], int] = {}
             for one in self.finders[name](self.words, at) if name in self.finders else self._by_rules(name, at):
                 best[one.to, one.text] = min(one.cost, best.get((one.to, one.text), one.cost))
-            self.known[name, at] = [Sense(to, text, cost) for (to, text), cost in best.items()]
+            self.known[name, at] = [Parsed(to, text, cost) for (to, text), cost in best.items()]
         return self.known[name, at]
 
-    def _by_rules(self, name: str, at: int) -> Iterator[Sense]:
+    def _by_rules(self, name: str, at: int) -> Iterator[Parsed]:
         for node, meaning, own in self.rules[name]:
             for to, caps, cost in self._match(node, at):
                 text = meaning.format_map(_Missing(caps)) if isinstance(meaning, str) else meaning(_Missing(caps))
                 if text is not None:
-                    yield Sense(to, " ".join(text.split()), cost + own)
+                    yield Parsed(to, " ".join(text.split()), cost + own)
 
     def _match(self, node: Node, at: int) -> Iterator[tuple[int, dict[str, str], int]]:
         kind, what = node

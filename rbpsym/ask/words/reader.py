@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache, partial
 
-from rbpsym.ask.words.chart import Chart, Heard, Meaning, Node, Sense, compiled, tokens
+from rbpsym.ask.words.chart import Chart, Heard, Meaning, Node, Parsed, compiled, tokens
 from rbpsym.ask.words.clauses import CLAUSES
 from rbpsym.ask.words.lexicon import GROUND, ROLES, Lexicon, Phrases
 from rbpsym.ask.words.means import MEANINGS
@@ -61,7 +61,7 @@ def read(problem: Problem, text: str) -> list[str]:
     lexicon = Lexicon(problem)
     words = tokens(plain)
     lexicon.it = _it(lexicon, words)
-    finders: dict[str, Callable[[list[Heard], int], Iterator[Sense]]] = {
+    finders: dict[str, Callable[[list[Heard], int], Iterator[Parsed]]] = {
         **{kind: partial(_phrase, found) for kind, found in lexicon.finders(NAMED).items()},
         **{kind: partial(_value, problem, plain, dimension, False) for kind, dimension in VALUES.items()},
         "Value": partial(_value, problem, plain, None, False),
@@ -100,13 +100,13 @@ def _it(lexicon: Lexicon, words: list[Heard]) -> str:
     return names[0] if len(names) == 1 else ""
 
 
-def _phrase(known: Phrases, words: list[Heard], at: int) -> Iterator[Sense]:
+def _phrase(known: Phrases, words: list[Heard], at: int) -> Iterator[Parsed]:
     for phrase, names in known.items():
         if at < len(words) and phrase[0] == words[at].word and phrase == tuple(one.word for one in words[at : at + len(phrase)]):
-            yield from (Sense(at + len(phrase), name, 0) for name in names)
+            yield from (Parsed(at + len(phrase), name, 0) for name in names)
 
 
-def _value(problem: Problem, plain: str, dimension: object, is_formula: bool, words: list[Heard], at: int) -> Iterator[Sense]:
+def _value(problem: Problem, plain: str, dimension: object, is_formula: bool, words: list[Heard], at: int) -> Iterator[Parsed]:
     """A formula in the parameters (a formula in all names: in more than one of them)."""
     for to in range(at + 1, min(at + 16, len(words)) + 1):
         said, known = plain[words[at].begin : words[to - 1].end], problem.dimensions
@@ -119,12 +119,12 @@ def _value(problem: Problem, plain: str, dimension: object, is_formula: bool, wo
             if is_formula and (not used or to == at + 1):
                 continue
             if used <= {*known, "pi"} and (dimension is None or dimension_of(node, known) == dimension):
-                yield Sense(to, said, 0)
+                yield Parsed(to, said, 0)
 
 
-def _raw(plain: str, words: list[Heard], at: int) -> Iterator[Sense]:
+def _raw(plain: str, words: list[Heard], at: int) -> Iterator[Parsed]:
     ends = range(at + 1, len(words) + 1)
-    yield from (Sense(to, plain[words[at].begin : words[to - 1].end], UNREAD * (to - at)) for to in ends)
+    yield from (Parsed(to, plain[words[at].begin : words[to - 1].end], UNREAD * (to - at)) for to in ends)
 
 
 def _ordered(text: str) -> str | None:
