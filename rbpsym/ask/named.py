@@ -12,7 +12,7 @@ from rbpsym.field import is_zero
 from rbpsym.field.evaluate import scalar
 from rbpsym.quantities import FORCE, LENGTH, NUMBER
 from rbpsym.quantity.bound import without_articles
-from rbpsym.statement.model import Element, Line, Problem
+from rbpsym.statement.model import Body, Element, Line, Problem
 
 STRINGS = "string|rope|cord|cable|thread|chain|wire|coupling"
 # a word for an element -> the kinds that it may mean: the only one of these, or of those that touch what is named beside it
@@ -155,12 +155,23 @@ def _meant(problem: Problem, text: str) -> str:
 PLAIN = {"speed", "displacement", "distance", "position", "height", "angle", "place", "way", "time", "mass", "angle turned"}
 
 
+def may_be(body: Body, word: str) -> bool:
+    """Whether a body can be called by a word for a shape: of a shape that is not told, where its name tells nothing of it."""
+    kinds = [shapes for words, shapes in KINDS.items() if word in words.split("|")]
+    tells_nothing = len(body.name) <= 2 or body.name in SIDES
+    return not kinds or any(body.shape.kind in shapes for shapes in kinds) or (body.shape.kind == "given" and tells_nothing)
+
+
+SIDES = ("front", "rear", "left", "right", "upper", "lower", "top", "bottom", "back", "first", "second", "inner", "outer")
+
+
 def _bodies(problem: Problem, text: str) -> str:
     """“the rear wheel”, “wheel A” by the name of the body alone, “speed of m_1” by that of the only body with this mass."""
     names = [body.name for body in problem.bodies]
-    shapes = _any([]) if not names else rf"(?!(?:{_any(names)})\b)(?:{SHAPES})"
-    text = re.sub(rf"\b({_any(names)}) {shapes}\b(?!\.)", r"\1", text)
-    text = re.sub(rf"\b{shapes} (?=(?:{_any(names)})(?![\w-]))", "", text)
+    for body in problem.bodies:  # of “the car wheel” the car is not what is meant
+        shapes = _any([word for word in SHAPES.split("|") if word not in names and may_be(body, word)])
+        text = re.sub(rf"\b({re.escape(body.name)}) (?:{shapes})\b(?!\.)", r"\1", text)
+        text = re.sub(rf"\b(?:{shapes}) (?={re.escape(body.name)}(?![\w-]))", "", text)
     for words, kinds in KINDS.items():
         lone = [body.name for body in problem.bodies if body.shape.kind in kinds]
         if len(lone) == 1:
@@ -262,7 +273,7 @@ def _is_of(element: Element, body: str) -> bool:
     return any(getattr(value, "body", value) == body for key, value in element.values.items() if key in ("point", "body"))
 
 
-def _phases(problem: Problem, text: str) -> str:
+def begun_without(problem: Problem, text: str) -> str:
     """“right after the cord is cut” by the only phase that begins without it."""
     before = [problem, *(phase.problem for phase in problem.phases)]
     gone = [_names(old) - _names(phase.problem) for old, phase in zip(before, problem.phases, strict=False)]
@@ -285,6 +296,6 @@ def in_names(problem: Problem, text: str) -> str:
     text = _bodies(problem, _meant(problem, without_articles(text)))
     held = _any([*_names(problem) - {*problem.body_names}])
     text = re.sub(rf"\b({ROLES})s? (?:at|of|on|in|between|exerted by) (?=(?:{held})(?![\w.-]))", r"\1 ", text)
-    for find in (_components, _points, _between, _leaving, _impulses, _phases):
+    for find in (_components, _points, _between, _leaving, _impulses, begun_without):
         text = find(problem, text)
     return text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import product
 
 import pytest
@@ -26,6 +27,13 @@ MEANT = [
      "angular velocity of ladder where ladder is horizontal"),
     ("sliding-ladder", "the horizontal velocity of ladder.end at the instant when theta = pi/6",
      "horizontal component of velocity of ladder.end where theta = pi/6"),
+    ("rod-pendulum", "with what speed does the rod come to rest", "speed of rod where rod comes to rest"),
+    ("braking-car", "how long does it take until the car has stopped", "time until car comes to rest"),
+    ("braking-car", "for what value of mu does the car slip", "mu for which car slips"),
+    ("braking-car", "greatest speed that the car reaches", "largest speed of car"),
+    ("braking-car", "mu for which tipping impends", "mu for which it tips"),
+    ("two-gears", "ratio of the angular velocity of small to that of large",
+     "ratio of angular velocity of small to angular velocity of large"),
     ("sliding-ladder", "colour of the ladder where it is warmest", None),
 ]  # fmt: skip
 
@@ -51,7 +59,17 @@ def test_every_name_of_the_grammar_is_defined_and_every_function_used() -> None:
     assert used - rows.keys() <= {*NAMED, *VALUES, "Value", "Formula", "Raw"}
     assert rows.keys() - used == {"Question"}
     said = {meaning[1:] for rows_ in rows.values() for _, meaning, _ in rows_ if meaning.startswith("@")}
-    assert said <= {*MEANINGS, "it"}
+    assert said == {*MEANINGS, "it"}
+    for node, meaning, _ in (row for rows_ in rows.values() for row in rows_):
+        assert set(re.findall(r"{(\w+)}", meaning)) <= {*labels(node), "Subj"}, meaning
+
+
+def labels(node: tuple) -> set[str]:
+    """The names by which a pattern hands on what it has read."""
+    kind, what = node
+    inner = what if kind in ("either", "all") else [what[0]] if kind == "caught" else []
+    own = {what[1]} if kind in ("named", "caught") else set()
+    return own.union(*(labels(part) for part in inner))
 
 
 def test_the_chart_finds_every_reading() -> None:
@@ -66,6 +84,11 @@ NOWHERE = [  # refused as it was read: no other meaning is looked for
     ("ball-and-hinged-rod", "angular velocity of the rod when it is hit by the ball"),
     ("rod-pendulum", "speed of the zeppelin when it comes to rest"),
     ("sliding-ladder", "largest mu for which the ladder does not slide up"),
+    ("braking-car", "angular velocity of the car wheel"),
+    ("braking-car", "acceleration after it starts rolling"),
+    ("rod-pendulum", "angular velocity right after the rod is released from theta = pi/3"),
+    ("rod-pendulum", "time until it stops again"),
+    ("rod-pendulum", "x " * 5000),
     ("rod-pendulum", "speed of rod.end if the rod were twice as long"),
 ]
 

@@ -34,7 +34,7 @@ Moment
   (initially|at first|just after release|right after release|immediately after release|shortly after release|on release|upon
       release|at release|when released|just after it is released) -> at start
   [JustAfter|when|as soon as|once|at instant|at moment|instant|moment] Subj (is|are|has been|was) (released|let go|set free)
-      [from rest] [from Raw] -> at start
+      [from rest] -> at start
   (at|in) its (initial|starting) position -> at start
   When Event -> where {Event}
   When Begin -> when {Begin} begins
@@ -46,8 +46,7 @@ Moment
   after (Begin|Blow):x [Begins] -> right after {x}
   JustAfter BeginClause -> right after {BeginClause}
   after BeginClause -> right after {BeginClause}
-  JustAfter Event -> where {Event}
-  after Event -> where {Event}
+  (JustAfter|after) Passing -> where {Passing}
   before (Blow|BlowNoun):x -> just before {x}
   JustBefore BlowNoun -> just before impact
   (JustAfter|after) BlowNoun -> right after impact
@@ -86,7 +85,7 @@ At
   at [the] ->
 
 When
-  (when|where|once|as|while|as soon as|at instant|at instant when|at instant that|at moment|at moment when|at moment that|at
+  (when|where|once|as|as soon as|at instant|at instant when|at instant that|at moment|at moment when|at moment that|at
       point where|at time|at time when|just as|just when|the moment|the instant|by time|at which|at position where|at place
       where|for position where|at instant at which) [first] ->
 
@@ -104,8 +103,8 @@ BeginClause
   (Element|It|Contact):who Cut -> @cut
 
 Aux
-  (has|have|had|has just|have just|just|will|first|has first|to|can|would|could|next|again|is just|does|do|did|may|must|
-      finally|momentarily|to just|will just|just has|is|are|be|being|in|on|by|will have|first has) ->
+  (has|have|had|has just|have just|just|will|first|has first|to|can|would|could|is just|does|do|did|may|must|
+      momentarily|to just|will just|just has|is|are|be|being|in|on|by|will have|first has) ->
 
 BlowNoun
   (impact|collision|blow|bounce|it is struck|striking|hit) ->
@@ -114,23 +113,11 @@ HitWhat
   (Body|Ground|Point):x -> {x}
 
 Event
-  Coord [Aux] (=|is|reaches|equals|becomes|reach|has reached|has value|reaches value|is equal to|be|to be|has become) Value
-      -> {Coord} = {Value}
-  [angle|position] Coord = Value -> {Coord} = {Value}
-  Subj Reach Place -> {Place}
-  Subj (at|is at) Place -> {Place}
-  State (=|is|reaches|equals|becomes|has fallen to|has dropped to|falls to|drops to|has risen to|is reduced to|is equal to|
-      has decreased to|has increased to) Value -> {State} = {Value}
-  State:a (=|is|reaches|equals|becomes|is equal to) State:b -> {a} = {b}
-  State (is|becomes|reaches its) Top -> {State} is {Top}
-  Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|is moving at|is moving with|moves with|moves at|
-      to reach|to attain|reaching|to have|moves with a|travels at) [a|its] [speed|velocity] [of] SpeedValue -> @speed
-  Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|to reach|to attain|reaching|to have|rotates at|
-      turns at|turns with) [its] (angular velocity|angular speed|speed) [of] TurnValue -> angular velocity of {Subj} =
-      {TurnValue}
-  [Subj] Stop [again|momentarily|completely|for first time|instantaneously] -> @rests
-  [Subj] Return [to (its|start|starting|initial|where|original)] [start|point|position|starting point|starting position|place|
-      it started] -> {Subj} comes back
+  Passing -> {Passing}
+  Happening -> {Happening}
+  Gripping -> {Gripping}
+
+Passing
   [Subj] Fall [down|by|through] [a|its] [(distance|height|depth|way)] [of] Length -> {Subj} has fallen {Length}
   [Subj] Rise [up|by|through] [a] [(distance|height)] [of] Length -> {Subj} has risen {Length}
   [Subj] Go [down|up|by|through|along] [a|its] [(distance|way|length)] [of] Length [Along] -> {Subj} has moved {Length}
@@ -139,17 +126,29 @@ Event
       {Subj} has turned 2*pi*({Value})
   [Subj] [Aux] (made|make|makes|making|complete|completed|completes) (one|a|one full|a full|a complete|one complete) (turn|
       revolution|rotation) -> {Subj} has turned 2*pi
+  Coord [Aux] (=|is|reaches|equals|becomes|reach|has reached|has value|reaches value|is equal to|be|to be|has become) Value
+      -> {Coord} = {Value}
+  [angle|position] Coord = Value -> {Coord} = {Value}
+  Subj Reach Place -> {Place}
+  Subj (at|is at) Place -> {Place}
+  State (=|is|reaches|equals|becomes|has fallen to|has dropped to|falls to|drops to|has risen to|is reduced to|is equal to|
+      has decreased to|has increased to) Value -> {State} = {Value}
+  State:a (=|is|reaches|equals|becomes|is equal to) State:b -> {a} = {b}
+  Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|is moving at|is moving with|moves with|moves at|
+      to reach|to attain|reaching|to have|moves with a|travels at) [a|its] [speed|velocity] [of] SpeedValue -> @speed
+  Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|to reach|to attain|reaching|to have|rotates at|
+      turns at|turns with) [its] (angular velocity|angular speed|speed) [of] TurnValue -> angular velocity of {Subj} =
+      {TurnValue}
+
+Happening
+  State (is|becomes|reaches its) Top -> {State} is {Top}
+  [Subj] Stop [momentarily|for first time|instantaneously] -> @rests
+  [Subj] Return [to (its|start|starting|initial|where|original)] [start|point|position|starting point|starting position|place|
+      it started] -> {Subj} comes back
   [Subj] [Aux] Leave [Ground:g|Body:g|Point:g] -> @leaves
   String [Aux] (goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
   Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
   (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost
-  [Subj] (stops|stop|ceases|cease|no longer|has stopped) (slipping|sliding|slips|slides|skidding|to slip|to slide|skids) ->
-      {Subj} stops slipping
-  (slipping|sliding|slip|skidding) (stops|ceases|ends|has ceased|has stopped) -> it stops slipping
-  [Subj] (begins|starts|begin|start|has begun|has started|beginning|starting|to begin|to start) (rolling|to roll|pure
-      rolling) [without slipping|purely] -> {Subj} stops slipping
-  [Subj] (rolls|roll|rolling|is rolling|to roll) [without slipping|without sliding|purely] -> {Subj} stops slipping
-  (rolling|pure rolling|rolling without slipping) (begins|starts|sets in|has begun|occurs) -> it stops slipping
   [Subj] (begins|starts|begin|start|to begin|to start|just begins|first begins|beginning|starting) (to slip|to slide|slipping|
       sliding|to skid) -> {Subj} slips
   [Subj] (slips|slip) -> {Subj} slips
@@ -172,15 +171,21 @@ Event
   Spring (is|has been) (compressed|stretched|extended):c by Length -> @stretched
   Subj (is|are|be) (moving|going|sliding|turning|rolling) (fastest|most quickly) -> speed of {Subj} is largest
 
+Gripping
+  [Subj] (stops|stop|ceases|cease|no longer|has stopped) (slipping|sliding|slips|slides|skidding|to slip|to slide|skids) ->
+      {Subj} stops slipping
+  (slipping|sliding|slip|skidding) (stops|ceases|ends|has ceased|has stopped) -> it stops slipping
+  [Subj] (begins|starts|begin|start|has begun|has started|beginning|starting|to begin|to start) (rolling|to roll|pure
+      rolling) [without slipping|purely] -> {Subj} stops slipping
+  [Subj] (rolls|roll|rolling|is rolling|to roll) [without slipping|without sliding|purely] -> {Subj} stops slipping
+  (rolling|pure rolling|rolling without slipping) (begins|starts|sets in|has begun|occurs) -> it stops slipping
+
 Turned
   Angle -> {Angle}
   Value (degrees|deg|degree) -> ({Value})*pi/180
 
 Place
   Coord [=|of] Value -> {Coord} = {Value}
-  [its] (lowest|bottom) (point|position) -> it is at its lowest point
-  [its] (highest|top) (point|position) -> it is at its highest point
-  [its] [stable] (equilibrium|equilibrium position|position of equilibrium) -> it is in equilibrium !2
 
 Spans
   Span [,] [Spans] -> {Span} {Spans}
@@ -205,8 +210,8 @@ Span
   (from|between) Coord:c [=] Value:a (to|and) [Coord] [=] Value:b -> <2>from {c} = {a} to {c} = {b}
 
 Until
-  (until|till|up to|before|by time|by time that|when|once|to|in|for|at instant|as|upto|until moment when|until it|by moment|
-      while|after|for it|up to where|by instant) [where|when|moment|instant] ->
+  (until|till|up to|before|by time|by time that|when|once|to|in|for|at instant|upto|until moment when|until it|by moment|
+      for it|up to where|by instant) [where|when|moment|instant] ->
 
 Gerund
   Event -> {Event}
@@ -216,7 +221,7 @@ After
   after (Blow|Begin):x -> after {x}
 
 Along
-  (up|down|along|on|over|across|upwards|downwards|forward|forwards|back|backwards|horizontally|vertically|out|away) [on|
+  (up|down|along|on|over|across|upwards|downwards|horizontally|vertically) [on|
       along] [Ground|incline|slope|plane|hill|ramp|table|floor] ->
 
 FarVerb

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 
-from rbpsym.ask.named import ELEMENTS, KINDS, PARAMETERS, SHAPES, SURFACES, joined
+from rbpsym.ask.named import ELEMENTS, KINDS, PARAMETERS, SHAPES, SIDES, SURFACES, joined, may_be
 from rbpsym.ask.named import PLAIN as TOO_PLAIN
 from rbpsym.expr import tree as t
 from rbpsym.quantities import NUMBER
@@ -18,23 +18,23 @@ SHAPE_WORDS = tuple(SHAPES.split("|"))
 RESTING = ("pivot", "pin", "weld", "clamp")  # what holds a point both ways
 TOUCHING = ("contact", "touch", "rolling", "sticking")  # what pushes along a normal
 PULLING = ("string", "link", "pull")
-# words for what holds or pushes, each with the kinds of elements that it may mean
-ROLES: Mapping[str, tuple[str, ...]] = {
-    "normal force|normal reaction|normal|contact force|support force|normal reaction force": TOUCHING,
-    "tension|tensile force|pull|tension force": PULLING,
-    "friction|friction force|frictional force|force of friction|static friction|force of static friction": TOUCHING,
-    "reaction|reaction force|support reaction|force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|"
-    "tooth force":
-        (*RESTING, *TOUCHING, *PULLING, "spring", "torsion-spring", "damper", "rotary-damper", "gear", "slider", "guide"),
+# what holds or pushes: the words for it, and the kinds of elements that these may mean
+ROLES: Mapping[str, tuple[str, tuple[str, ...]]] = {
+    "normal force": ("normal force|normal reaction|normal|contact force|support force|normal reaction force", TOUCHING),
+    "tension": ("tension|tensile force|pull|tension force", PULLING),
+    "friction":
+        ("friction|friction force|frictional force|force of friction|static friction|force of static friction", TOUCHING),
+    "force":
+        ("reaction|reaction force|support reaction|force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|"
+         "tooth force",
+         (*RESTING, *TOUCHING, *PULLING, "spring", "torsion-spring", "damper", "rotary-damper", "gear", "slider", "guide")),
 }  # fmt: skip
-CANONICAL = ("normal force", "tension", "friction", "force")
 CURVED = "circle|hoop|loop|dome|bowl|sphere|cylinder|hill|peg|corner|edge|incline|slope|wire|step|ramp"
 OF_LETTERS = (
     "angle", "speed", "velocity", "force", "couple", "torque", "mass", "length", "distance", "height", "coefficient",
     "power", "radius",
     "acceleration", "angular velocity", "angular speed", "stiffness", "spring constant", "load", "time",
 )  # fmt: skip
-SIDES = {"left", "right", "upper", "lower", "front", "rear", "top", "bottom", "back"}
 FEET = ("end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
 GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
 GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
@@ -71,7 +71,7 @@ class Lexicon:
                 own |= {mass, f"mass {mass}", *(f"{word} {mass}" for word in kinds), *self._meant(mass, "mass of ")}
             for name in own:
                 self._add("Body", name, body.name)
-            for word in SHAPE_WORDS:
+            for word in (word for word in SHAPE_WORDS if may_be(body, word)):
                 self._add("Body", f"{body.name} {word}", body.name)
                 self._add("Body", f"{word} {body.name}", body.name)
             for word in lone:
@@ -175,7 +175,7 @@ class Lexicon:
                 if isinstance(part, PointRef) and part.body:
                     for phrase in (*self.called("Point", f"{part.body}.{part.point}"), *([part.point] if part.point else [])):
                         self._add("Contact", phrase, e.name)
-                    for side in {*(part.point or "").split("_")} & SIDES:
+                    for side in {*(part.point or "").split("_")} & {*SIDES}:
                         for noun in FEET:
                             self._add("Contact", f"{side} {noun}", e.name)
 

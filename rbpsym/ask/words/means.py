@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.ask.named import _phases, joined
+from rbpsym.ask.named import begun_without, joined
 from rbpsym.ask.words.chart import Caps
-from rbpsym.ask.words.lexicon import CANONICAL, RESTING, ROLES, TOUCHING, Lexicon
+from rbpsym.ask.words.lexicon import RESTING, ROLES, TOUCHING, Lexicon
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Element
 from rbpsym.typeset.machine import to_machine
@@ -18,49 +18,46 @@ def _element(lexicon: Lexicon, name: str) -> Element | None:
     return next((e for e in lexicon.elements if e.name == name), None)
 
 
-def _of_kind(*kinds: str) -> Of:
-    def find(lexicon: Lexicon, caps: Caps) -> str | None:
-        e = _element(lexicon, caps["Element"])
-        return caps["Element"] if e and e.kind in kinds else None
-
-    return find
-
-
-def _role(lexicon: Lexicon, role: str, e: Element | None) -> str | None:
-    """What holds or pushes by its name, if the noun may mean it: “reaction” is none of a rough contact, which has two parts."""
-    row = next(((k, kinds) for k, (words, kinds) in enumerate(ROLES.items()) if role in words.split("|")), None)
-    if row is None or e is None or e.kind not in row[1]:
+def _role(role: str, e: Element | None, holder: str = "") -> str | None:
+    """What holds or pushes by its name, if the noun may mean it, on a body if that is said: “reaction” is none of a rough
+    contact, which has two parts."""
+    kind = next((kind for kind, (words, _) in ROLES.items() if role in words.split("|")), "")
+    if e is None or e.kind not in ROLES[kind][1]:
         return None
-    if row[0] == 3 and e.kind in TOUCHING and e.values.get("friction"):
+    is_rough = bool(e.values.get("friction"))
+    if (kind == "force" and e.kind in TOUCHING and is_rough) or (kind == "friction" and not is_rough):
         return None
-    if row[0] == 2 and not e.values.get("friction"):
-        return None
-    noun = "reaction" if row[0] == 3 and e.kind in RESTING else CANONICAL[row[0]]
-    return f"{noun} {e.name}"
+    if kind == "force" and (holder or e.kind in RESTING):
+        return f"force {e.name} on {holder}" if holder else f"reaction {e.name}"
+    return f"{kind} {e.name}"
 
 
 def _held(lexicon: Lexicon, caps: Caps) -> str | None:
-    return _role(lexicon, caps["Role"], _element(lexicon, caps["Where"]))
+    return _role(caps["Role"], _element(lexicon, caps["Where"]), caps["Holder"])
+
+
+def _lone_role(lexicon: Lexicon, role: str, bodies: set[str], holder: str = "") -> str | None:
+    """The only force of that role on a body, or between two."""
+    found = [one for e in lexicon.elements if bodies <= joined(e) and (one := _role(role, e, holder))]
+    return found[0] if len(found) == 1 else None
 
 
 def _held_on(lexicon: Lexicon, caps: Caps) -> str | None:
-    if caps["Where"]:
-        return _held(lexicon, caps)
-    found = [_role(lexicon, caps["Role"], e) for e in lexicon.elements if caps["Holder"] in joined(e)]
-    lone = [one for one in found if one]
-    return lone[0] if len(lone) == 1 else None
+    return _held(lexicon, caps) if caps["Where"] else _lone_role(lexicon, caps["Role"], {caps["Holder"]}, caps["Holder"])
 
 
 def _between(lexicon: Lexicon, caps: Caps) -> str | None:
-    both = {caps["a"], caps["b"]}
-    found = [_role(lexicon, caps["Role"], e) for e in lexicon.elements if both <= joined(e)]
-    lone = [one for one in found if one]
-    return lone[0] if len(lone) == 1 and len(both) == 2 else None
+    return _lone_role(lexicon, caps["Role"], {caps["a"], caps["b"]}) if caps["a"] != caps["b"] else None
+
+
+def _by_on(lexicon: Lexicon, caps: Caps) -> str | None:
+    return _lone_role(lexicon, caps["Role"], {caps["a"], caps["b"]}, caps["b"]) if caps["a"] != caps["b"] else None
 
 
 def _component(lexicon: Lexicon, caps: Caps) -> str | None:
-    axis, e = {"horizontal": "x", "vertical": "y"}[caps["x"]], _element(lexicon, caps["Held"].split()[-1])
-    return f"{e.name}_{axis}" if e and e.kind in RESTING else f"{axis} component of {caps['Held']}"
+    axis, whole = {"horizontal": "x", "vertical": "y"}[caps["x"]], caps["Held"]
+    e = None if " on " in whole else _element(lexicon, whole.split()[-1])  # of a pin the sign hangs on the body
+    return f"{e.name}_{axis}" if e and e.kind in RESTING else f"{axis} component of {whole}"
 
 
 def _coordinate(lexicon: Lexicon, caps: Caps) -> str | None:
@@ -91,13 +88,13 @@ def _of_it(lexicon: Lexicon, noun: str) -> str:
 
 
 def _cut(lexicon: Lexicon, caps: Caps) -> str | None:
-    found = _phases(lexicon.problem, f"{caps['who']} is cut")
+    found = begun_without(lexicon.problem, f"{caps['who']} is cut")
     return found.removesuffix(" begins") if found.endswith(" begins") else None
 
 
 def _blow(lexicon: Lexicon, caps: Caps) -> str | None:
     side = caps["side"].replace("immediately", "just").replace("right before", "just before")
-    return f"{side or 'when'} {caps['Subj'] or 'it'} hits {caps['HitWhat']}" if lexicon.blows else None
+    return f"{side or 'when'} {caps['Subj']} hits {caps['HitWhat']}" if lexicon.blows else None
 
 
 def _ratio(lexicon: Lexicon, caps: Caps) -> str:
@@ -106,11 +103,11 @@ def _ratio(lexicon: Lexicon, caps: Caps) -> str:
 
 def _named(lexicon: Lexicon, caps: Caps) -> str | None:
     e = _element(lexicon, caps["Force"])
-    return _role(lexicon, caps["Role"], e) if e else f"{caps['Role']} {caps['Force']}" if caps["Role"] in CANONICAL else None
+    return _role(caps["Role"], e) if e else f"{caps['Role']} {caps['Force']}" if caps["Role"] in ROLES else None
 
 
 def _ratio_held(lexicon: Lexicon, caps: Caps) -> str | None:
-    both = [_role(lexicon, caps["Role"], _element(lexicon, caps[side])) for side in "ab"]
+    both = [_role(caps["Role"], _element(lexicon, caps[side])) for side in "ab"]
     return f"ratio of {both[0]} to {both[1]}" if all(both) else None
 
 
@@ -140,7 +137,7 @@ def _weight(lexicon: Lexicon, caps: Caps) -> str | None:
 def _of_kinds(what: str, *kinds: str) -> Of:
     def find(lexicon: Lexicon, caps: Caps) -> str | None:
         e = _element(lexicon, caps["Element"])
-        return f"{what} {e.name}" if e and e.kind in kinds else None
+        return f"{what} {e.name}".strip() if e and e.kind in kinds else None
 
     return find
 
@@ -167,13 +164,13 @@ MEANINGS: Mapping[str, Of] = {
     "blow": _blow,
     "coordinate": _coordinate,
     "speed": lambda lexicon, caps: f"speed of {caps['Subj']} = {caps['SpeedValue']}",
-    "rests": lambda lexicon, caps: f"{caps['Subj'] or 'it'} comes to rest",
-    "leaves": lambda lexicon, caps: f"{caps['Subj'] or 'it'} leaves {caps['g']}",
+    "rests": lambda lexicon, caps: f"{caps['Subj']} comes to rest",
+    "leaves": lambda lexicon, caps: f"{caps['Subj']} leaves {caps['g']}",
     "vanishes": lambda lexicon, caps: f"{caps['Held']} vanishes",
     "stretched": lambda lexicon, caps: f"{'compression' if caps['c'] == 'compressed' else 'elongation'} of {caps['Spring']} = "
                                        f"{caps['Length']}",
-    "spring": _of_kind("spring", "torsion-spring"),
-    "string": _of_kind("string"),
+    "spring": _of_kinds("", "spring", "torsion-spring"),
+    "string": _of_kinds("", "string"),
     "its": lambda lexicon, caps: _of_it(lexicon, caps["Noun"]),
     "relative": _relative,
     "component": _component,
@@ -181,6 +178,7 @@ MEANINGS: Mapping[str, Of] = {
     "held": _held,
     "held_on": _held_on,
     "between": _between,
+    "by_on": _by_on,
     "named": _named,
     "distance": lambda lexicon, caps: f"distance travelled by {caps['Thing'] or caps['Subj']}",
     "angle": lambda lexicon, caps: f"angle turned by {caps['Holder']}" if caps["Holder"] else "angle turned",

@@ -105,11 +105,11 @@ Held
   Role Force -> @named
   Force -> {Force}
   Role on Holder [at|from|by|of|exerted by|due to] [Where] -> @held_on
-  Role (that|which|with which) Body:a (exerts|exert|acts|pushes|presses) on Body:b -> @between
-  Role (of|by|exerted by|from) Body:a (on|exerted on|upon) Body:b -> @between
+  Role (that|which|with which) Body:a (exerts|exert|acts|pushes|presses) on Body:b -> @by_on
+  Role (of|by|exerted by|from) Body:a (on|exerted on|upon) Body:b -> @by_on
   Role (between|exerted between) [gears|bodies|blocks|balls|wheels|masses|disks|carts|cars|cylinders|boxes] Body:a and Body:b
       -> @between
-  Role on Body:b (from|by|exerted by|due to) Body:a -> @between
+  Role on Body:b (from|by|exerted by|due to) Body:a -> @by_on
   Role -> {Role} !2
 
 Role

@@ -14,9 +14,9 @@ Question
   [Ask] Gone [Spans] -> {Gone} {Spans}
   Span [,] [Ask] Gone -> {Gone} {Span}
   [Ask] Best State [Spans] -> {Best} {State} {Spans}
-  Best State Reached -> {Best} {State}
+  [Ask] Best Noun ReachedBy [Reached] -> {Best} {Noun} of {ReachedBy}
   [Ask] ratio of State:a (to|and) State:b [Tails] -> ratio of {a} to {b} {Tails}
-  [Ask] ratio of Noun of Thing:a (to|and) (that|Noun:other) of Thing:b [Tails] -> @ratio
+  [Ask] ratio of Noun of Thing:a (to|and) that of Thing:b [Tails] -> @ratio
   [Ask] ratio of Noun of Thing:a (to|and) Thing:b [Tails] -> @ratio
   [Ask] ratio of Role (on|at|of) Where:a to that (on|at|of) Where:b -> @ratio_held
   [Ask] ratio of Turns of Holder:a to that of Holder:b [Tails] -> ratio of {Turns} of {a} to {Turns} of {b} {Tails}
@@ -60,8 +60,8 @@ Asking
   (does|do|will|can) Condition -> does {Condition}
 
 Condition
-  [Ask] Best coefficient of [static] friction [needed|required] [(for|to) Slipless] [between Raw] [SafeMoment] -> smallest mu
-      for which it does not slip {SafeMoment}
+  [Ask] Best coefficient of [static] friction [needed|required] [(for|to) Slipless] [SafeMoment] -> {Best} mu for which
+      it does not slip {SafeMoment}
   [Ask] [Best] Par ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
   [Ask] [Best] Par (needed|required|necessary|to be used) (for|to|so that|that|if) Cond [Given] -> {Best} {Par} for which
       {Cond} {Given}
@@ -103,7 +103,8 @@ Kept
   (at rest|rest|moving) -> stays at rest
 
 Cond
-  Event -> {Event}
+  Passing -> {Passing}
+  Happening -> {Happening}
   Subj Not (slip|slide|skid) [Spans] -> {Subj} does not slip {Spans}
   Subj Not (tip|topple|overturn|tip over) -> {Subj} does not tip
   Subj Not (leave|lose contact with|lift off|lift from|fly off) [Ground] [Spans] -> {Subj} stays in contact {Spans}
@@ -114,7 +115,7 @@ Cond
   Subj Nearly (lift|lifting|leave|leaving|lose contact with|losing contact with|lift off|lifting off|rise|rising) [from]
       [Ground] -> {Subj} lifts
   (slipping|sliding|slip) (is|impends) [impending|imminent] -> it slips
-  (tipping|motion) (is|impends) [impending|imminent] -> it slips
+  tipping (is|impends) [impending|imminent] -> it tips
   Subj (stays|stay|remains|remain|is|be|are) (at rest|in equilibrium|balanced) -> {Subj} stays at rest
   Subj (does not|do not|will not|not|to not|never) (move|start moving|begin to move|start to move) -> {Subj} stays at rest
   Subj Rolls (without slipping|without sliding|purely) -> {Subj} does not slip
@@ -175,8 +176,11 @@ Top
   (largest|greatest|maximum|highest|a maximum|maximal|as large as possible|as great as possible) -> largest
   (smallest|least|minimum|lowest|a minimum|minimal|as small as possible) -> smallest
 
+ReachedBy
+  (reached|attained|acquired|achieved|experienced) by Thing -> {Thing}
+  [that|which] Thing (reaches|attains|acquires|gets|has|achieves|will reach|will attain|experiences) -> {Thing}
+
 Reached
-  (reached|attained|acquired|achieved|experienced) [by Subj] ->
-  [that|which] Subj (reaches|attains|acquires|gets|has|achieves|will reach|will attain|experiences) ->
+  (reached|attained|achieved) ->
   (during|in|throughout|over) [whole|entire|subsequent|resulting|its|ensuing] (motion|swing|movement) ->
 """

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache, partial
 
+from rbpsym.ask.question import LONGEST
 from rbpsym.ask.words.chart import Chart, Heard, Meaning, Node, Parsed, compiled, tokens
 from rbpsym.ask.words.clauses import CLAUSES
 from rbpsym.ask.words.lexicon import GROUND, ROLES, Lexicon, Phrases
@@ -42,10 +43,9 @@ def grammar() -> dict[str, list[tuple[Node, str, int]]]:
             rows.setdefault(name, []).append(_row(line))
     for name, row in patterns().items():
         rows[name] = [_row(row)]
-    rows["RoleNoun"] = [_row(f"({'|'.join(ROLES)}):x -> {{x}}")]
+    rows["RoleNoun"] = [_row(f"({'|'.join(words for words, _ in ROLES.values())}):x -> {{x}}")]
     rows["Ground"] = [_row(f"({GROUNDS}):x -> {{x}}")]
-    rows["It"] = [_row("it -> @it")]
-    rows["It"] += [_row(f"{who} -> @it") for who in ("he", "she")]
+    rows["It"] = [_row("(it|he|she) -> @it")]
     return rows
 
 
@@ -57,8 +57,9 @@ def _row(line: str) -> tuple[Node, str, int]:
 
 def read(problem: Problem, text: str) -> list[str]:
     """What a question may mean, in the engine's language: all readings that leave the least unread; none where too much is."""
-    plain = _plain(problem, text)
-    lexicon = Lexicon(problem)
+    if len(text) > LONGEST:
+        return []
+    plain, lexicon = _plain(problem, text), Lexicon(problem)
     words = tokens(plain)
     lexicon.it = _it(lexicon, words)
     finders: dict[str, Callable[[list[Heard], int], Iterator[Parsed]]] = {

@@ -29,7 +29,6 @@ VERBS = {
            "is+released|was+released is+let+go is+switched+off is+turned+off "
            "is+burned is+burnt "
            "break|breaks|broke|breaking snap|snaps|snapped|snapping fail is+severed is+taken+away is+disconnected",
-    "Begin": "begin|begins|beginning|began start",
 }  # fmt: skip
 
 
