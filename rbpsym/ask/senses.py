@@ -41,10 +41,10 @@ from rbpsym.statement.own_text import letters_of
 def whichever(asked: Asked, found: Answer, again: Callable[[Asked], Answer]) -> Answer:
     """The answer without the condition on the sense of the motion, if that of the other sense (asked `again`) is the same and
     asks for nothing more; where nothing sets the motion going, nothing is said."""
-    for sense in of_sense(asked, _demands(found)) if found.verdict.is_proved else ():
+    for sense in of_sense(asked, demands_of(found)) if found.verdict.is_proved else ():
         with suppress(RbpsymError):
             problem = _turned(asked.problem, asked.first.assumptions, sense)
-            rest = [demand for demand in _demands(found) if not is_zero(demand.value - sense.value)]
+            rest = [demand for demand in demands_of(found) if not is_zero(demand.value - sense.value)]
             if problem is not None and _is_same(found, again(Asked(problem)), rest):
                 nodes = Draft(found.study).asked([Demand(sense.value, "!=")])
                 kept = (node for node in found.valid if not any(is_zero(d.value - sense.value) for d in _read(found.study, node)))
@@ -71,7 +71,8 @@ def of_sense(asked: Asked, stated: Sequence[Demand]) -> Iterator[Demand]:
         yield from (one for one in stated if one.op == ">" and any(is_zero(one.value - other.value) for other in told))
 
 
-def _demands(found: Answer) -> list[Demand]:
+def demands_of(found: Answer) -> list[Demand]:
+    """The conditions of an answer, each as a value that is positive, or does not vanish."""
     return [demand for node in found.valid for demand in _read(found.study, node)]
 
 
@@ -107,7 +108,7 @@ def narrowed(problem: Problem, quantity: Quantity) -> Problem:
 def under(asked: Asked, found: Answer) -> Asked:
     """The problem with what the conditions of an answer say of single parameters as their bounds."""
     problem, given = asked.problem, asked.first.assumptions
-    known = assuming(given, _demands(found), tighter=True)
+    known = assuming(given, demands_of(found), tighter=True)
     for quantity in problem.parameters:
         if (ends := known.range_of(quantity.name)) != given.range_of(quantity.name):
             lower, upper = (None if end is None else present(end) for end in ends)
@@ -123,7 +124,7 @@ def _is_same(found: Answer, other: Answer, rest: list[Demand]) -> bool:
         other.verdict.is_proved
         and told == (other.relation, other.says, other.holds_so, other.each, other.equation, other.at, len(other.values))
         and all(is_zero(neat(a - b, given)) for a, b in zip(found.values, other.values, strict=True))
-        and all(one in rest or settle([one], given) == () for one in _demands(other))
+        and all(one in rest or settle([one], given) == () for one in demands_of(other))
     )
 
 

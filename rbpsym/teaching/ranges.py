@@ -11,6 +11,8 @@ from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from fractions import Fraction
 
 from rbpsym.ask.asking import answered_all, letters
+from rbpsym.ask.found import Answer
+from rbpsym.ask.senses import demands_of
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.field.evaluate import scalar
@@ -148,7 +150,7 @@ def conditions(study: Study, *, asks: bool = True) -> list[Demand]:
     """What it takes for the motion to begin as it is told, to come to all phases and to what the problem itself asks."""
     found = [*followable(known_stages(study.problem)[0])]
     for answer in answered_all(study, letters(study)) if asks and not study.problem.phases else ():
-        found += [Demand(scalar(row.items[0]), row.ops[0]) for row in getattr(answer, "valid", ())]
+        found += demands_of(answer) if isinstance(answer, Answer) else ()
     return [demand for demand in found if demand.op != "!="]
 
 

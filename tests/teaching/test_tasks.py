@@ -12,9 +12,11 @@ from rbpsym.decide.equal import equal, scalars_equal
 from rbpsym.document.model import Math
 from rbpsym.document.words import Words
 from rbpsym.expr import tree as t
+from rbpsym.field import names_in
 from rbpsym.field.evaluate import scalar
+from rbpsym.frozen import replace
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.numbers import angles
+from rbpsym.mechanics.numbers import angles, floating
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
@@ -24,11 +26,12 @@ from rbpsym.teaching.lines import gaps, lines_to
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
 from rbpsym.teaching.papers.solution import _start
 from rbpsym.teaching.plan import WorksheetPlan, bench_of, plan_of
-from rbpsym.teaching.ranges import default_ranges, middles, si
+from rbpsym.teaching.ranges import conditions, default_ranges, middles, si
 from rbpsym.teaching.sheet import sheet_of_text
 from rbpsym.teaching.tasks.compare import variants
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.slip import SHORT, SPLITS, brief
+from tests.library.derived import problem
 
 PROBLEMS = ("rod-and-disk-free", "sliding-ladder-with-spring", "disk-on-incline")
 STUDENTS = [Student(f"s{k}") for k in range(8)]
@@ -334,3 +337,10 @@ interactions.W = { type = "gravity" }
 interactions.K = { type = "force", on = "block.center", force = ["2*m*g + C/d", "0"] }
 constraints.N = { type = "contact", point = "block.center", line = "y = x*tan(beta)", coefficient = "mu", slip = "forward" }
 """
+
+
+def test_what_a_question_asks_of_the_numbers_keeps_both_its_sides() -> None:
+    """“2θ₀ > π”, under which the rod comes to what is asked, is no condition that 2θ₀ alone is positive."""
+    own = replace(problem("rod-pendulum"), questions={"angular velocity of rod where theta = pi/2": {}})
+    asked = [demand for demand in conditions(study_of(own)) if names_in(demand.value) == {"theta_0", "pi"}]
+    assert asked and all(floating(one.value, {"theta_0": 1.0}) < 0 < floating(one.value, {"theta_0": 2.0}) for one in asked)
