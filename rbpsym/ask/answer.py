@@ -221,6 +221,11 @@ def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
         if moment.how != "start" or place or not asked.begun:
             raise StatementError(f"“{question.quantity}” has no value there: something is divided by zero") from None
         return _at_moment(asked.begun, question, moment_of(asked.begun, When("start"), question))
+    if moment.how == "rest" and not any(values) and any(names_in(value) & {*world.motion.scope.rates} for value in named):
+        raise StatementError(
+            f"in equilibrium nothing moves, so that “{question.quantity}” is nothing there",
+            instead="of the place of equilibrium that is passed say “… where potential energy is smallest”.",
+        )
     return Found(study, named, values, moment=moment, works=works, about=bound.about)
 
 

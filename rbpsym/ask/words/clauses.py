@@ -53,10 +53,17 @@ Moment
   (just before|right before|immediately before|just after|right after|immediately after|before|after):side Subj Hit HitWhat
       -> @blow
   When Subj (first|) Hit HitWhat -> @blow
+  (JustAfter|after) BlowClause -> @after_blow
+  JustBefore BlowClause -> @before_blow
+  (JustBefore|JustAfter|after|When):side Subj Begun [Unknown|Ground|Body] -> @begun
+  (When|JustBefore) Body Hit Floor -> @flat
+  (when|as|where|while|after) Subj [Aux] (passes|passing|swings|moves|goes|is passing|reaches) [through] [its] (equilibrium|
+      equilibrium position|position of equilibrium) -> where potential energy is smallest
+  At extreme [position|positions|point] -> where it comes to rest
   At Place -> where {Place}
   on (hitting|striking) HitWhat -> @blow
-  (at|in|for) [its|position of] [stable] (equilibrium|rest|equilibrium position|equilibrium configuration|rest position) ->
-      in equilibrium
+  (in|at|for) [stable|static] (equilibrium|rest|equilibrium position|equilibrium configuration|rest position) -> in equilibrium
+  (at|through) [its] (equilibrium position|position of equilibrium|rest position) -> where potential energy is smallest
   (at|in) [its|position of] unstable (equilibrium|equilibrium position) -> in unstable equilibrium
   At [its] (lowest|bottom):x (point|position|place) [of [its] (path|swing|motion|arc|track|loop|circle|hill|dip)] -> at its
       lowest point
@@ -107,7 +114,16 @@ Aux
       momentarily|to just|will just|just has|is|are|be|being|in|on|by|will have|first has) ->
 
 BlowNoun
-  (impact|collision|blow|bounce|it is struck|striking|hit) ->
+  (impact|collision|blow|bounce|it is struck|striking|hit|catch|jump|jerk|capture|embedding|landing|rebound|strike) ->
+
+BlowClause
+  Subj [Aux] (caught|hooked|embedded|captured|struck|hit|kicked|stuck|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
+      onto|in|by|to|up|off|off it|onto it|on it] [HitWhat|Unknown] -> impact
+  Subj [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
+  (embedding|catching|landing|hooking|capture) -> impact
+
+Unknown
+  (hand|hook|peg|hammer|cue|finger|nail|stop|ridge|obstacle|step|kerb|curb|target|club|racket|bat) ->
 
 HitWhat
   (Body|Ground|Point):x -> {x}
@@ -149,11 +165,16 @@ Happening
   String [Aux] (goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
   Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
   (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost
+  Subj [Aux] (reaches|reach|is at|be at|reached|gets to) (maximum height|greatest height|highest point|top of [its] path|highest
+      position) -> @highest
+  [Subj] reach (maximum height|greatest height|highest point|highest position) -> @highest
+  Subj (returns|return|falls back|comes back|is back) to (ground|floor|where it was thrown|hand) -> {Subj} comes back
   [Subj] (begins|starts|begin|start|to begin|to start|just begins|first begins|beginning|starting) (to slip|to slide|slipping|
       sliding|to skid) -> {Subj} slips
   [Subj] (slips|slip) -> {Subj} slips
   [Subj] [Aux] Tip -> {Subj} tips
-  Subj (is|becomes|are|gets|has become|be|being|to be) (vertical|horizontal):x -> {Subj} is {x}
+  Subj (is|becomes|are|gets|has become|be|being|to be|passes|passes through|passing through|swings through|reaches) [its|a] (
+      vertical|horizontal):x [position] -> {Subj} is {x}
   Subj (makes|makes an angle of|forms|makes an angle|is inclined at|is at) [an angle of] Value [degrees|deg]:d (with|to|from)
       [the] (vertical|horizontal):x -> {Subj} makes {Value} {d} with {x}
   [Subj] (is in|in|to) [a] (vertical|horizontal):x position -> {Subj} is {x}
@@ -200,7 +221,9 @@ Span
   between (start|release) and [moment when|instant when|where|when] Event -> <2>until {Event}
   (in|during) Gerund -> <2>until {Gerund}
   (during|in|over|throughout) (phase Phase|Phase) -> <1>in phase {Phase}
-  (during|in|by|due to|at) (collision|impact|blow|bounce) -> <2>in impact
+  (during|in|by|due to|at|on) [each] BlowNoun -> <2>in impact
+  (when|as|because|while) BlowClause -> <2>in impact
+  (in|during|over|for) (one|a|each) [full|complete|whole] (turn|revolution|rotation) [of Body:b] -> @one_turn
   Reached ->
   (as [a] function of|in terms of) Arg -> <3>as a function of {Arg}
   after (Begin|Blow|BlowNoun):x -> <2>after {x}

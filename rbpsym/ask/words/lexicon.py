@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -74,6 +75,9 @@ class Lexicon:
             for word in (word for word in SHAPE_WORDS if may_be(body, word)):
                 self._add("Body", f"{body.name} {word}", body.name)
                 self._add("Body", f"{word} {body.name}", body.name)
+            for word in ("bodies", "masses", "two bodies", *(f"{two}{word}s" for word in (*kinds, body.name) for two in ("", "two "))):
+                if len(self.problem.bodies) > 1:
+                    self._add("Each", word, body.name)
             for word in lone:
                 if word not in self.problem.body_names:
                     self._add("Body", word, body.name)
@@ -191,6 +195,9 @@ class Lexicon:
     def _phases(self) -> None:
         for phase in self.problem.phases:
             kind = "Blow" if phase.impulses else "Begin"
+            stem = re.sub(r"(?<=\w{3})(?:ed|ing|e?s|e)$", "", phase.name.split("-")[0])
+            for form in ("", "e", "s", "es", "ed", "ing"):  # the parachute “opens”, “has opened”: the phase “opened”
+                self._add("Begun", stem + form, phase.name)
             for phrase in (phase.name, phase.name.replace("-", " "), f"phase {phase.name}"):
                 self._add(kind, phrase, phase.name)
                 self._add("Phase", phrase, phase.name)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.ask.named import begun_without, joined
+from rbpsym.ask.named import begun_without, joined, may_be
 from rbpsym.ask.words.chart import Caps
 from rbpsym.ask.words.lexicon import RESTING, ROLES, TOUCHING, Lexicon
+from rbpsym.expr import tree as t
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Element
 from rbpsym.typeset.machine import to_machine
@@ -61,8 +62,12 @@ def _component(lexicon: Lexicon, caps: Caps) -> str | None:
 
 
 def _coordinate(lexicon: Lexicon, caps: Caps) -> str | None:
+    """The only angle, or length, that tells a place; of several the only one that tells where a body is, not only how it lies."""
     wanted = NUMBER if caps["x"] == "angle" else LENGTH
     found = [c.name for c in lexicon.problem.coordinates if c.quantity.dimension == wanted]
+    if len(found) > 1:
+        places = {name for body in lexicon.problem.bodies for way in (body.placed or ("", ()))[1] for name in t.names(way)}
+        found = [name for name in found if name in places]
     return found[0] if len(found) == 1 and caps["x"] != "place" else None
 
 
@@ -121,6 +126,64 @@ def _of_thing(lexicon: Lexicon, caps: Caps, what: str) -> str | None:
     return f"{what} of {who}" if who and "." not in who else None
 
 
+def _lone_noun(lexicon: Lexicon, caps: Caps) -> str:
+    return _of_it(lexicon, caps["Noun"] or caps["n"])
+
+
+def _leaves(lexicon: Lexicon, caps: Caps) -> str:
+    """That the contact with what is named vanishes, where a body has several."""
+    sides = [e for e in lexicon.elements if e.kind in TOUCHING and caps["Subj"] in (*joined(e), "it")]
+    found = [e.name for e in sides if caps["g"] in (*lexicon.grounds(e), *joined(e))]
+    return f"{found[0]} vanishes" if len(found) == 1 < len(sides) else f"{caps['Subj']} leaves {caps['g']}"
+
+
+def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
+    """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
+    if lexicon.problem.phases:
+        who = caps["Thing"] or lexicon.it
+        return f"{caps['n']} of {who} <1>in phase {lexicon.problem.phases[-1].name}" if who else None
+    wanted = NUMBER if "angular" in caps["n"] else LENGTH
+    names = [c.name for c in lexicon.problem.coordinates if c.quantity.dimension == wanted]
+    return f"terminal speed of {names[0]}" if len(names) == 1 else None
+
+
+def _fraction(lexicon: Lexicon, caps: Caps) -> str:
+    """What a blow, or else the slipping until it rolls, takes of the kinetic energy."""
+    lost, first = ("", "just before impact") if lexicon.blows else ("until it rolls ", "at start")
+    return f"ratio of energy lost {lost}to kinetic energy {first}"
+
+
+def _heat(lexicon: Lexicon, caps: Caps) -> str | None:
+    """What slipping takes until it rolls, where something round can roll."""
+    rolls = any(may_be(body, "wheel") or may_be(body, "ball") for body in lexicon.problem.bodies)
+    return "heat produced until it rolls" if rolls and not lexicon.blows else None
+
+
+def _begun(lexicon: Lexicon, caps: Caps) -> str:
+    side = caps["side"].split()
+    where = "just before {}" if "before" in side else "right after {}" if "after" in side else "when {} begins"
+    return where.format(caps["Begun"])
+
+
+def _flat(lexicon: Lexicon, caps: Caps) -> str | None:
+    """A rod of which an end moves on a floor hits that where it is horizontal."""
+    rods = [body.name for body in lexicon.problem.bodies if body.shape.kind == "rod" and body.name == caps["Body"]]
+    floors = [e for e in lexicon.elements if caps["Body"] in joined(e) and "floor" in lexicon.grounds(e) and not e.values.get("of")]
+    return f"where {caps['Body']} is horizontal" if rods and floors and not lexicon.blows else None
+
+
+def _end(which: str) -> Of:
+    def find(lexicon: Lexicon, caps: Caps) -> str | None:
+        rods = [body.name for body in lexicon.problem.bodies if body.shape.kind == "rod" and caps["Body"] in ("", body.name)]
+        return f"{which} end of {rods[0]}" if len(rods) == 1 else None
+
+    return find
+
+
+def _after(where: str) -> Of:
+    return lambda lexicon, caps: where if lexicon.blows else None
+
+
 def _full(lexicon: Lexicon, caps: Caps) -> str | None:
     """A full turn is one of the only coordinate that is an angle, from its start."""
     found = [c for c in lexicon.problem.coordinates if c.quantity.dimension == NUMBER]
@@ -142,6 +205,7 @@ def _of_kinds(what: str, *kinds: str) -> Of:
     return find
 
 
+SINGULAR = {"speeds": "speed", "velocities": "velocity", "accelerations": "acceleration"}
 MEANINGS: Mapping[str, Of] = {
     "ratio_held": _ratio_held,
     "angle_of": _angle_of,
@@ -165,7 +229,22 @@ MEANINGS: Mapping[str, Of] = {
     "coordinate": _coordinate,
     "speed": lambda lexicon, caps: f"speed of {caps['Subj']} = {caps['SpeedValue']}",
     "rests": lambda lexicon, caps: f"{caps['Subj']} comes to rest",
-    "leaves": lambda lexicon, caps: f"{caps['Subj']} leaves {caps['g']}",
+    "leaves": _leaves,
+    "lone_noun": _lone_noun,
+    "terminal": _terminal,
+    "fraction": _fraction,
+    "begun": _begun,
+    "heat": _heat,
+    "flat": _flat,
+    "lower_end": _end("lower"),
+    "upper_end": _end("upper"),
+    "after_blow": _after("right after impact"),
+    "before_blow": _after("just before impact"),
+    "each": lambda lexicon, caps: f"{SINGULAR.get(caps['n'], caps['n'])} of {caps['Each']}",
+    "is_stable": lambda lexicon, caps: f"is equilibrium of {who} stable" if (who := caps["Thing"] or _lone(lexicon)) else None,
+    "highest": lambda lexicon, caps: f"height of {who}.cm is largest" if (who := lexicon.it) in lexicon.problem.body_names else None,
+    "one_turn": lambda lexicon, caps: f"<2>until {caps['b'] or lexicon.it or 'it'} has turned 2*pi",
+    "largest_angle": lambda lexicon, caps: f"largest {found}" if (found := _coordinate(lexicon, {**caps, "x": "angle"})) else None,
     "vanishes": lambda lexicon, caps: f"{caps['Held']} vanishes",
     "stretched": lambda lexicon, caps: f"{'compression' if caps['c'] == 'compressed' else 'elongation'} of {caps['Spring']} = "
                                        f"{caps['Length']}",

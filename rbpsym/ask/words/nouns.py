@@ -5,9 +5,14 @@ from __future__ import annotations
 NOUNS = r"""
 Thing
   Point -> {Point}
+  End -> {End}
   Body -> {Body}
   Coord -> {Coord}
   It -> {It}
+
+End
+  (foot|base|lower end|bottom end|bottom) [of Body] -> @lower_end
+  (upper end|top|top end|head) [of Body] -> @upper_end
 
 Subj
   Body -> {Body}
@@ -33,7 +38,19 @@ State
   Sign (State) -> {Sign} {State}
   Noun of Thing -> {Noun} of {Thing}
   its Noun -> @its
-  Noun -> {Noun} !2
+  Noun -> @lone_noun !2
+  Turns of Holder:a relative to Holder:b -> angular velocity of {a} relative to {b}
+  (terminal|limiting|steady|final|ultimate|maximum attainable) (speed|velocity|Turns):n [of Thing] -> @terminal
+  common (speed|velocity|Turns):n of Each [(after|When|JustAfter) BlowClause] -> {n} of {Each} <2>right after impact
+  (speeds|velocities|accelerations|Turns):n of Each -> @each
+  fraction of [initial|original] [kinetic|mechanical] energy [that is|which is] (lost|dissipated) [(in|during|by|at|on) [each]
+      BlowNoun|in slipping|while slipping|to friction] -> @fraction
+  fraction of [total] kinetic energy (that is|which is|that is in|in) (rotational|rotation) -> ratio of rotational kinetic
+      energy to kinetic energy
+  fraction of [total] kinetic energy (that is|which is|that is in|in) (translational|translation) -> ratio of translational
+      kinetic energy to kinetic energy
+  (speed|velocity|acceleration):n (down|up|along) [the] (incline|slope|plane|ramp|hill) -> @lone_noun
+  (acceleration|velocity|speed):n of Thing (down|up|along) (incline|slope|plane|ramp|hill) -> magnitude of {n} of {Thing}
   RelNoun of Thing:a (relative to|with respect to|as seen from|seen from) Thing:b -> @relative
   relative RelNoun of Thing:a (and|to) Thing:b -> @relative
   (speed|velocity) with which Event -> @with_which
@@ -115,6 +132,9 @@ Held
 Role
   [magnitude of|size of] RoleNoun -> {RoleNoun}
 
+Heat
+  (heat|energy|mechanical energy|kinetic energy) (produced|dissipated|generated|lost) ->
+
 Where
   Contact -> {Contact}
   Element -> {Element}
@@ -139,6 +159,12 @@ Gone
   work [done] on Holder by Force -> @work
   work [done] on Holder (by|of) Body -> @work_between
   impulse (of|exerted by) Force -> impulse of {Force}
+  impulse (of|exerted by|from|on|in|at) Unknown [on Body] -> @impulse
+  impulse [(that|which) Body exerts] (on|exerted on) Body -> @impulse
+  impulse in String -> @impulse
+  (maximum|greatest) height [reached|attained] [by Body|it reaches|Body reaches] -> how high does it rise
+  (maximum|greatest|largest):x angle (of swing|of deflection|of rotation|of oscillation) -> @largest_angle
+  Heat [to friction|in slipping|by friction] -> @heat
   (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
   (loss of|loss in) (energy|kinetic energy|mechanical energy) -> energy lost
   (average|mean) Noun [of Thing] -> average {Noun} of {Thing}

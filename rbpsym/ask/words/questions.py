@@ -22,6 +22,8 @@ Question
   [Ask] ratio of Turns of Holder:a to that of Holder:b [Tails] -> ratio of {Turns} of {a} to {Turns} of {b} {Tails}
   [Ask] difference (between|of) State Moment:a and Moment:b -> @difference
   [Ask] ratio between Noun of Thing:a and Thing:b [Tails] -> @ratio
+  [Ask] CoordNoun (at|for) which Event -> {CoordNoun} where {Event}
+  [Ask] Stable -> {Stable}
   Ask Raw -> {Raw}
   Asking -> {Asking}
   Condition -> {Condition}
@@ -83,6 +85,10 @@ Condition
   what (value|values) of Par (makes|make|gives|give|will make|will give|would make|lets|causes) Cond -> {Par} for which {Cond}
   what [is] Best [value of] Par ForWhich Cond -> {Best} {Par} for which {Cond}
 
+Stable
+  condition for (stability|stable equilibrium) [of equilibrium|of Thing] -> @is_stable
+  (when|where) is equilibrium [of Thing] stable -> @is_stable
+
 Slipless
   (pure rolling|rolling without slipping|rolling|roll without slipping|prevent slipping|prevent sliding|no slipping|no slip|
       prevent slip) ->
@@ -124,7 +130,12 @@ Cond
   Subj (comes to rest|stops|is brought to rest|come to rest) (at|when|where) Coord (=|is|reaches) Value -> {Coord} comes to
       rest at {Coord} = {Value}
   Subj Full -> @full
-  equilibrium [position] [of Thing] (is|be) (stable|unstable):x -> @stable
+  Resting [of Thing] (is|be) (stable|unstable):x -> @stable
+  State Still [BlowMoment] -> {State} {BlowMoment} vanishes
+  Subj (is|be|are|comes|remains|stops) [at rest|to rest] BlowMoment -> velocity of {Subj} {BlowMoment} vanishes
+  Subj (Rolls|Go|moves) (with|at) constant (speed|velocity) -> acceleration of {Subj} vanishes
+  Subj (rotates|turns|spins) (with|at) constant (speed|angular velocity|angular speed|rate) -> angular acceleration of {Subj} vanishes
+  Contact (stays|remains|stay|remain|Not leave|Not lift off) [on|in contact with] Ground -> {Contact} does not lift
   State Not (fall|drop|decrease|go) below Value -> {State} stays above {Value}
   State Not (exceed|rise above|grow beyond|go above) Value -> {State} stays below {Value}
   State:a Cmp State:b [Tails] -> {a} {Cmp} {b} {Tails}
@@ -134,6 +145,16 @@ Cond
   State (is|becomes|be|are) Top -> {State} is {Top}
   (there is no|no) State [Tails] -> {State} vanishes {Tails}
   Raw -> {Raw}
+
+Resting
+  equilibrium [position] ->
+  (upright|vertical|equilibrium) position ->
+
+Still
+  (vanishes|is zero|is nil|disappears) ->
+
+BlowMoment
+  (JustAfter|after) BlowNoun -> right after impact
 
 Full
   [Aux] (make|makes|making|complete|completes|completing|perform|performs|describe|describes) (full|complete|whole|entire|one

@@ -23,7 +23,7 @@ from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement.model import Problem
 
 UNREAD, MOST_UNREAD = 4, 16  # what a word costs that is taken as it is written, and what a reading may cost
-NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Phase", "Struck")
+NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Begun", "Phase", "Struck", "Each")
 GROUNDS = (
     f"{GROUND}|wall|incline|slope|ramp|hill|dome|bowl|loop|circle|sphere|wedge|edge|corner|step|peg|hoop|guide|wire|cylinder|drum|"
     "curve|tube|bar|rod"
@@ -45,6 +45,7 @@ def grammar() -> dict[str, list[tuple[Node, str, int]]]:
         rows[name] = [_row(row)]
     rows["RoleNoun"] = [_row(f"({'|'.join(words for words, _ in ROLES.values())}):x -> {{x}}")]
     rows["Ground"] = [_row(f"({GROUNDS}):x -> {{x}}")]
+    rows["Floor"] = [_row(f"({GROUND}):x -> {{x}}")]
     rows["It"] = [_row("(it|he|she) -> @it")]
     return rows
 
