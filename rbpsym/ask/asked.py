@@ -260,8 +260,7 @@ class Asked(Frozen):
         name = re.sub(r"^(?:phase |blow |collision |impulse )?", "", name)
         blows = {e.name: k for k, phase in enumerate(self.problem.phases, 1) for e in phase.impulses}
         known = {"first": 0} | {name: k for k, name in enumerate(self.names)} | blows
-        before = (self.problem, *(phase.problem for phase in self.problem.phases))
-        struck = {k for k, phase in enumerate(self.problem.phases, 1) if _is_struck(phase, before[k - 1])}
+        struck = struck_phases(self.problem)
         known |= dict.fromkeys(("blow", "bounce", "collision", "impact", "impulse"), *struck) if len(struck) == 1 else {}
         if name not in known:
             hint = did_you_mean(name, list(known), "phases") if self.problem.phases else "the problem has no [[phases]]."
@@ -269,7 +268,8 @@ class Asked(Frozen):
         return known[name]
 
 
-def _is_struck(phase: Phase, before: Problem) -> bool:
-    """Whether impulses act when it begins: stated ones, or those with which a new constraint is met."""
-    new = {element.name for element in phase.problem.constraints} - {element.name for element in before.constraints}
-    return bool(phase.impulses or new)
+def struck_phases(problem: Problem) -> list[int]:
+    """The places of the phases at the beginning of which impulses act: stated ones, or those with which a new constraint is met."""
+    stages = (problem, *(phase.problem for phase in problem.phases))
+    names = [{element.name for element in stage.constraints} for stage in stages]
+    return [k for k, phase in enumerate(problem.phases, 1) if phase.impulses or names[k] - names[k - 1]]

@@ -144,7 +144,7 @@ def _meant(problem: Problem, text: str) -> str:
         own = [body.name for body in problem.bodies if body.mass == t.Sym(q.name)]
         if len(own) == 1 and " " in of and not of.startswith("of "):
             text = re.sub(rf"\b{re.escape(of)}\b", own[0], text)
-    alone = r"(?! (?:of|by|from|to|with|against|relative|above|below)\b)"
+    alone = r"(?![.\w-]| (?:of|by|from|to|with|against|relative|above|below)\b)"
     for coordinate in problem.coordinates:
         told = without_articles(coordinate.quantity.meaning)
         if told and told not in PLAIN:

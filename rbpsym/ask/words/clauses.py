@@ -45,6 +45,8 @@ Moment
   JustAfter (Begin|Blow):x [Begins] -> right after {x}
   after (Begin|Blow):x [Begins] -> right after {x}
   JustAfter BeginClause -> right after {BeginClause}
+  JustAfter (Element|string|cord|thread|support|prop|it|other|other one|one|other string|one string) Cut -> @cut_at_start
+  (JustAfter|after) (cutting|release|burning) [Element] -> @cut_at_start
   after BeginClause -> right after {BeginClause}
   (JustAfter|after) Passing -> where {Passing}
   before (Blow|BlowNoun):x -> just before {x}
@@ -56,7 +58,7 @@ Moment
   (JustAfter|after) BlowClause -> @after_blow
   JustBefore BlowClause -> @before_blow
   (JustBefore|JustAfter|after|When):side Subj Begun [Unknown|Ground|Body] -> @begun
-  (When|JustBefore) Body Hit Floor -> @flat
+  (When|JustBefore) Body (Hit|Reach) Floor -> @flat
   (when|as|where|while|after) Subj [Aux] (passes|passing|swings|moves|goes|is passing|reaches) [through] [its] (equilibrium|
       equilibrium position|position of equilibrium) -> where potential energy is smallest
   At extreme [position|positions|point] -> where it comes to rest
@@ -84,6 +86,7 @@ Moment
 Elapsed
   [a] [time] [of] Time -> where t = {Time}
   Value (turns|revolutions|rotations|turn|revolution) [of Body] -> after {Value} turns
+  (one|a|one full|a full|one complete) (turn|revolution|rotation) [of Body] -> after 1 turns
   a fall of Value -> where it has fallen {Value}
   (falling|descending|dropping) [through] [a (distance|height) [of]] Value -> where it has fallen {Value}
 
@@ -117,7 +120,7 @@ BlowNoun
   (impact|collision|blow|bounce|it is struck|striking|hit|catch|jump|jerk|capture|embedding|landing|rebound|strike) ->
 
 BlowClause
-  Subj [Aux] (caught|hooked|embedded|captured|struck|hit|kicked|stuck|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
+  (Subj|[its|one|one of its|free|other|right|left|lower|upper] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|embedded|captured|struck|hit|kicked|stuck|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
       onto|in|by|to|up|off|off it|onto it|on it] [HitWhat|Unknown] -> impact
   Subj [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
   (embedding|catching|landing|hooking|capture) -> impact
@@ -158,10 +161,10 @@ Passing
 
 Happening
   State (is|becomes|reaches its) Top -> {State} is {Top}
-  [Subj] Stop [momentarily|for first time|instantaneously] -> @rests
+  [Subj] Stop [momentarily|for first time|instantaneously|spinning|rotating|turning|moving] -> @rests
   [Subj] Return [to (its|start|starting|initial|where|original)] [start|point|position|starting point|starting position|place|
       it started] -> {Subj} comes back
-  [Subj] [Aux] Leave [Ground:g|Body:g|Point:g] -> @leaves
+  [Subj] [Aux] Leave [Ground:g|Body:g|Point:g|other|other one|it] -> @leaves
   String [Aux] (goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
   Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
   (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost
@@ -199,6 +202,7 @@ Gripping
   [Subj] (begins|starts|begin|start|has begun|has started|beginning|starting|to begin|to start) (rolling|to roll|pure
       rolling) [without slipping|purely] -> {Subj} stops slipping
   [Subj] (rolls|roll|rolling|is rolling|to roll) [without slipping|without sliding|purely] -> {Subj} stops slipping
+  [Subj] (moves|move|moving|travels|turns|rotates) with (Ground|Body|belt) -> {Subj} stops slipping
   (rolling|pure rolling|rolling without slipping) (begins|starts|sets in|has begun|occurs) -> it stops slipping
 
 Turned
@@ -221,8 +225,10 @@ Span
   between (start|release) and [moment when|instant when|where|when] Event -> <2>until {Event}
   (in|during) Gerund -> <2>until {Gerund}
   (during|in|over|throughout) (phase Phase|Phase) -> <1>in phase {Phase}
-  (during|in|by|due to|at|on) [each] BlowNoun -> <2>in impact
-  (when|as|because|while) BlowClause -> <2>in impact
+  (during|in|by|due to|at|on) [each] BlowNoun -> @in_blow
+  (when|as|because|while) BlowClause -> @in_blow
+  (at|on) (Unknown|Ground) -> @in_blow
+  Until BlowClause -> @until_blow
   (in|during|over|for) (one|a|each) [full|complete|whole] (turn|revolution|rotation) [of Body:b] -> @one_turn
   Reached ->
   (as [a] function of|in terms of) Arg -> <3>as a function of {Arg}
@@ -233,7 +239,7 @@ Span
   (from|between) Coord:c [=] Value:a (to|and) [Coord] [=] Value:b -> <2>from {c} = {a} to {c} = {b}
 
 Until
-  (until|till|up to|before|by time|by time that|when|once|to|in|for|at instant|upto|until moment when|until it|by moment|
+  (until|till|up to|before|up to time|up to moment|up to instant|by time|by time that|when|once|to|in|for|at instant|upto|until moment when|until it|by moment|
       for it|up to where|by instant) [where|when|moment|instant] ->
 
 Gerund

@@ -6,6 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 
+from rbpsym.ask.asked import struck_phases
 from rbpsym.ask.named import ELEMENTS, KINDS, PARAMETERS, SHAPES, SIDES, SURFACES, joined, may_be
 from rbpsym.ask.named import PLAIN as TOO_PLAIN
 from rbpsym.expr import tree as t
@@ -48,6 +49,8 @@ class Lexicon:
         self.problem = problem
         self.elements = [*problem.constraints, *problem.interactions]
         self.blows = [(phase.name, e) for phase in problem.phases for e in phase.impulses]
+        struck = struck_phases(problem)
+        self.struck = problem.phases[struck[0] - 1].name if len(struck) == 1 else ""  # the phase that the only blow begins
         self.it = ""  # whom “it” means in the question that is read
         self.of: dict[str, dict[tuple[str, ...], list[str]]] = defaultdict(lambda: defaultdict(list))
         for add in (self._bodies, self._coordinates, self._letters, self._points, self._held, self._phases):

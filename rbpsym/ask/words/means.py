@@ -99,6 +99,8 @@ def _cut(lexicon: Lexicon, caps: Caps) -> str | None:
 
 def _blow(lexicon: Lexicon, caps: Caps) -> str | None:
     side = caps["side"].replace("immediately", "just").replace("right before", "just before")
+    if lexicon.struck and not lexicon.blows:  # what is met is a new constraint
+        return f"{side.replace('just after', 'right after')} impact" if side.startswith("just ") else None
     return f"{side or 'when'} {caps['Subj']} hits {caps['HitWhat']}" if lexicon.blows else None
 
 
@@ -149,14 +151,14 @@ def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
 
 def _fraction(lexicon: Lexicon, caps: Caps) -> str:
     """What a blow, or else the slipping until it rolls, takes of the kinetic energy."""
-    lost, first = ("", "just before impact") if lexicon.blows else ("until it rolls ", "at start")
+    lost, first = ("", "just before impact") if lexicon.struck else ("until it rolls ", "at start")
     return f"ratio of energy lost {lost}to kinetic energy {first}"
 
 
 def _heat(lexicon: Lexicon, caps: Caps) -> str | None:
     """What slipping takes until it rolls, where something round can roll."""
     rolls = any(may_be(body, "wheel") or may_be(body, "ball") for body in lexicon.problem.bodies)
-    return "heat produced until it rolls" if rolls and not lexicon.blows else None
+    return "heat produced until it rolls" if rolls and not lexicon.struck else None
 
 
 def _begun(lexicon: Lexicon, caps: Caps) -> str:
@@ -169,7 +171,7 @@ def _flat(lexicon: Lexicon, caps: Caps) -> str | None:
     """A rod of which an end moves on a floor hits that where it is horizontal."""
     rods = [body.name for body in lexicon.problem.bodies if body.shape.kind == "rod" and body.name == caps["Body"]]
     floors = [e for e in lexicon.elements if caps["Body"] in joined(e) and "floor" in lexicon.grounds(e) and not e.values.get("of")]
-    return f"where {caps['Body']} is horizontal" if rods and floors and not lexicon.blows else None
+    return f"where {caps['Body']} is horizontal" if rods and floors and not lexicon.struck else None
 
 
 def _end(which: str) -> Of:
@@ -181,7 +183,26 @@ def _end(which: str) -> Of:
 
 
 def _after(where: str) -> Of:
-    return lambda lexicon, caps: where if lexicon.blows else None
+    return lambda lexicon, caps: where.format(lexicon.struck) if lexicon.struck else None
+
+
+def _swings(lexicon: Lexicon, caps: Caps) -> str | None:
+    """A frequency is a circular one, as all are here."""
+    words = "period" if caps["Swinging"].startswith("period") else "frequency"
+    who = caps["Thing"] or _lone(lexicon)
+    return f"{words} of {who}" if who else words
+
+
+def _starts(lexicon: Lexicon, caps: Caps) -> str | None:
+    """What starts a motion just balances what holds it."""
+    return f"{caps['Par']} for which acceleration of {_lone(lexicon)} at start vanishes" if _lone(lexicon) else None
+
+
+def _driving(lexicon: Lexicon, caps: Caps) -> str | None:
+    """What leads a body as prescribed, by its name."""
+    kinds = ("prescribed-angle",) if caps["Thing"] and "force" not in caps.values() else ("prescribed",)
+    found = [e.name for e in lexicon.elements if e.kind in kinds]
+    return f"couple {found[0]}" if len(found) == 1 and kinds == ("prescribed-angle",) else found[0] if len(found) == 1 else None
 
 
 def _full(lexicon: Lexicon, caps: Caps) -> str | None:
@@ -218,13 +239,14 @@ MEANINGS: Mapping[str, Of] = {
     "difference": lambda lexicon, caps: f"{caps['State']} {caps['a']} - {caps['State']} {caps['b']}",
     "couple": _of_kinds("couple", "couple", "prescribed-angle", "torsion-spring", "rotary-damper", "resisting-couple"),
     "dissipated": _of_kinds("minus work of", "resisting-couple"),
-    "impulse": lambda lexicon, caps: f"impulse of {caps['Struck']}" if caps["Struck"] else "impulse" if lexicon.blows else None,
+    "impulse": lambda lexicon, caps: f"impulse of {caps['Struck']}" if caps["Struck"] else "impulse" if lexicon.struck else None,
     "ratio": _ratio,
     "strikes": lambda lexicon, caps: f"speed of {caps['Subj']} <2>just before {caps['Subj']} hits {caps['HitWhat']}"
                                      if lexicon.blows else None,
     "with_which": lambda lexicon, caps: f"{_of_it(lexicon, 'speed')} <2>where {caps['Event']}",
     "where": lambda lexicon, caps: f"{_lone(lexicon)} where {caps['Event']}" if _lone(lexicon) else None,
     "cut": _cut,
+    "cut_at_start": lambda lexicon, caps: None if lexicon.problem.phases else "at start",  # the problem is that of what is left
     "blow": _blow,
     "coordinate": _coordinate,
     "speed": lambda lexicon, caps: f"speed of {caps['Subj']} = {caps['SpeedValue']}",
@@ -234,12 +256,20 @@ MEANINGS: Mapping[str, Of] = {
     "terminal": _terminal,
     "fraction": _fraction,
     "begun": _begun,
+    "swings": _swings,
+    "starts": _starts,
+    "driving": _driving,
+    "damped": lambda lexicon, caps: f"{who} is {caps['x']}" if (who := caps["Thing"] or _lone(lexicon)) else None,
+    "lone_component": lambda lexicon, caps: f"{caps['x']} component of {caps['Noun']} of {lexicon.it}" if lexicon.it else None,
+    "distance_until": lambda lexicon, caps: f"distance travelled by {lexicon.it} until {caps['Event']}" if lexicon.it else None,
     "heat": _heat,
     "flat": _flat,
     "lower_end": _end("lower"),
     "upper_end": _end("upper"),
     "after_blow": _after("right after impact"),
     "before_blow": _after("just before impact"),
+    "in_blow": _after("<2>in impact"),
+    "until_blow": _after("<2>until {}"),
     "each": lambda lexicon, caps: f"{SINGULAR.get(caps['n'], caps['n'])} of {caps['Each']}",
     "is_stable": lambda lexicon, caps: f"is equilibrium of {who} stable" if (who := caps["Thing"] or _lone(lexicon)) else None,
     "highest": lambda lexicon, caps: f"height of {who}.cm is largest" if (who := lexicon.it) in lexicon.problem.body_names else None,

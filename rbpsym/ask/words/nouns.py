@@ -76,6 +76,14 @@ State
   (horizontal|vertical):x [component of|part of] Held -> @component
   (horizontal|vertical):x [component of|part of] Noun of Thing -> {x} component of {Noun} of {Thing}
   (direction|angle) of Held -> direction of {Held}
+  (Swinging|Swinging of Thing) [about [its|stable] Resting] -> @swings
+  (frequencies|normal frequencies|natural frequencies|normal mode frequencies|vibration frequencies|frequencies of [two|three] normal
+      modes|frequencies of vibration|natural frequencies of vibration) [of system] -> frequencies
+  [angle|position|distance|value] [of Thing] (when|in|at|for) [in] equilibrium -> @equilibrium
+  CoordNoun (when|in|at|for) [in] equilibrium -> equilibrium of {CoordNoun}
+  point [of|on] [Holder] [that|which] [is] (instantaneously|momentarily) at rest -> instantaneous centre of {Holder}
+  (horizontal|vertical):x [component of|part of] Noun -> @lone_component
+  (torque|couple|moment|force) (needed|required|that must act|applied) [at|on|to drive|to turn|to move] Thing -> @driving
   (size|magnitude) of State -> magnitude of {State}
   (net|resultant|total) force on Holder -> net force on {Holder}
   (net|resultant|total) torque on Holder [About] -> net torque on {Holder} {About}
@@ -90,6 +98,10 @@ State
   (half|twice|double|one half of|half of):x [of] State -> @multiple
   [angle|position|coordinate|value of] Coord -> {Coord}
   Formula -> {Formula} !1
+
+Swinging
+  (period|frequency|circular frequency|angular frequency|natural frequency|natural circular frequency|period of oscillation|
+      frequency of oscillation):x [of [its] [small|free|natural] (oscillations|vibrations|oscillation|swings|motion)] -> {x}
 
 Sign
   (magnitude of|size of) -> magnitude of
@@ -147,6 +159,7 @@ Gone
   impulse [(of|on|from|exerted by|at|given to|received by|exerted on) Struck] -> @impulse
   (time|time needed|time required|time taken|time interval|elapsed time|duration) [for Subj] -> time
   time [it takes|that it takes|it takes it|taken by it|required] [for] Subj -> time
+  (distance|way) Until Event -> @distance_until
   (distance|way|path length) [that] [Subj] (travelled|covered|moved|traveled|slid|rolled|travels|moves|slides|rolls|goes|
       covers|falls|climbs|skids|rises|recoils) [by Thing] [Along] -> @distance
   distance [through which|by which|which|that] Subj (falls|moves|slides|rolls|rises|sinks|descends|travels|goes|drops|has

@@ -55,6 +55,7 @@ Asking
   (through|by) (what|which) angle (does|will|has) Body Turn [Spans] -> angle turned by {Body} {Spans}
   how many (turns|revolutions|rotations) (does|will|has) Body (make|makes|made|complete|Turn) [Spans] -> number of turns of
       {Body} {Spans}
+  how long (does|will|did) Subj (slip|slide|skid) -> time until {Subj} stops slipping
   how much (energy|kinetic energy|mechanical energy) (is|was) lost [Spans] -> energy lost {Spans}
   how much work (does|did|is done by) Force [do] [Spans] -> work of {Force} {Spans}
   how much work is done by Force [Spans] -> work of {Force} {Spans}
@@ -71,6 +72,7 @@ Condition
       will make) Cond [Given] -> {Best} {Par} for which {Cond} {Given}
   [Ask] [Best] Par (that|which|that just|that will|to|that can) (keep|keeps|prevent|prevents) Subj (from|in) Kept -> {Best}
       {Par} for which {Subj} {Kept}
+  [Ask] [Best] Par (that|which|needed|required|just) [just|will|can] [starts|begins|start] [to|that] (raises|raise|lifts|lift|move|moves|start|starts|turn) Thing -> @starts
   [Ask] [Best] Par (to|that|needed to|required to) (prevent|prevents|avoid) (slipping|slip|sliding) -> {Best} {Par} for which
       it does not slip
   [Ask] [Best] Par (to|that|needed to|required to) (prevent|prevents|avoid) (tipping|tip|overturning) -> {Best} {Par} for
@@ -100,6 +102,7 @@ ForWhich
   (for|at|with|of|by) which [the] ->
   (such|so) that ->
   (that|if|when) ->
+  on which ->
   for -> !3
 
 Kept
@@ -111,6 +114,7 @@ Kept
 Cond
   Passing -> {Passing}
   Happening -> {Happening}
+  (motion|oscillation|system|it|Thing) (is|be|becomes) (critically damped|underdamped|overdamped):x -> @damped
   Subj Not (slip|slide|skid) [Spans] -> {Subj} does not slip {Spans}
   Subj Not (tip|topple|overturn|tip over) -> {Subj} does not tip
   Subj Not (leave|lose contact with|lift off|lift from|fly off) [Ground] [Spans] -> {Subj} stays in contact {Spans}
@@ -188,7 +192,7 @@ Cmp
       decreased to) -> =
 
 Best
-  (largest|greatest|maximum|highest|maximal) [possible|allowable|permissible|safe] -> largest
+  (largest|greatest|maximum|highest|maximal|steepest) [possible|allowable|permissible|safe] -> largest
   (smallest|least|minimum|lowest|minimal) [possible|allowable|required|necessary] -> smallest
   longest -> longest
   shortest -> shortest
