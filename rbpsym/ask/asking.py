@@ -130,8 +130,10 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
     >>> found.text, str(found.verdict.kind)
     ('M*g', 'PROVED')
     """
+    from rbpsym.ask.words.reader import spread
+
     asked = Asked(problem)
-    return [answered(asked, text) for text in questions or problem.questions]
+    return [answered(asked, one) for text in questions or problem.questions for one in spread(problem, text)]
 
 
 def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:

@@ -24,6 +24,16 @@ VALUE = re.compile(
 )
 GONE = re.compile(r"(?<!stops )(?<!rest )\bafter (?:a time of )?(?=\d+(?:\.\d+)? ?(?:m?s|min|h)\b)")
 LETTER, FINEST = "q", 100_000
+# a letter that a question brings with it: “after falling h”, “a distance d”, “when the speed is v”, “after n turns”
+GREEK = "alpha|beta|gamma|delta|epsilon|eta|theta|kappa|lambda|mu|nu|xi|rho|sigma|tau|phi|chi|psi|omega"
+BROUGHT = re.compile(
+    r"\b(?P<noun>(?:angular )?(?:speed|velocity|acceleration)|distance|height|depth|length|way|time|period|angle|power|fallen|falling|"
+    r"falls?|risen|rising|rises?|moved|moving|moves?|travelled|rolled|rolling|slid|sliding|gone|climbed|climbing|descended|descending|"
+    r"turned|turning|rotated|turns?)"
+    rf"(?: (?:through|up|down|by|is|=|reaches|equals|has fallen to)| (?<=[dghys] )of(?= [a-z]))? (?P<letter>(?:a(?=$|,)|[B-Zb-z]|{GREEK})(?:_\w+)?)"
+    r"(?=$|,| (?!=|of\b)\D)"
+    rf"|\b(?:after|within|in|made) (?P<count>[a-zN](?:_\w+)?) (?:full |complete )?(?:turns|revolutions|rotations)\b"
+)
 
 
 def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
@@ -47,6 +57,11 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
         return f"{lead} {sign}{name}"
 
     plain = VALUE.sub(put, GONE.sub("where t = ", whole := " ".join(text.split()).rstrip(" ?.")))
+    words = {*asked.problem.body_names, *(e.name for e in (*asked.problem.constraints, *asked.problem.interactions))}
+    for said in BROUGHT.finditer(plain):
+        name = said["letter"] or said["count"]
+        if name not in {*known, *words, "t", "g"} and all(name != q.name for q in added):
+            added.append(Quantity(name, NUMBER if said["count"] else _of_gone(said["noun"]), ""))
     if not added:
         return asked, text if plain == whole else plain, given
     problem = asked.problem
@@ -58,6 +73,13 @@ def _of_noun(text: str) -> Dimension | None:
     found = [word for word in re.findall(r"[a-z]+", text) if word in NOUNS]
     is_angular = bool(found) and re.search(rf"angular {found[-1]}\b", text) is not None
     return None if not found or is_angular else NOUNS[found[-1]]
+
+
+def _of_gone(noun: str) -> Dimension:
+    """The dimension of what stands behind a noun or a participle: what has turned turns by an angle, what goes goes a length."""
+    if noun.startswith("angular "):
+        return NOUNS[noun.removeprefix("angular ")] / LENGTH
+    return NOUNS.get(noun, NUMBER if re.match("angle|turn|rotat", noun) else TIME if noun == "period" else LENGTH)
 
 
 SPEED, FORCE = LENGTH / TIME, MASS * LENGTH / TIME**2

@@ -47,9 +47,10 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     """
     from rbpsym.ask.asked import Asked
     from rbpsym.ask.numbers import read_numbers
+    from rbpsym.ask.words.reader import spread
 
     problem = stated(found(name, ("problem",))[1], questions)
-    questions = questions or tuple(problem.questions)
+    questions = tuple(one for text in questions or problem.questions for one in spread(problem, text))
     if not questions:
         raise ReadError(f"nothing is asked about {name}", instead='add a question: rbpsym ask NAME "N at the start".')
     numbers = read_numbers(given, problem) if given else None

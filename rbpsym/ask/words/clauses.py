@@ -166,6 +166,7 @@ Happening
       it started] -> {Subj} comes back
   [Subj] [Aux] Leave [Ground:g|Body:g|Point:g|other|other one|it] -> @leaves
   String [Aux] (goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
+  Contact [Aux] Leave [Ground] -> {Contact} vanishes
   Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
   (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost
   Subj [Aux] (reaches|reach|is at|be at|reached|gets to) (maximum height|greatest height|highest point|top of [its] path|highest

@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import permutations
 
 from rbpsym.ask.asked import struck_phases
 from rbpsym.ask.named import ELEMENTS, KINDS, PARAMETERS, SHAPES, SIDES, SURFACES, joined, may_be
 from rbpsym.ask.named import PLAIN as TOO_PLAIN
 from rbpsym.expr import tree as t
-from rbpsym.quantities import NUMBER
+from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.quantity.bound import without_articles
 from rbpsym.statement.checks import unknowns_of
+from rbpsym.statement.paths import tensions
 from rbpsym.statement.model import Element, Line, PointRef, Problem
 
 Phrases = Mapping[tuple[str, ...], tuple[str, ...]]
@@ -37,6 +39,15 @@ OF_LETTERS = (
     "power", "radius",
     "acceleration", "angular velocity", "angular speed", "stiffness", "spring constant", "load", "time",
 )  # fmt: skip
+OF_DIMENSION: Mapping[Dimension, tuple[str, ...]] = {
+    MASS * LENGTH / TIME**2: ("force", "pull", "push", "horizontal force", "applied force"),
+    MASS * LENGTH**2 / TIME**2: ("couple", "torque", "moment"),
+    LENGTH / TIME: ("speed", "velocity", "initial speed", "initial velocity", "launch speed", "speed of projection"),
+    LENGTH / TIME**2: ("acceleration",),
+    MASS / TIME**2: ("stiffness", "spring constant", "spring stiffness"),
+    NUMBER / TIME: ("initial angular velocity", "initial spin", "angular velocity", "angular speed"),
+}
+SLOPES = ("slope", "inclination", "incline", "angle of incline", "angle of slope", "angle of inclination", "angle of plane", "steepness")
 FEET = ("end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
 GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
 GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
@@ -55,6 +66,9 @@ class Lexicon:
         self.of: dict[str, dict[tuple[str, ...], list[str]]] = defaultdict(lambda: defaultdict(list))
         for add in (self._bodies, self._coordinates, self._letters, self._points, self._held, self._phases):
             add()
+        for phrase, names in [*self.of["Several"].items()]:
+            for one, other in permutations(names) if len(names) == 2 else ():
+                self.of["Pair"][phrase].append(f"{one} to {other}")
 
     def _add(self, kind: str, phrase: str, name: str) -> None:
         words = tuple(phrase.replace("-", " ").split()) if " " in phrase else (phrase,)
@@ -115,6 +129,16 @@ class Lexicon:
                 for value in sorted(values):
                     self._add("Par", phrase, value)
 
+        free = [q for q in self.problem.parameters if q.name != "g"]
+        for dimension, nouns in OF_DIMENSION.items():  # “the force” by the only letter that is one
+            names = [q.name for q in free if q.dimension == dimension]
+            for noun in nouns if len(names) == 1 else ():
+                self._add("Par", noun, names[0])
+        lines = [line for e in self.elements if isinstance(line := e.values.get("line"), Line)]
+        leaning = {name for line in lines for name in {*t.names(line.a), *t.names(line.b)} & {q.name for q in free}}
+        for noun in SLOPES if len(leaning) == 1 else ():
+            self._add("Par", noun, next(iter(leaning)))
+
     def _points(self) -> None:
         counted: dict[str, list[str]] = defaultdict(list)
         for body in self.problem.bodies:
@@ -170,6 +194,9 @@ class Lexicon:
                 self._add("Force", size, e.name)
             for word in self.grounds(e):
                 self._add("Contact", word, e.name)
+            for word in ("tensions",) if e.kind == "string" else ("normal forces", "normal reactions") if e.kind in TOUCHING else ():
+                for name in tensions(e) if e.kind == "string" else (f"normal force {e.name}",):
+                    self._add("Several", word, name)
             for word in GUIDES.split("|") if e.kind in ("slider", "guide") else ():
                 self._add("Element", word, e.name)
             for other in joined(e) & {*self.problem.body_names} if e.kind in TOUCHING else ():

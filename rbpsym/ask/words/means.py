@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 
 from rbpsym.ask.named import begun_without, joined, may_be
@@ -128,6 +129,20 @@ def _of_thing(lexicon: Lexicon, caps: Caps, what: str) -> str | None:
     return f"{what} of {who}" if who and "." not in who else None
 
 
+def singular(noun: str) -> str:
+    """“velocity” for “velocities”."""
+    return {"momenta": "momentum"}.get(noun, re.sub("ies$", "y", noun) if noun.endswith("ies") else noun.removesuffix("s"))
+
+
+def _ratio_each(way: int) -> Of:
+    """Of two bodies, the ratio of the first to the other one, or the other way round: which is meant is not said."""
+    def find(lexicon: Lexicon, caps: Caps) -> str | None:
+        names, noun = lexicon.problem.body_names[::way], singular(caps["n"])
+        return f"ratio of {noun} of {names[0]} to {noun} of {names[1]} {caps['Tails']}" if len(names) == 2 else None
+
+    return find
+
+
 def _lone_noun(lexicon: Lexicon, caps: Caps) -> str:
     return _of_it(lexicon, caps["Noun"] or caps["n"])
 
@@ -226,7 +241,6 @@ def _of_kinds(what: str, *kinds: str) -> Of:
     return find
 
 
-SINGULAR = {"speeds": "speed", "velocities": "velocity", "accelerations": "acceleration"}
 MEANINGS: Mapping[str, Of] = {
     "ratio_held": _ratio_held,
     "angle_of": _angle_of,
@@ -246,6 +260,8 @@ MEANINGS: Mapping[str, Of] = {
     "with_which": lambda lexicon, caps: f"{_of_it(lexicon, 'speed')} <2>where {caps['Event']}",
     "where": lambda lexicon, caps: f"{_lone(lexicon)} where {caps['Event']}" if _lone(lexicon) else None,
     "cut": _cut,
+    "ratio_each": _ratio_each(1),
+    "ratio_other": _ratio_each(-1),
     "cut_at_start": lambda lexicon, caps: None if lexicon.problem.phases else "at start",  # the problem is that of what is left
     "blow": _blow,
     "coordinate": _coordinate,
@@ -270,7 +286,7 @@ MEANINGS: Mapping[str, Of] = {
     "before_blow": _after("just before impact"),
     "in_blow": _after("<2>in impact"),
     "until_blow": _after("<2>until {}"),
-    "each": lambda lexicon, caps: f"{SINGULAR.get(caps['n'], caps['n'])} of {caps['Each']}",
+    "each": lambda lexicon, caps: f"{singular(caps['n'])} of {caps['Each']}",
     "is_stable": lambda lexicon, caps: f"is equilibrium of {who} stable" if (who := caps["Thing"] or _lone(lexicon)) else None,
     "highest": lambda lexicon, caps: f"height of {who}.cm is largest" if (who := lexicon.it) in lexicon.problem.body_names else None,
     "one_turn": lambda lexicon, caps: f"<2>until {caps['b'] or lexicon.it or 'it'} has turned 2*pi",

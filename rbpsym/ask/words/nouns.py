@@ -42,7 +42,8 @@ State
   Turns of Holder:a relative to Holder:b -> angular velocity of {a} relative to {b}
   (terminal|limiting|steady|final|ultimate|maximum attainable) (speed|velocity|Turns):n [of Thing] -> @terminal
   common (speed|velocity|Turns):n of Each [(after|When|JustAfter) BlowClause] -> {n} of {Each} <2>right after impact
-  (speeds|velocities|accelerations|Turns):n of Each -> @each
+  (speeds|velocities|accelerations|angular velocities|angular accelerations):n of Each -> @each
+  Several [on both sides|on each side|on either side|on both sides of Body] -> {Several}
   fraction of [initial|original] [kinetic|mechanical] energy [that is|which is] (lost|dissipated) [(in|during|by|at|on) [each]
       BlowNoun|in slipping|while slipping|to friction] -> @fraction
   fraction of [total] kinetic energy (that is|which is|that is in|in) (rotational|rotation) -> ratio of rotational kinetic

@@ -15,6 +15,11 @@ Question
   Span [,] [Ask] Gone -> {Gone} {Span}
   [Ask] Best State [Spans] -> {Best} {State} {Spans}
   [Ask] Best Noun ReachedBy [Reached] -> {Best} {Noun} of {ReachedBy}
+  [Ask] ratio of Pair [on both sides|on two sides] [Tails] -> ratio of {Pair} {Tails}
+  [Ask] ratio of [their|two] (speeds|velocities|accelerations|angular velocities|angular accelerations|angular speeds|kinetic energies|
+      momenta):n [of Each] [Tails] -> @ratio_each
+  [Ask] ratio of [their|two] (speeds|velocities|accelerations|angular velocities|angular accelerations|angular speeds|kinetic energies|
+      momenta):n [of Each] [Tails] -> @ratio_other
   [Ask] ratio of State:a (to|and) State:b [Tails] -> ratio of {a} to {b} {Tails}
   [Ask] ratio of Noun of Thing:a (to|and) that of Thing:b [Tails] -> @ratio
   [Ask] ratio of Noun of Thing:a (to|and) Thing:b [Tails] -> @ratio
@@ -65,7 +70,7 @@ Asking
 Condition
   [Ask] Best coefficient of [static] friction [needed|required] [(for|to) Slipless] [SafeMoment] -> {Best} mu for which
       it does not slip {SafeMoment}
-  [Ask] [Best] Par ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
+  [Ask] [Best] Par [of Body] ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
   [Ask] [Best] Par (needed|required|necessary|to be used) (for|to|so that|that|if) Cond [Given] -> {Best} {Par} for which
       {Cond} {Given}
   [Ask] [Best] Par (that makes|that causes|that lets|that allows|to make|to let|to cause|which makes|that will cause|that

@@ -23,7 +23,7 @@ from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement.model import Problem
 
 UNREAD, MOST_UNREAD = 4, 16  # what a word costs that is taken as it is written, and what a reading may cost
-NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Begun", "Phase", "Struck", "Each")
+NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Begun", "Phase", "Struck", "Each", "Several", "Pair")
 GROUNDS = (
     f"{GROUND}|wall|incline|slope|ramp|hill|dome|bowl|loop|circle|sphere|wedge|edge|corner|step|peg|hoop|guide|wire|cylinder|drum|"
     "curve|tube|bar|rod"
@@ -77,6 +77,14 @@ def read(problem: Problem, text: str) -> list[str]:
     found = {spoken: cost for one, cost in Chart(plain, rules, finders).read("Question").items() if (spoken := _ordered(one))}
     least = min(found.values(), default=MOST_UNREAD)
     return [one for one, cost in found.items() if cost == least < MOST_UNREAD]
+
+
+PLURAL = re.compile(r"(?:\w+ )?(?:tensions|forces|reactions|speeds|velocities|accelerations)\b")
+
+
+def spread(problem: Problem, text: str) -> list[str]:
+    """The questions that one in the plural asks: “tensions” is the tension of each string."""
+    return (read(problem, text) if PLURAL.match(text) else []) or [text]
 
 
 def _plain(problem: Problem, text: str) -> str:
