@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
 from rbpsym.ask.answer import answer, found_of
-from rbpsym.ask.asked import Asked
+from rbpsym.ask.asked import Asked, struck_phases
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.found import Answer, Found
@@ -160,17 +160,47 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
     from rbpsym.ask.words.reader import read
 
     found: dict[str, Answer] = {}
+    errors: dict[str, RbpsymError] = {}
     for text in read(asked.problem, plain):
-        with suppress(RbpsymError):
+        try:
             one = _stated(asked, text, letter)
             if one.verdict.is_proved and not any(_is_one(one, other) for other in found.values()):
                 found[text] = one
+        except RbpsymError as error:
+            errors[text] = error
     if len(found) > 1:
         told = " or ".join(f"“{text}”" for text in found)
         raise Ambiguous(f"“{plain}” may mean several things", instead=f"write {told}.")
     for text, one in found.items():
         return replace(one, question=replace(one.question, text=plain), read_as=text)
-    raise refused
+    raise _refusal(asked.problem, plain, refused, errors)
+
+
+def _refusal(problem: Problem, plain: str, refused: RbpsymError, errors: Mapping[str, RbpsymError]) -> RbpsymError:
+    """Why a question has no answer: what one says that it was read as, or else which of its words are not understood."""
+    from rbpsym.ask.words.reader import unread
+
+    if NOTHING_MEANT not in refused.what:
+        return refused
+    told = {text: error for text, error in errors.items() if NOTHING_MEANT not in error.what}
+    if len(told) == 1:
+        [(text, error)] = told.items()
+        return StatementError(f"“{plain}”, read as “{text}”: {error.what}", instead=error.instead)
+    if parts := unread(problem, plain):
+        return StatementError(f"“{parts[1]}” is not understood behind “{parts[0]}”", instead=f"write {moments_of(problem)}.")
+    return refused
+
+
+NOTHING_MEANT = "means nothing in the problem"
+
+
+def moments_of(problem: Problem) -> str:
+    """How the moments and the parts of a problem's motion are said."""
+    names = [coordinate.name for coordinate in problem.coordinates]
+    struck = ["right after impact", "just before impact"] if len(struck_phases(problem)) == 1 else []
+    told = ["at the start", *struck, *(f"in phase {phase.name}" for phase in problem.phases), *(f"where {n} = VALUE" for n in names[:2])]
+    held = [e.name for e in problem.constraints if e.kind == "contact"]
+    return ", ".join(f"“{one}”" for one in (*told, *(f"where {name} vanishes" for name in held[:1]))) + " or no moment at all"
 
 
 def _is_one(found: Answer, other: Answer) -> bool:

@@ -36,7 +36,7 @@ WRONG = [
     ("rod-pendulum", "F_y as a function of t", "no closed form was found for “F_y” as a function of the time"),
     ("rod-pendulum", "F_y when F_y stops slipping", "there is no contact"),
     ("rod-pendulum", "component of mass of rod along rod", "is no vector"),
-    ("rod-pendulum", "frequency of M", "is no coordinate"),
+    ("rod-pendulum", "frequency of g", "is no coordinate"),
     ("rod-pendulum", "impulse of F when struck begins", "no phase “struck”"),
     ("rod-pendulum", "direction of mass of rod", "is no vector"),
     ("elastic-pendulum", "angular velocity of bob", "“bob” is a particle, which does not turn"),

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 TOKEN = re.compile(r"[A-Za-z_][\w.]*(?:-[A-Za-z]\w*)*(?:\([\w., ]+\))?|\d+(?:\.\d+)?|->|[<>]=?|!=|\S")
 MARK = re.compile(r":\w+|[A-Z]\w*(?::\w+)?|[^\s\[\]()|:]+|[\[\]()|]")
 Node = tuple[str, Any]
+UNREAD = 4  # what a word costs that is taken as it is written
 
 
 class Heard(NamedTuple):
@@ -90,13 +91,17 @@ class Chart:
     def __init__(
         self, text: str, rules: Mapping[str, list[Rule]], finders: Mapping[str, Callable[[list[Heard], int], Iterator[Parsed]]]
     ) -> None:
-        self.words, self.rules, self.finders = tokens(text), rules, finders
+        self.text, self.words, self.rules, self.finders = text, tokens(text), rules, finders
         self.known: dict[tuple[str, int], list[Parsed]] = {}
 
     def read(self, name: str) -> dict[str, int]:
         """What the whole text may mean under a name, with what each reading costs."""
         whole = [one for one in self._named(name, 0) if one.to == len(self.words)]
         return {one.text: one.cost for one in sorted(whole, key=lambda one: -one.cost)}
+
+    def begun(self, name: str, at: int) -> list[int]:
+        """To which tokens something reads under a name that begins at one, of which all words are read."""
+        return [one.to for one in self._named(name, at) if one.cost < UNREAD]
 
     def _named(self, name: str, at: int) -> list[Parsed]:
         if (name, at) not in self.known:

@@ -120,16 +120,18 @@ BlowNoun
   (impact|collision|blow|bounce|it is struck|striking|hit|catch|jump|jerk|capture|embedding|landing|rebound|strike) ->
 
 BlowClause
-  (Subj|[its|one|one of its|free|other|right|left|lower|upper] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|embedded|captured|struck|hit|kicked|stuck|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
+  (Subj|[its|one|one of its|free|other|right|left|lower|upper] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|embedded|captured|struck|hit|kicked|stuck|lodged|latched|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
       onto|in|by|to|up|off|off it|onto it|on it] [HitWhat|Unknown] -> impact
   Subj [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
   (embedding|catching|landing|hooking|capture) -> impact
 
 Unknown
-  (hand|hook|peg|hammer|cue|finger|nail|stop|ridge|obstacle|step|kerb|curb|target|club|racket|bat) ->
+  (hand|hook|peg|hammer|cue|finger|nail|stop|ridge|obstacle|step|kerb|curb|target|club|racket|bat|ledge|wall|other) ->
+  Stranger -> !1
 
 HitWhat
   (Body|Ground|Point):x -> {x}
+  Stranger:x -> {x} !1
 
 Event
   Passing -> {Passing}
@@ -138,6 +140,10 @@ Event
 
 Passing
   [Subj] Fall [down|by|through] [a|its] [(distance|height|depth|way)] [of] Length -> {Subj} has fallen {Length}
+  [to] (lift|raise|pull up|hoist|haul up) Body (to|through|by|up) [a] (height|distance) [of] Length -> {Body} has risen {Length}
+  [to] (lift|raise|hoist) Body (by|through) Length -> {Body} has risen {Length}
+  [to] (lower) Body (by|through|a distance) Length -> {Body} has fallen {Length}
+  Subj reaches height Length -> {Subj} has risen {Length}
   [Subj] Rise [up|by|through] [a] [(distance|height)] [of] Length -> {Subj} has risen {Length}
   [Subj] Go [down|up|by|through|along] [a|its] [(distance|way|length)] [of] Length [Along] -> {Subj} has moved {Length}
   [Subj] Turn [through|by|around] [angle] [of] Turned -> {Subj} has turned {Turned}
@@ -164,9 +170,9 @@ Happening
   [Subj] Stop [momentarily|for first time|instantaneously|spinning|rotating|turning|moving] -> @rests
   [Subj] Return [to (its|start|starting|initial|where|original)] [start|point|position|starting point|starting position|place|
       it started] -> {Subj} comes back
-  [Subj] [Aux] Leave [Ground:g|Body:g|Point:g|other|other one|it] -> @leaves
+  [Subj] [Aux] Leave [Ground:g|Body:g|Point:g|other|other one|it|Stranger] -> @leaves
   String [Aux] (goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
-  Contact [Aux] Leave [Ground] -> {Contact} vanishes
+  Contact [Aux] (Leave|lose contact|loses contact) [Ground] -> {Contact} vanishes
   Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
   (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost
   Subj [Aux] (reaches|reach|is at|be at|reached|gets to) (maximum height|greatest height|highest point|top of [its] path|highest
@@ -177,7 +183,7 @@ Happening
       sliding|to skid) -> {Subj} slips
   [Subj] (slips|slip) -> {Subj} slips
   [Subj] [Aux] Tip -> {Subj} tips
-  Subj (is|becomes|are|gets|has become|be|being|to be|passes|passes through|passing through|swings through|reaches) [its|a] (
+  Subj (is|becomes|are|gets|has become|be|being|to be|comes to be|passes|passes through|passing through|swings through|reaches) [its|a] (
       vertical|horizontal):x [position] -> {Subj} is {x}
   Subj (makes|makes an angle of|forms|makes an angle|is inclined at|is at) [an angle of] Value [degrees|deg]:d (with|to|from)
       [the] (vertical|horizontal):x -> {Subj} makes {Value} {d} with {x}
@@ -197,8 +203,8 @@ Happening
   Subj (is|are|be) (moving|going|sliding|turning|rolling) (fastest|most quickly) -> speed of {Subj} is largest
 
 Gripping
-  [Subj] (stops|stop|ceases|cease|no longer|has stopped) (slipping|sliding|slips|slides|skidding|to slip|to slide|skids) ->
-      {Subj} stops slipping
+  [Subj] (stops|stop|ceases|cease|no longer|has stopped) (slipping|sliding|slips|slides|skidding|to slip|to slide|skids) [(on|
+      over|along) (each other|one another|Body|Ground)] -> {Subj} stops slipping
   (slipping|sliding|slip|skidding) (stops|ceases|ends|has ceased|has stopped) -> it stops slipping
   [Subj] (begins|starts|begin|start|has begun|has started|beginning|starting|to begin|to start) (rolling|to roll|pure
       rolling) [without slipping|purely] -> {Subj} stops slipping

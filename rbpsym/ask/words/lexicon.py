@@ -36,7 +36,7 @@ ROLES: Mapping[str, tuple[str, tuple[str, ...]]] = {
 CURVED = "circle|hoop|loop|dome|bowl|sphere|cylinder|hill|peg|corner|edge|incline|slope|wire|step|ramp"
 OF_LETTERS = (
     "angle", "speed", "velocity", "force", "couple", "torque", "mass", "length", "distance", "height", "coefficient",
-    "power", "radius",
+    "power", "radius", "pull", "push", "weight", "spring stiffness", "angle of incline", "moment",
     "acceleration", "angular velocity", "angular speed", "stiffness", "spring constant", "load", "time",
 )  # fmt: skip
 OF_DIMENSION: Mapping[Dimension, tuple[str, ...]] = {
@@ -235,6 +235,10 @@ class Lexicon:
             struck = (phrase for body in joined(e) & {*self.problem.body_names} for phrase in self.called("Body", body))
             for word in (e.name, *self.grounds(e), *struck):
                 self._add("Struck", word, e.name)
+
+    def knows(self, word: str) -> bool:
+        """Whether a word begins a phrase of the problem."""
+        return any(phrase[0] == word for known in self.of.values() for phrase in known)
 
     def finders(self, kinds: Iterable[str]) -> dict[str, Phrases]:
         """The phrases by kind, each a tuple of words."""

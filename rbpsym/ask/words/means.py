@@ -154,6 +154,11 @@ def _leaves(lexicon: Lexicon, caps: Caps) -> str:
     return f"{found[0]} vanishes" if len(found) == 1 < len(sides) else f"{caps['Subj']} leaves {caps['g']}"
 
 
+def _lone_contact(lexicon: Lexicon, place: str) -> str | None:
+    sides = [e.name for e in lexicon.elements if e.kind in TOUCHING]
+    return f"{sides[0]} where {place} vanishes" if len(sides) == 1 else None
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -260,6 +265,14 @@ MEANINGS: Mapping[str, Of] = {
     "with_which": lambda lexicon, caps: f"{_of_it(lexicon, 'speed')} <2>where {caps['Event']}",
     "where": lambda lexicon, caps: f"{_lone(lexicon)} where {caps['Event']}" if _lone(lexicon) else None,
     "cut": _cut,
+    "lone_centre": lambda lexicon, caps: f"instantaneous centre of {lexicon.it}" if lexicon.it else None,
+    "slid_until": lambda lexicon, caps: MEANINGS["slid"](lexicon, caps) + f" until {caps['e'] or 'it stops slipping'}",
+    "final": lambda lexicon, caps: f"{caps['State']} in phase {phases[-1].name}" if (phases := lexicon.problem.phases) else None,
+    "in_impact": lambda lexicon, caps: "in impact" if lexicon.struck else None,
+    "leaves_at": lambda lexicon, caps: f"{_leaves(lexicon, caps).replace(' vanishes', '')} where {caps['Place']} vanishes"
+                                       if "leaves" not in _leaves(lexicon, caps) else _lone_contact(lexicon, caps["Place"]),
+    "slid": lambda lexicon, caps: f"magnitude of displacement of {_point(lexicon, caps['a'])} relative to {_point(lexicon, caps['b'])}",
+    "doubled": lambda lexicon, caps: f"{caps['State']} = 2*({caps['State']} at start)",
     "ratio_each": _ratio_each(1),
     "ratio_other": _ratio_each(-1),
     "cut_at_start": lambda lexicon, caps: None if lexicon.problem.phases else "at start",  # the problem is that of what is left

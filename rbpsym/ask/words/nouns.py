@@ -43,6 +43,7 @@ State
   (terminal|limiting|steady|final|ultimate|maximum attainable) (speed|velocity|Turns):n [of Thing] -> @terminal
   common (speed|velocity|Turns):n of Each [(after|When|JustAfter) BlowClause] -> {n} of {Each} <2>right after impact
   (speeds|velocities|accelerations|angular velocities|angular accelerations):n of Each -> @each
+  (Noun|kinetic energy):n of Each -> {n} of {Each}
   Several [on both sides|on each side|on either side|on both sides of Body] -> {Several}
   fraction of [initial|original] [kinetic|mechanical] energy [that is|which is] (lost|dissipated) [(in|during|by|at|on) [each]
       BlowNoun|in slipping|while slipping|to friction] -> @fraction
@@ -55,6 +56,8 @@ State
   RelNoun of Thing:a (relative to|with respect to|as seen from|seen from) Thing:b -> @relative
   relative RelNoun of Thing:a (and|to) Thing:b -> @relative
   (speed|velocity) with which Event -> @with_which
+  (speed|velocity) (with|at) which Thing (Moving|Go|Turn|moves|comes|flies|passes) [(on|through|along|down|up|over|in|out of|off|
+      into|past) (Noun|Ground|Body|Point):w] -> speed of {Thing}
   (speed|velocity) (at|with) which Subj (Hit) HitWhat -> @strikes
   angle of Holder -> @angle_of
   equilibrium (angle|distance|position|height|length|value|coordinate) [of Thing] -> @equilibrium
@@ -67,10 +70,12 @@ State
   Energy of (Holder|system):x -> {Energy} of {x}
   Energy -> {Energy}
   (linear momentum|momentum) of Holder -> linear momentum of {Holder}
-  angular momentum [of (Holder|system):x] [About] -> angular momentum of {x} {About}
-  moment of inertia [of (Holder|system):x] [About] -> moment of inertia of {x} {About}
-  radius of gyration [of (Holder|system):x] [About] -> radius of gyration of {x} {About}
+  angular momentum of (Holder|system):x [About] -> angular momentum of {x} {About}
+  [total] angular momentum [About] -> angular momentum of system {About}
+  (moment of inertia|radius of gyration):n of (Holder|system):x [About] -> {n} of {x} {About}
+  [total] (moment of inertia|radius of gyration):n [About] -> {n} of system {About}
   instantaneous (centre|center) [of rotation|of velocity|of zero velocity] of Holder -> instantaneous centre of {Holder}
+  instantaneous (centre|center) [of rotation|of velocity|of zero velocity] -> @lone_centre
   distance (from|between) Point:a (to|and) Point:b -> distance from {a} to {b}
   height of Thing [above Ground] -> height of {Thing}
   Held -> {Held}
@@ -85,6 +90,7 @@ State
   point [of|on] [Holder] [that|which] [is] (instantaneously|momentarily) at rest -> instantaneous centre of {Holder}
   (horizontal|vertical):x [component of|part of] Noun -> @lone_component
   (torque|couple|moment|force) (needed|required|that must act|applied) [at|on|to drive|to turn|to move] Thing -> @driving
+  damped natural (frequency|period):x [of Thing] -> damped {x}
   (size|magnitude) of State -> magnitude of {State}
   (net|resultant|total) force on Holder -> net force on {Holder}
   (net|resultant|total) torque on Holder [About] -> net torque on {Holder} {About}
@@ -173,10 +179,11 @@ Gone
   work [done] on Holder by Force -> @work
   work [done] on Holder (by|of) Body -> @work_between
   impulse (of|exerted by) Force -> impulse of {Force}
-  impulse (of|exerted by|from|on|in|at) Unknown [on Body] -> @impulse
+  impulse (of|exerted by|from|on|in|at|given by) (Unknown|Stranger) [on Body] -> @impulse
   impulse [(that|which) Body exerts] (on|exerted on) Body -> @impulse
   impulse in String -> @impulse
   (maximum|greatest) height [reached|attained] [by Body|it reaches|Body reaches] -> how high does it rise
+  (distance|way) Thing:a (slides|moves|travels|slips|walks|rolls|slid|moved) (on|along|relative to|over|across) Thing:b -> @slid
   (maximum|greatest|largest):x angle (of swing|of deflection|of rotation|of oscillation) -> @largest_angle
   Heat [to friction|in slipping|by friction] -> @heat
   (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 QUESTIONS = r"""
 Question
+  [Ask] (initial|original):x State [Tails] -> {State} at start {Tails}
   [Ask] State [Tails] -> {State} {Tails}
   Moment [,] [Ask] State [Tails] -> {State} <2>{Moment} {Tails}
   [Ask] Gone [Spans] -> {Gone} {Spans}
@@ -25,6 +26,7 @@ Question
   [Ask] ratio of Noun of Thing:a (to|and) Thing:b [Tails] -> @ratio
   [Ask] ratio of Role (on|at|of) Where:a to that (on|at|of) Where:b -> @ratio_held
   [Ask] ratio of Turns of Holder:a to that of Holder:b [Tails] -> ratio of {Turns} of {a} to {Turns} of {b} {Tails}
+  [Ask] ratio of Spotted:a (to|and) Spotted:b [Tails] -> ratio of {a} to {b} {Tails}
   [Ask] difference (between|of) State Moment:a and Moment:b -> @difference
   [Ask] ratio between Noun of Thing:a and Thing:b [Tails] -> @ratio
   [Ask] CoordNoun (at|for) which Event -> {CoordNoun} where {Event}
@@ -52,6 +54,7 @@ Asking
   how long (does it take|will it take|does it last|is it|did it take) (until|before|till|for) Event -> time until {Event}
   how long (does it take|will it take|did it take) Event -> time until {Event}
   how long (does|will) Subj take Event -> time until {Event}
+  how far (does|will|can|do) Thing:a FarVerb (on|along|relative to|over|across) Body:b [Until Gripping:e] -> @slid_until
   how (long|much time) (until|before|passes before|elapses before|passes until) Event -> time until {Event}
   after (what|which) time (does|do|will|is|has) Event -> time until {Event}
   (when|at what time|at which time) (does|do|will|is|has) Event -> time until {Event}
@@ -68,8 +71,9 @@ Asking
   (does|do|will|can) Condition -> does {Condition}
 
 Condition
-  [Ask] Best coefficient of [static] friction [needed|required] [(for|to) Slipless] [SafeMoment] -> {Best} mu for which
+  [Ask] [Best] coefficient of [static] friction [needed|required|necessary] [(for|to) Slipless] [at Contact] [SafeMoment] -> {Best} mu for which
       it does not slip {SafeMoment}
+  [Ask] [Best] (friction coefficient|coefficient of friction) (needed|required) -> smallest mu for which it does not slip
   [Ask] [Best] Par [of Body] ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
   [Ask] [Best] Par (needed|required|necessary|to be used) (for|to|so that|that|if) Cond [Given] -> {Best} {Par} for which
       {Cond} {Given}
@@ -95,6 +99,21 @@ Condition
 Stable
   condition for (stability|stable equilibrium) [of equilibrium|of Thing] -> @is_stable
   (when|where) is equilibrium [of Thing] stable -> @is_stable
+
+Spotted
+  (State|Lost) Spot -> {State}{Lost} {Spot}
+  (State|Lost) -> {State}{Lost} !1
+  (initial|original):x State -> {State} at start
+  final State -> @final
+
+Lost
+  (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
+  work done by Force -> work of {Force}
+
+Spot
+  Moment -> {Moment}
+  (in|during|at|by) BlowNoun -> @in_impact
+  Until Event -> until {Event}
 
 Slipless
   (pure rolling|rolling without slipping|rolling|roll without slipping|prevent slipping|prevent sliding|no slipping|no slip|
@@ -122,6 +141,9 @@ Cond
   (motion|oscillation|system|it|Thing) (is|be|becomes) (critically damped|underdamped|overdamped):x -> @damped
   Subj Not (slip|slide|skid) [Spans] -> {Subj} does not slip {Spans}
   Subj Not (tip|topple|overturn|tip over) -> {Subj} does not tip
+  Subj Leave [Ground:g] (at|when|where) Place -> @leaves_at
+  (Body|Contact) Not (lift|lift off|leave|rise|bounce|come off) [from|off] [Ground] [Spans] -> {Body}{Contact} does not lift
+  State (doubles|is doubled) -> @doubled
   Subj Not (leave|lose contact with|lift off|lift from|fly off) [Ground] [Spans] -> {Subj} stays in contact {Spans}
   Subj (stays|stay|remains|remain|keeps) [in] contact [with Ground] [Spans] -> {Subj} stays in contact {Spans}
   Subj (stays|stay|remains|remain|keeps) on Ground [Spans] -> {Subj} stays in contact {Spans}

@@ -8,7 +8,7 @@ from contextlib import suppress
 from functools import cache, partial
 
 from rbpsym.ask.question import LONGEST
-from rbpsym.ask.words.chart import Chart, Heard, Meaning, Node, Parsed, compiled, tokens
+from rbpsym.ask.words.chart import UNREAD, Chart, Heard, Meaning, Node, Parsed, compiled, tokens
 from rbpsym.ask.words.clauses import CLAUSES
 from rbpsym.ask.words.lexicon import GROUND, ROLES, Lexicon, Phrases
 from rbpsym.ask.words.means import MEANINGS
@@ -22,7 +22,7 @@ from rbpsym.expr.infix import read_infix
 from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement.model import Problem
 
-UNREAD, MOST_UNREAD = 4, 16  # what a word costs that is taken as it is written, and what a reading may cost
+MOST_UNREAD = 16  # what a reading may cost
 NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Begun", "Phase", "Struck", "Each", "Several", "Pair")
 GROUNDS = (
     f"{GROUND}|wall|incline|slope|ramp|hill|dome|bowl|loop|circle|sphere|wedge|edge|corner|step|peg|hoop|guide|wire|cylinder|drum|"
@@ -58,8 +58,25 @@ def _row(line: str) -> tuple[Node, str, int]:
 
 def read(problem: Problem, text: str) -> list[str]:
     """What a question may mean, in the engine's language: all readings that leave the least unread; none where too much is."""
-    if len(text) > LONGEST:
-        return []
+    chart = _chart(problem, text) if len(text) <= LONGEST else None
+    readings = chart.read("Question") if chart else {}
+    found = {spoken: cost for one, cost in readings.items() if (spoken := _ordered(one))}
+    least = min(found.values(), default=MOST_UNREAD)
+    return [one for one, cost in found.items() if cost == least < MOST_UNREAD]
+
+
+def unread(problem: Problem, text: str) -> tuple[str, str] | None:
+    """What is understood of the beginning of a question, and the rest that is not; None where no quantity stands there."""
+    chart = _chart(problem, text) if len(text) <= LONGEST else None
+    begun = [*chart.begun("Ask", 0), 0] if chart else []
+    ends = max((to for at in begun for name in ("State", "Gone") for to in chart.begun(name, at)), default=0) if chart else 0
+    if chart is None or not ends or ends == len(chart.words):
+        return None
+    cut = chart.words[ends].begin
+    return chart.text[:cut].rstrip(" ,"), chart.text[cut:]
+
+
+def _chart(problem: Problem, text: str) -> Chart:
     plain, lexicon = _plain(problem, text), Lexicon(problem)
     words = tokens(plain)
     lexicon.it = _it(lexicon, words)
@@ -69,14 +86,13 @@ def read(problem: Problem, text: str) -> list[str]:
         "Value": partial(_value, problem, plain, None, False),
         "Formula": partial(_value, problem, plain, None, True),
         "Raw": partial(_raw, plain),
+        "Stranger": partial(_stranger, lexicon),
     }
     functions: dict[str, Meaning] = {name: partial(find, lexicon) for name, find in MEANINGS.items()}
     functions["it"] = lambda caps: lexicon.it or "it"
     rules = {name: [(node, functions.get(meaning[1:], meaning), cost) for node, meaning, cost in rows]
              for name, rows in grammar().items()}  # fmt: skip
-    found = {spoken: cost for one, cost in Chart(plain, rules, finders).read("Question").items() if (spoken := _ordered(one))}
-    least = min(found.values(), default=MOST_UNREAD)
-    return [one for one, cost in found.items() if cost == least < MOST_UNREAD]
+    return Chart(plain, rules, finders)
 
 
 PLURAL = re.compile(r"(?:\w+ )?(?:tensions|forces|reactions|speeds|velocities|accelerations)\b")
@@ -130,6 +146,15 @@ def _value(problem: Problem, plain: str, dimension: object, is_formula: bool, wo
                 continue
             if used <= {*known, "pi"} and (dimension is None or dimension_of(node, known) == dimension):
                 yield Parsed(to, said, 0)
+
+
+def _stranger(lexicon: Lexicon, words: list[Heard], at: int) -> Iterator[Parsed]:
+    """A noun that names nothing of the problem: “ledge”."""
+    if at < len(words) and (word := words[at].word).isalpha() and len(word) > 2 and word not in NO_NOUNS and not lexicon.knows(word):
+        yield Parsed(at + 1, word, 0)
+
+
+NO_NOUNS = {"and", "the", "for", "with", "when", "where", "after", "before", "until", "which", "that", "just", "its", "than", "relative"}
 
 
 def _raw(plain: str, words: list[Heard], at: int) -> Iterator[Parsed]:
