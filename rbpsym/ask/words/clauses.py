@@ -29,7 +29,7 @@ Givens
   [,|and] Par (=|is) Value [Givens] -> , {Par} = {Value}{Givens}
 
 Moment
-  At (start|beginning|first|outset|release|moment of release|instant of release|start of motion|beginning of motion|instant
+  At (start|beginning|first|outset|starting|start-up|release|moment of release|instant of release|start of motion|beginning of motion|instant
       it is released|moment it is released|very start|very beginning) -> at start
   (initially|at first|just after release|right after release|immediately after release|shortly after release|on release|upon
       release|at release|when released|just after it is released) -> at start
@@ -56,6 +56,7 @@ Moment
       -> @blow
   When Subj (first|) Hit HitWhat -> @blow
   (JustAfter|after) BlowClause -> @after_blow
+  (JustAfter|after) (striking|hitting|meeting) HitWhat -> @after_blow
   JustBefore BlowClause -> @before_blow
   (JustBefore|JustAfter|after|When):side Subj Begun [Unknown|Ground|Body] -> @begun
   (When|JustBefore) Body (Hit|Reach) Floor -> @flat
@@ -85,8 +86,8 @@ Moment
 
 Elapsed
   [a] [time] [of] Time -> where t = {Time}
-  Value (turns|revolutions|rotations|turn|revolution) [of Body] -> after {Value} turns
-  (one|a|one full|a full|one complete) (turn|revolution|rotation) [of Body] -> after 1 turns
+  Value (turns|revolutions|rotations|turn|revolution) [of Body] -> @turned
+  (one|a|one full|a full|one complete) (turn|revolution|rotation) [of Body] -> @turned
   a fall of Value -> where it has fallen {Value}
   (falling|descending|dropping) [through] [a (distance|height) [of]] Value -> where it has fallen {Value}
 
@@ -103,7 +104,8 @@ JustBefore
   (just|right|immediately|shortly|directly|an instant|the instant) (before|prior to) ->
 
 JustAfter
-  (just|right|immediately|shortly|directly|an instant) after ->
+  (just|right|immediately|shortly|directly|an instant) (after|following) ->
+  following ->
   as soon as ->
 
 Begins
@@ -128,6 +130,10 @@ BlowClause
 Unknown
   (hand|hook|peg|hammer|cue|finger|nail|stop|ridge|obstacle|step|kerb|curb|target|club|racket|bat|ledge|wall|other) ->
   Stranger -> !1
+
+Direction
+  (vertical|wall) -> vertical
+  (horizontal|floor|ground) -> horizontal
 
 HitWhat
   (Body|Ground|Point):x -> {x}
@@ -156,7 +162,7 @@ Passing
   [angle|position] Coord = Value -> {Coord} = {Value}
   Subj Reach Place -> {Place}
   Subj (at|is at) Place -> {Place}
-  State (=|is|reaches|equals|becomes|has fallen to|has dropped to|falls to|drops to|has risen to|is reduced to|is equal to|
+  State (to be|to become|to reach|to fall to|to drop to|to decrease to|to rise to|to increase to|=|is|reaches|equals|becomes|has fallen to|has dropped to|falls to|drops to|has risen to|is reduced to|is equal to|
       has decreased to|has increased to) Value -> {State} = {Value}
   State:a (=|is|reaches|equals|becomes|is equal to) State:b -> {a} = {b}
   Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|is moving at|is moving with|moves with|moves at|
@@ -185,8 +191,9 @@ Happening
   [Subj] [Aux] Tip -> {Subj} tips
   Subj (is|becomes|are|gets|has become|be|being|to be|comes to be|passes|passes through|passing through|swings through|reaches) [its|a] (
       vertical|horizontal):x [position] -> {Subj} is {x}
-  Subj (makes|makes an angle of|forms|makes an angle|is inclined at|is at) [an angle of] Value [degrees|deg]:d (with|to|from)
-      [the] (vertical|horizontal):x -> {Subj} makes {Value} {d} with {x}
+  Subj (makes|makes an angle of|forms|makes an angle|is inclined at|is at) [an angle of|angle of] Value [degrees|deg]:d (with|to|from)
+      Direction:x -> {Subj} makes {Value} {d} with {x}
+  Subj (is|be) (lowest|at its lowest|highest|at its highest):x -> @extreme
   [Subj] (is in|in|to) [a] (vertical|horizontal):x position -> {Subj} is {x}
   Body:a (catches|overtakes|reaches|catches up with|meet|meets|catch|overtake|passes) Body:b -> {a} meets {b}
   Body:a and Body:b (meet|pass|are level|are side by side|collide|are at same height|are at same level) -> {a} meets {b}
@@ -234,6 +241,8 @@ Span
   (during|in|over|throughout) (phase Phase|Phase) -> <1>in phase {Phase}
   (during|in|by|due to|at|on) [each] BlowNoun -> @in_blow
   (when|as|because|while) BlowClause -> @in_blow
+  (while|during|in) (slipping|sliding|skidding|slip) -> <2>until it stops slipping
+  while it (slips|slides|skids) -> <2>until it stops slipping
   (at|on) (Unknown|Ground) -> @in_blow
   Until BlowClause -> @until_blow
   (in|during|over|for) (one|a|each) [full|complete|whole] (turn|revolution|rotation) [of Body:b] -> @one_turn

@@ -24,7 +24,7 @@ TOUCHING = ("contact", "touch", "rolling", "sticking")  # what pushes along a no
 PULLING = ("string", "link", "pull")
 # what holds or pushes: the words for it, and the kinds of elements that these may mean
 ROLES: Mapping[str, tuple[str, tuple[str, ...]]] = {
-    "normal force": ("normal force|normal reaction|normal|contact force|support force|normal reaction force", TOUCHING),
+    "normal force": ("normal force|normal reaction|normal|contact force|support force|normal reaction force|load|wheel load|axle load", TOUCHING),
     "tension": ("tension|tensile force|pull|tension force", PULLING),
     "friction":
         ("friction|friction force|frictional force|force of friction|static friction|force of static friction", TOUCHING),
@@ -43,11 +43,11 @@ OF_DIMENSION: Mapping[Dimension, tuple[str, ...]] = {
     MASS * LENGTH / TIME**2: ("force", "pull", "push", "horizontal force", "applied force"),
     MASS * LENGTH**2 / TIME**2: ("couple", "torque", "moment"),
     LENGTH / TIME: ("speed", "velocity", "initial speed", "initial velocity", "launch speed", "speed of projection"),
-    LENGTH / TIME**2: ("acceleration",),
+    LENGTH / TIME**2: ("acceleration", "deceleration"),
     MASS / TIME**2: ("stiffness", "spring constant", "spring stiffness"),
     NUMBER / TIME: ("initial angular velocity", "initial spin", "angular velocity", "angular speed"),
 }
-SLOPES = ("slope", "inclination", "incline", "angle of incline", "angle of slope", "angle of inclination", "angle of plane", "steepness")
+SLOPES = ("angle", "slope", "inclination", "incline", "angle of incline", "angle of slope", "angle of inclination", "angle of plane", "steepness")
 FEET = ("end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
 GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
 GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
@@ -92,6 +92,10 @@ class Lexicon:
             for word in (word for word in SHAPE_WORDS if may_be(body, word)):
                 self._add("Body", f"{body.name} {word}", body.name)
                 self._add("Body", f"{word} {body.name}", body.name)
+            shaped = [word for word in SHAPE_WORDS if may_be(body, word)]
+            for word in (*(f"each {word}" for word in (*shaped, body.name, "body", "mass")), "weights", *(f"{word}s" for word in shaped)):
+                if len(self.problem.bodies) > 1:
+                    self._add("Each", word, body.name)
             for word in ("bodies", "masses", "two bodies", *(f"{two}{word}s" for word in (*kinds, body.name) for two in ("", "two "))):
                 if len(self.problem.bodies) > 1:
                     self._add("Each", word, body.name)
@@ -133,11 +137,11 @@ class Lexicon:
         for dimension, nouns in OF_DIMENSION.items():  # “the force” by the only letter that is one
             names = [q.name for q in free if q.dimension == dimension]
             for noun in nouns if len(names) == 1 else ():
-                self._add("Par", noun, names[0])
+                self._add("Chosen" if "speed" in noun or "velocity" in noun or "spin" in noun else "Par", noun, names[0])
         lines = [line for e in self.elements if isinstance(line := e.values.get("line"), Line)]
         leaning = {name for line in lines for name in {*t.names(line.a), *t.names(line.b)} & {q.name for q in free}}
         for noun in SLOPES if len(leaning) == 1 else ():
-            self._add("Par", noun, next(iter(leaning)))
+            self._add("Chosen" if noun == "angle" else "Par", noun, next(iter(leaning)))
 
     def _points(self) -> None:
         counted: dict[str, list[str]] = defaultdict(list)
@@ -161,7 +165,8 @@ class Lexicon:
         for point, places in counted.items():
             if len(places) == 1 and point not in ("cm", "start", "end", "center"):
                 self._add("Point", point, places[0])
-                self._add("Point", f"point {point}", places[0])
+                for noun in ("point", "end", "corner"):
+                    self._add("Point", f"{noun} {point}", places[0])
         for name in ("O", *self.problem.points):
             self._add("Point", name, name)
             self._add("Point", f"point {name}", name)

@@ -159,6 +159,19 @@ def _lone_contact(lexicon: Lexicon, place: str) -> str | None:
     return f"{sides[0]} where {place} vanishes" if len(sides) == 1 else None
 
 
+def _on_way(lexicon: Lexicon, caps: Caps) -> str | None:
+    """The way up is the motion before, and the way down that after the only phase that begins when it stops."""
+    phases, who = lexicon.problem.phases, caps["Thing"] or lexicon.it
+    if len(phases) != 1 or phases[0].impulses or not who:
+        return None
+    return f"{caps['n']} of {who} <1>in phase {'first' if caps['x'] == 'up' else phases[0].name}"
+
+
+def _resisting(lexicon: Lexicon, caps: Caps) -> str | None:
+    found = [e.name for e in lexicon.elements if e.kind in ("resisting-couple", "rotary-damper")]
+    return f"couple {found[0]}" if len(found) == 1 else None
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -246,6 +259,7 @@ def _of_kinds(what: str, *kinds: str) -> Of:
     return find
 
 
+EXTREMES = {"longest": "largest", "shortest": "smallest"}
 MEANINGS: Mapping[str, Of] = {
     "ratio_held": _ratio_held,
     "angle_of": _angle_of,
@@ -262,7 +276,17 @@ MEANINGS: Mapping[str, Of] = {
     "ratio": _ratio,
     "strikes": lambda lexicon, caps: f"speed of {caps['Subj']} <2>just before {caps['Subj']} hits {caps['HitWhat']}"
                                      if lexicon.blows else None,
-    "with_which": lambda lexicon, caps: f"{_of_it(lexicon, 'speed')} <2>where {caps['Event']}",
+    "with_which": lambda lexicon, caps: f"{_of_it(lexicon, caps['n'])} <2>where {caps['Event']}",
+    "acquired": lambda lexicon, caps: f"{caps['n']} of {caps['Thing']}{' <2>right after impact' if lexicon.struck else ''}",
+    "height_at": lambda lexicon, caps: f"height of {lexicon.it}.cm <2>where {caps['Event']}"
+                                       if lexicon.it in lexicon.problem.body_names else None,
+    "on_way": _on_way,
+    "resisting": _resisting,
+    "lone_role": lambda lexicon, caps: _lone_role(lexicon, caps["Role"], set()) or caps["Role"],
+    "system_cm": lambda lexicon, caps: "system.cm" if len(lexicon.problem.bodies) > 1 else None,
+    "extreme": lambda lexicon, caps: f"{caps['Subj']} is at its {'lowest' if 'lowest' in caps['x'] else 'highest'} point",
+    "turned": lambda lexicon, caps: f"where {caps['Body'] or 'it'} has turned 2*pi*({caps['Value'] or 1})",
+    "best_of": lambda lexicon, caps: f"{caps['Par']} for which {caps['State']} is {EXTREMES.get(caps['Best'], caps['Best'])}",
     "where": lambda lexicon, caps: f"{_lone(lexicon)} where {caps['Event']}" if _lone(lexicon) else None,
     "cut": _cut,
     "lone_centre": lambda lexicon, caps: f"instantaneous centre of {lexicon.it}" if lexicon.it else None,

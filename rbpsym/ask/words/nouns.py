@@ -4,6 +4,7 @@ from __future__ import annotations
 
 NOUNS = r"""
 Thing
+  (centre of mass|center of mass|mass centre|centre of gravity) [of system] -> @system_cm
   Point -> {Point}
   End -> {End}
   Body -> {Body}
@@ -53,9 +54,15 @@ State
       kinetic energy to kinetic energy
   (speed|velocity|acceleration):n (down|up|along) [the] (incline|slope|plane|ramp|hill) -> @lone_noun
   (acceleration|velocity|speed):n of Thing (down|up|along) (incline|slope|plane|ramp|hill) -> magnitude of {n} of {Thing}
+  RelNoun of Thing (relative to|with respect to) (ground|floor|earth) -> {RelNoun} of {Thing}
   RelNoun of Thing:a (relative to|with respect to|as seen from|seen from) Thing:b -> @relative
   relative RelNoun of Thing:a (and|to) Thing:b -> @relative
-  (speed|velocity) with which Event -> @with_which
+  (speed|velocity|angular velocity|angular speed):n with which Event -> @with_which
+  (Noun|Turns):n (acquired|attained|gained|had|given to) by Thing -> @acquired
+  height at which Event -> @height_at
+  (speed|velocity|Turns):n [of Thing] (eventually|finally|after long time|in long run|in steady state|long time after Stranger) -> @terminal
+  (acceleration|velocity|speed|force|tension|friction|normal force):n [of Thing] (on|during) way (up|down|back):x -> @on_way
+  (frictional|friction|resisting|braking|retarding) (torque|couple|moment) [on Body] -> @resisting
   (speed|velocity) (with|at) which Thing (Moving|Go|Turn|moves|comes|flies|passes) [(on|through|along|down|up|over|in|out of|off|
       into|past) (Noun|Ground|Body|Point):w] -> speed of {Thing}
   (speed|velocity) (at|with) which Subj (Hit) HitWhat -> @strikes
@@ -90,7 +97,7 @@ State
   point [of|on] [Holder] [that|which] [is] (instantaneously|momentarily) at rest -> instantaneous centre of {Holder}
   (horizontal|vertical):x [component of|part of] Noun -> @lone_component
   (torque|couple|moment|force) (needed|required|that must act|applied) [at|on|to drive|to turn|to move] Thing -> @driving
-  damped natural (frequency|period):x [of Thing] -> damped {x}
+  damped (natural|angular|circular) (frequency|period):x [of Thing] -> damped {x}
   (size|magnitude) of State -> magnitude of {State}
   (net|resultant|total) force on Holder -> net force on {Holder}
   (net|resultant|total) torque on Holder [About] -> net torque on {Holder} {About}
@@ -108,7 +115,7 @@ State
 
 Swinging
   (period|frequency|circular frequency|angular frequency|natural frequency|natural circular frequency|period of oscillation|
-      frequency of oscillation):x [of [its] [small|free|natural] (oscillations|vibrations|oscillation|swings|motion)] -> {x}
+      frequency of oscillation):x [of [its] [small|free|natural] (oscillations|vibrations|oscillation|swings|motion|rocking|rocking motion|amplitudes|amplitude)] -> {x}
 
 Sign
   (magnitude of|size of) -> magnitude of
@@ -146,7 +153,7 @@ Held
   Role (between|exerted between) [gears|bodies|blocks|balls|wheels|masses|disks|carts|cars|cylinders|boxes] Body:a and Body:b
       -> @between
   Role on Body:b (from|by|exerted by|due to) Body:a -> @by_on
-  Role -> {Role} !2
+  Role -> @lone_role !2
 
 Role
   [magnitude of|size of] RoleNoun -> {RoleNoun}
@@ -159,6 +166,7 @@ Where
   Element -> {Element}
 
 Gone
+  [total] (time|time needed|time required|time taken|time it takes|time interval) (at which|when|until|before|till) Event -> time until {Event}
   (time|time needed|time required|time taken|time it takes) [for|to] Event -> time until {Event}
   work done on Holder -> net work on {Holder}
   (energy|heat|mechanical energy|kinetic energy) (dissipated|absorbed|lost|generated|taken up|produced) (by|in|to) Element ->

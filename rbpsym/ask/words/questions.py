@@ -74,6 +74,10 @@ Condition
   [Ask] [Best] coefficient of [static] friction [needed|required|necessary] [(for|to) Slipless] [at Contact] [SafeMoment] -> {Best} mu for which
       it does not slip {SafeMoment}
   [Ask] [Best] (friction coefficient|coefficient of friction) (needed|required) -> smallest mu for which it does not slip
+  [Ask] Best Chosen [of Body] [ForWhich|needed to|required to|to|needed for] Cond [Given] -> {Best} {Chosen} for which {Cond} {Given}
+  [Ask] [Best] (Par|Chosen) [needed|required|allowed] (to|for) Must -> {Best} {Par}{Chosen} for which {Must}
+  [Ask] [Best] (Par|Chosen) without Unwanted -> {Best} {Par}{Chosen} for which {Unwanted}
+  [Ask] Par (giving|that gives|which gives|for|making|of) Best State -> @best_of
   [Ask] [Best] Par [of Body] ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
   [Ask] [Best] Par (needed|required|necessary|to be used) (for|to|so that|that|if) Cond [Given] -> {Best} {Par} for which
       {Cond} {Given}
@@ -99,6 +103,19 @@ Condition
 Stable
   condition for (stability|stable equilibrium) [of equilibrium|of Thing] -> @is_stable
   (when|where) is equilibrium [of Thing] stable -> @is_stable
+
+Must
+  (stay|remain|keep) [in] contact [with Ground] -> it stays in contact
+  (stay|remain) on Ground -> it stays in contact
+  (tip|topple|overturn|tip over|tipping) -> it tips
+  (slip|slide|start sliding|start slipping|start moving|begin to slide|move) -> it slips
+  (Full) -> @full
+  (rolling without slipping|roll without slipping|pure rolling|rolling|prevent slipping|no slipping) -> it does not slip
+
+Unwanted
+  (slipping|sliding|skidding|slip) -> it does not slip
+  (tipping|overturning|toppling) -> it does not tip
+  (losing contact|leaving Ground|lifting off) -> it stays in contact
 
 Spotted
   (State|Lost) Spot -> {State}{Lost} {Spot}
@@ -153,6 +170,7 @@ Cond
       [Ground] -> {Subj} lifts
   (slipping|sliding|slip) (is|impends) [impending|imminent] -> it slips
   tipping (is|impends) [impending|imminent] -> it tips
+  Subj (can stand|stands|can rest|can be in equilibrium|is safe|stays in place|stays put) -> {Subj} stays at rest
   Subj (stays|stay|remains|remain|is|be|are) (at rest|in equilibrium|balanced) -> {Subj} stays at rest
   Subj (does not|do not|will not|not|to not|never) (move|start moving|begin to move|start to move) -> {Subj} stays at rest
   Subj Rolls (without slipping|without sliding|purely) -> {Subj} does not slip

@@ -23,7 +23,7 @@ from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement.model import Problem
 
 MOST_UNREAD = 16  # what a reading may cost
-NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Begun", "Phase", "Struck", "Each", "Several", "Pair")
+NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Begun", "Phase", "Struck", "Each", "Several", "Pair", "Chosen")
 GROUNDS = (
     f"{GROUND}|wall|incline|slope|ramp|hill|dome|bowl|loop|circle|sphere|wedge|edge|corner|step|peg|hoop|guide|wire|cylinder|drum|"
     "curve|tube|bar|rod"
@@ -109,6 +109,7 @@ def _plain(problem: Problem, text: str) -> str:
     if first not in problem.dimensions and first.lower() != first and first.isalpha() and len(first) > 1:
         plain = plain[0].lower() + plain[1:]
     plain = re.sub(r"\b(?:the|an) (?=\S)", "", plain)
+    plain = re.sub(r"\b([\w.-]+)['’]s ((?:own |angular |upper |lower )?\w+)", r"\2 of \1", plain)
     if "a" in problem.dimensions:
         return re.sub(rf"\ba (?=(?:{A_NOUN})\b)", "", plain)
     return re.sub(r"\ba (?=[A-Za-z])", "", plain)
