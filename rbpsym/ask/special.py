@@ -84,7 +84,8 @@ def with_coefficient(asked: Asked, text: str) -> Asked:
     by as much friction as is needed has it as its limit."""
     problem = asked.problem
     is_said = re.search(rf"\b(?:{COEFFICIENT}|coefficient of (?:static )?friction)\b", text)
-    if not is_said or put_into(problem, {COEFFICIENT: ZERO}) != put_into(problem, {}):
+    held = (*problem.constraints, *(e for phase in problem.phases for e in (*phase.problem.constraints, *phase.impulses)))
+    if not is_said or put_into(problem, {COEFFICIENT: ZERO}) != put_into(problem, {}) or all(_limited(e) == e for e in held):
         return asked
 
     def rough(part: Problem) -> Problem:

@@ -14,6 +14,15 @@ Tail
   (for|if|when|in case of) [it is|Thing is] (critically damped|critical damping|underdamped|overdamped):x -> <4>{x}
   (when|if) (damping is critical|critical damping) -> <4>critically damped
   Given -> <5>{Given}
+  in terms of Letters ->
+
+FromRest
+  (if|when|after|being) [Thing|it is|Thing is|being] [it] [is] (released|let go|starting|starts|started) from rest -> @from_rest
+
+Letters
+  Par [,] [and] Letters ->
+  Par and Par ->
+  Par , Par ->
 
 Arg
   Coord -> {Coord}
@@ -36,6 +45,9 @@ Moment
   [JustAfter|when|as soon as|once|at instant|at moment|instant|moment] Subj (is|are|has been|was) (released|let go|set free)
       [from rest] -> at start
   (at|in) its (initial|starting) position -> at start
+  (at|in|for) [this|given|shown|that] (instant|position|moment|configuration) [shown|given|considered] -> @now
+  (at|in|for) (this|given|shown) (instant|position|moment|configuration) -> @now
+  (on|upon) Event -> where {Event}
   When Event -> where {Event}
   When Begin -> when {Begin} begins
   When BeginClause -> when {BeginClause} begins
@@ -160,7 +172,7 @@ Passing
   Coord [Aux] (=|is|reaches|equals|becomes|reach|has reached|has value|reaches value|is equal to|be|to be|has become) Value
       -> {Coord} = {Value}
   [angle|position] Coord = Value -> {Coord} = {Value}
-  Subj Reach Place -> {Place}
+  [Subj] Reach Place -> {Place}
   Subj (at|is at) Place -> {Place}
   State (to be|to become|to reach|to fall to|to drop to|to decrease to|to rise to|to increase to|=|is|reaches|equals|becomes|has fallen to|has dropped to|falls to|drops to|has risen to|is reduced to|is equal to|
       has decreased to|has increased to) Value -> {State} = {Value}
@@ -177,7 +189,7 @@ Happening
   [Subj] Return [to (its|start|starting|initial|where|original)] [start|point|position|starting point|starting position|place|
       it started] -> {Subj} comes back
   [Subj] [Aux] Leave [Ground:g|Body:g|Point:g|other|other one|it|Stranger] -> @leaves
-  String [Aux] (goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
+  String [Aux] (stops being taut|is no longer taut|loses tension|goes slack|becomes slack|go slack|become slack|is slack|slackens) -> {String} goes slack
   Contact [Aux] (Leave|lose contact|loses contact) [Ground] -> {Contact} vanishes
   Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
   (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost

@@ -172,6 +172,11 @@ def _resisting(lexicon: Lexicon, caps: Caps) -> str | None:
     return f"couple {found[0]}" if len(found) == 1 else None
 
 
+def _from_rest(lexicon: Lexicon, caps: Caps) -> str | None:
+    """What is said of the start adds nothing where the problem says it."""
+    return "" if all(c.speed is None or to_machine(c.speed) == "0" for c in lexicon.problem.coordinates) else None
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -291,6 +296,10 @@ MEANINGS: Mapping[str, Of] = {
     "cut": _cut,
     "lone_centre": lambda lexicon, caps: f"instantaneous centre of {lexicon.it}" if lexicon.it else None,
     "slid_until": lambda lexicon, caps: MEANINGS["slid"](lexicon, caps) + f" until {caps['e'] or 'it stops slipping'}",
+    "tip": _end("free"),
+    "now": lambda lexicon, caps: None if lexicon.problem.phases else "at start",
+    "from_rest": _from_rest,
+    "inertia": lambda lexicon, caps: f"moment of inertia of {caps['x'] or 'system'} {caps['About']}",
     "final": lambda lexicon, caps: f"{caps['State']} in phase {phases[-1].name}" if (phases := lexicon.problem.phases) else None,
     "in_impact": lambda lexicon, caps: "in impact" if lexicon.struck else None,
     "leaves_at": lambda lexicon, caps: f"{_leaves(lexicon, caps).replace(' vanishes', '')} where {caps['Place']} vanishes"

@@ -14,6 +14,7 @@ Thing
 End
   (foot|base|lower end|bottom end|bottom) [of Body] -> @lower_end
   (upper end|top|top end|head) [of Body] -> @upper_end
+  (tip|free end|far end|outer end) [of Body] -> @tip
 
 Subj
   Body -> {Body}
@@ -81,6 +82,7 @@ State
   [total] angular momentum [About] -> angular momentum of system {About}
   (moment of inertia|radius of gyration):n of (Holder|system):x [About] -> {n} of {x} {About}
   [total] (moment of inertia|radius of gyration):n [About] -> {n} of system {About}
+  (rotational inertia|mass moment of inertia) [of (Holder|system):x] [About] -> @inertia
   instantaneous (centre|center) [of rotation|of velocity|of zero velocity] of Holder -> instantaneous centre of {Holder}
   instantaneous (centre|center) [of rotation|of velocity|of zero velocity] -> @lone_centre
   distance (from|between) Point:a (to|and) Point:b -> distance from {a} to {b}
@@ -115,7 +117,7 @@ State
 
 Swinging
   (period|frequency|circular frequency|angular frequency|natural frequency|natural circular frequency|period of oscillation|
-      frequency of oscillation):x [of [its] [small|free|natural] (oscillations|vibrations|oscillation|swings|motion|rocking|rocking motion|amplitudes|amplitude)] -> {x}
+      frequency of oscillation|period of vibration|frequency of vibration|natural period|oscillation frequency|oscillation period):x [of [its] [small|free|natural] (oscillations|vibrations|oscillation|swings|motion|rocking|rocking motion|amplitudes|amplitude)] -> {x}
 
 Sign
   (magnitude of|size of) -> magnitude of
@@ -180,6 +182,7 @@ Gone
   distance [through which|by which|which|that] Subj (falls|moves|slides|rolls|rises|sinks|descends|travels|goes|drops|has
       moved|climbs) [Along] -> @distance
   angle [turned|rotated|swept] [through] [by Holder] -> @angle
+  angular displacement [of Holder] -> @angle
   angle (through|by) which Holder (turns|rotates|swings|has turned|has rotated) -> angle turned by {Holder}
   number of (turns|revolutions|rotations) [of|made by|it makes] [Holder] -> @turns
   work [done] (of|by) Force [on Holder] -> @work
@@ -195,6 +198,7 @@ Gone
   (maximum|greatest|largest):x angle (of swing|of deflection|of rotation|of oscillation) -> @largest_angle
   Heat [to friction|in slipping|by friction] -> @heat
   (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
+  amount of (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
   (loss of|loss in) (energy|kinetic energy|mechanical energy) -> energy lost
   (average|mean) Noun [of Thing] -> average {Noun} of {Thing}
   (change|increase|gain):x (of|in) State -> @change

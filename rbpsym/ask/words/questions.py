@@ -10,9 +10,9 @@ from __future__ import annotations
 QUESTIONS = r"""
 Question
   [Ask] (initial|original):x State [Tails] -> {State} at start {Tails}
-  [Ask] State [Tails] -> {State} {Tails}
+  [Ask] State [Tails] [FromRest] -> {State} {Tails}
   Moment [,] [Ask] State [Tails] -> {State} <2>{Moment} {Tails}
-  [Ask] Gone [Spans] -> {Gone} {Spans}
+  [Ask] Gone [Spans] [FromRest] -> {Gone} {Spans}
   Span [,] [Ask] Gone -> {Gone} {Span}
   [Ask] Best State [Spans] -> {Best} {State} {Spans}
   [Ask] Best Noun ReachedBy [Reached] -> {Best} {Noun} of {ReachedBy}
@@ -107,6 +107,7 @@ Stable
 Must
   (stay|remain|keep) [in] contact [with Ground] -> it stays in contact
   (stay|remain) on Ground -> it stays in contact
+  keep String (taut|tight|stretched) -> tension {String} stays above 0
   (tip|topple|overturn|tip over|tipping) -> it tips
   (slip|slide|start sliding|start slipping|start moving|begin to slide|move) -> it slips
   (Full) -> @full
@@ -173,6 +174,8 @@ Cond
   Subj (can stand|stands|can rest|can be in equilibrium|is safe|stays in place|stays put) -> {Subj} stays at rest
   Subj (stays|stay|remains|remain|is|be|are) (at rest|in equilibrium|balanced) -> {Subj} stays at rest
   Subj (does not|do not|will not|not|to not|never) (move|start moving|begin to move|start to move) -> {Subj} stays at rest
+  String (stays|remains|is|stay|remain|is kept) (taut|tight) [Spans] -> tension {String} stays above 0 {Spans}
+  String Not (go slack|become slack|slacken) [Spans] -> tension {String} stays above 0 {Spans}
   Subj Rolls (without slipping|without sliding|purely) -> {Subj} does not slip
   (rolling|it rolls|pure rolling) (occurs|without slipping|is possible|without slipping is possible) -> it does not slip
   (there is no|no|without any) (slipping|sliding|slip) [occurs] -> it does not slip
