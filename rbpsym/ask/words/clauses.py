@@ -205,6 +205,7 @@ Happening
       vertical|horizontal):x [position] -> {Subj} is {x}
   Subj (makes|makes an angle of|forms|makes an angle|is inclined at|is at) [an angle of|angle of] Value [degrees|deg]:d (with|to|from)
       Direction:x -> {Subj} makes {Value} {d} with {x}
+  [Subj] Reach [its] Direction [position] -> {Subj} is {Direction}
   Subj (is|be) (lowest|at its lowest|highest|at its highest):x -> @extreme
   [Subj] (is in|in|to) [a] (vertical|horizontal):x position -> {Subj} is {x}
   Body:a (catches|overtakes|reaches|catches up with|meet|meets|catch|overtake|passes) Body:b -> {a} meets {b}
