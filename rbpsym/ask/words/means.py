@@ -9,7 +9,7 @@ from rbpsym.ask.named import begun_without, joined, may_be
 from rbpsym.ask.words.chart import Caps
 from rbpsym.ask.words.lexicon import RESTING, ROLES, TOUCHING, Lexicon
 from rbpsym.expr import tree as t
-from rbpsym.quantities import LENGTH, NUMBER
+from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement.model import Element
 from rbpsym.typeset.machine import to_machine
 
@@ -177,6 +177,15 @@ def _from_rest(lexicon: Lexicon, caps: Caps) -> str | None:
     return "" if all(c.speed is None or to_machine(c.speed) == "0" for c in lexicon.problem.coordinates) else None
 
 
+def _resonance(asked: str) -> Of:
+    """Where the amplitude of the only coordinate is largest, over the only letter that is so many radians a second."""
+    def find(lexicon: Lexicon, caps: Caps) -> str | None:
+        drives = [q.name for q in lexicon.problem.parameters if q.dimension == NUMBER / TIME]
+        return asked.format(drives[0], _lone(lexicon)) if len(drives) == 1 and _lone(lexicon) else None
+
+    return find
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -296,6 +305,9 @@ MEANINGS: Mapping[str, Of] = {
     "cut": _cut,
     "lone_centre": lambda lexicon, caps: f"instantaneous centre of {lexicon.it}" if lexicon.it else None,
     "slid_until": lambda lexicon, caps: MEANINGS["slid"](lexicon, caps) + f" until {caps['e'] or 'it stops slipping'}",
+    "forced": lambda lexicon, caps: f"{'phase' if caps['x'] else 'amplitude'} of {who}" if (who := caps["Thing"] or _lone(lexicon)) else None,
+    "resonance": _resonance("{} for which amplitude of {} is largest"),
+    "at_resonance": _resonance("largest amplitude of {1} over {0}"),
     "tip": _end("free"),
     "now": lambda lexicon, caps: None if lexicon.problem.phases else "at start",
     "from_rest": _from_rest,

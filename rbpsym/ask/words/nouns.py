@@ -96,6 +96,13 @@ State
       modes|frequencies of vibration|natural frequencies of vibration) [of system] -> frequencies
   [angle|position|distance|value] [of Thing] (when|in|at|for) [in] equilibrium -> @equilibrium
   CoordNoun (when|in|at|for) [in] equilibrium -> equilibrium of {CoordNoun}
+  (steady-state amplitude|steady amplitude|amplitude in steady state|amplitude of forced (oscillation|oscillations|vibration|motion)|
+      amplitude of (steady-state|steady) (oscillation|vibration|motion)) [of Thing] -> @forced
+  (phase lag|phase angle|phase difference|phase shift):x [of (Thing|displacement|response|motion)] [(behind|relative to|with respect to|
+      between) (force|support|drive|driving force)] -> @forced
+  (resonance frequency|resonant frequency|frequency at resonance|resonance angular frequency|driving frequency at resonance|frequency
+      of resonance):x [of amplitude] -> @resonance
+  (amplitude at resonance|resonant amplitude|resonance amplitude|maximum amplitude of Coord) -> @at_resonance
   point [of|on] [Holder] [that|which] [is] (instantaneously|momentarily) at rest -> instantaneous centre of {Holder}
   (horizontal|vertical):x [component of|part of] Noun -> @lone_component
   (torque|couple|moment|force) (needed|required|that must act|applied) [at|on|to drive|to turn|to move] Thing -> @driving
