@@ -27,6 +27,7 @@ Letters
 Arg
   Coord -> {Coord}
   time -> t
+  (angle|distance|position):x [Coord] -> @coordinate
   Par -> {Par}
   (state|positions and speeds|position and speed) -> state
   (speed|velocity) of Coord -> speed of {Coord}
@@ -42,7 +43,7 @@ Moment
       it is released|moment it is released|very start|very beginning) -> at start
   (initially|at first|just after release|right after release|immediately after release|shortly after release|on release|upon
       release|at release|when released|just after it is released) -> at start
-  [JustAfter|when|as soon as|once|at instant|at moment|instant|moment] Subj (is|are|has been|was) (released|let go|set free)
+  [JustAfter|when|as soon as|once|at instant|at moment|instant|moment] (Subj|system|mechanism|assembly|everything) (is|are|has been|was) (released|let go|set free)
       [from rest] -> at start
   (at|in) its (initial|starting) position -> at start
   (at|in|for) [this|given|shown|that] (instant|position|moment|configuration) [shown|given|considered] -> @now
@@ -68,7 +69,7 @@ Moment
       -> @blow
   When Subj (first|) Hit HitWhat -> @blow
   (JustAfter|after) BlowClause -> @after_blow
-  (JustAfter|after) (striking|hitting|meeting) HitWhat -> @after_blow
+  (JustAfter|after) (striking|hitting|meeting) (Body|Point|Unknown) -> @after_blow
   JustBefore BlowClause -> @before_blow
   (JustBefore|JustAfter|after|When):side Subj Begun [Unknown|Ground|Body] -> @begun
   (When|JustBefore) Body (Hit|Reach) Floor -> @flat
@@ -127,7 +128,7 @@ BeginClause
   (Element|It|Contact):who Cut -> @cut
 
 Aux
-  (has|have|had|has just|have just|just|will|first|has first|to|can|would|could|is just|does|do|did|may|must|
+  (becomes|gets|is being|has|have|had|has just|have just|just|will|first|has first|to|can|would|could|is just|does|do|did|may|must|
       momentarily|to just|will just|just has|is|are|be|being|in|on|by|will have|first has) ->
 
 BlowNoun
@@ -135,8 +136,10 @@ BlowNoun
 
 BlowClause
   (Subj|[its|one|one of its|free|other|right|left|lower|upper] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|embedded|captured|struck|hit|kicked|stuck|lodged|latched|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
-      onto|in|by|to|up|off|off it|onto it|on it] [HitWhat|Unknown] -> impact
+      onto|in|by|to|up|off|off it|onto it|on it] [Body|Point|Unknown] -> impact
   Subj [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
+  (Unknown|Body) (catches|grabs|seizes|engages|strikes|hits|captures|hooks) [(its|one|free|other|right|left|lower|upper)] (end|Body|
+      Point|it|corner|edge) -> impact
   (embedding|catching|landing|hooking|capture) -> impact
 
 Unknown
@@ -256,7 +259,7 @@ Span
   (when|as|because|while) BlowClause -> @in_blow
   (while|during|in) (slipping|sliding|skidding|slip) -> <2>until it stops slipping
   while it (slips|slides|skids) -> <2>until it stops slipping
-  (at|on) (Unknown|Ground) -> @in_blow
+  (at|on) Unknown -> @in_blow
   Until BlowClause -> @until_blow
   (in|during|over|for) (one|a|each) [full|complete|whole] (turn|revolution|rotation) [of Body:b] -> @one_turn
   Reached ->

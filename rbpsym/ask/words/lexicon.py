@@ -29,7 +29,7 @@ ROLES: Mapping[str, tuple[str, tuple[str, ...]]] = {
     "friction":
         ("friction|friction force|frictional force|force of friction|static friction|force of static friction", TOUCHING),
     "force":
-        ("reaction|reaction force|support reaction|force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|"
+        ("reaction|reaction force|support reaction|force|pivot reaction|pivot force|axle force|axle reaction|joint force|joint reaction|tangential force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|"
          "tooth force",
          (*RESTING, *TOUCHING, *PULLING, "spring", "torsion-spring", "damper", "rotary-damper", "gear", "slider", "guide")),
 }  # fmt: skip

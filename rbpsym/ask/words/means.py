@@ -186,6 +186,16 @@ def _resonance(asked: str) -> Of:
     return find
 
 
+def _component_of(axis: str) -> Of:
+    return lambda lexicon, caps: _component(lexicon, {"x": axis, "Held": caps["Held"]})
+
+
+def _critical(lexicon: Lexicon, caps: Caps) -> str | None:
+    """The letter of the only damper for which the only coordinate is critically damped."""
+    found = [v.name for e in lexicon.elements if "damper" in e.kind and isinstance(v := e.values.get("coefficient"), t.Sym)]
+    return f"{found[0]} for which {_lone(lexicon)} is critically damped" if len(found) == 1 and _lone(lexicon) else None
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -273,6 +283,7 @@ def _of_kinds(what: str, *kinds: str) -> Of:
     return find
 
 
+RANKS = {"lower": "lowest", "higher": "highest", "first": "lowest"}
 EXTREMES = {"longest": "largest", "shortest": "smallest"}
 MEANINGS: Mapping[str, Of] = {
     "ratio_held": _ratio_held,
@@ -308,6 +319,15 @@ MEANINGS: Mapping[str, Of] = {
     "forced": lambda lexicon, caps: f"{'phase' if caps['x'] else 'amplitude'} of {who}" if (who := caps["Thing"] or _lone(lexicon)) else None,
     "resonance": _resonance("{} for which amplitude of {} is largest"),
     "at_resonance": _resonance("largest amplitude of {1} over {0}"),
+    "held_x": _component_of("horizontal"),
+    "held_y": _component_of("vertical"),
+    "critical": _critical,
+    "of_mode": lambda lexicon, caps: f"{RANKS.get(caps['o'], caps['o'])} {caps['x'].split()[-1]}",
+    "impulsive": lambda lexicon, caps: f"impulse of {e} in impact" if (e := caps["Element"]) and lexicon.struck else None,
+    "stops_in": lambda lexicon, caps: f"{caps['Subj']} stops {caps['w'].replace('in', 'after') if caps['w'] == 'in' else caps['w']} "
+                                      f"{caps['Value']} turns",
+    "stopping": lambda lexicon, caps: f"{caps['Par']} for which {caps['b'] or 'it'} stops "
+                                      f"{'within' if caps['w'] == 'within' else 'after'} {caps['Value']} turns",
     "tip": _end("free"),
     "now": lambda lexicon, caps: None if lexicon.problem.phases else "at start",
     "from_rest": _from_rest,
@@ -363,7 +383,7 @@ MEANINGS: Mapping[str, Of] = {
     "between": _between,
     "by_on": _by_on,
     "named": _named,
-    "distance": lambda lexicon, caps: f"distance travelled by {caps['Thing'] or caps['Subj']}",
+    "distance": lambda lexicon, caps: f"distance travelled by {caps['Thing'] or (lexicon.it if caps['Subj'] == 'it' else caps['Subj'])}",
     "angle": lambda lexicon, caps: f"angle turned by {caps['Holder']}" if caps["Holder"] else "angle turned",
     "turns": lambda lexicon, caps: f"number of turns of {caps['Holder']}" if caps["Holder"] else "number of turns",
     "work": lambda lexicon, caps: f"work of {caps['Force']}{' on ' if caps['Holder'] else ''}{caps['Holder']}",

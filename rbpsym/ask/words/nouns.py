@@ -107,11 +107,19 @@ State
   (horizontal|vertical):x [component of|part of] Noun -> @lone_component
   (torque|couple|moment|force) (needed|required|that must act|applied) [at|on|to drive|to turn|to move] Thing -> @driving
   damped (natural|angular|circular) (frequency|period):x [of Thing] -> damped {x}
+  [(horizontal and vertical|x and y|rectangular)] components of Held -> @held_x
+  [(horizontal and vertical|x and y|rectangular)] components of Held -> @held_y
+  (static|equilibrium) (elongation|stretch|extension|deflection) [of|in] Spring -> elongation of {Spring} in equilibrium
+  (critical damping coefficient|coefficient for critical damping|damping coefficient for critical damping|critical damping) -> @critical
+  damping factor [of Thing] -> damping ratio
+  (lower|lowest|higher|highest|first|second|third):o (frequency|period|natural frequency):x -> @of_mode
+  (frequency|period|natural frequency):x (of|in) (lower|lowest|higher|highest|first|second|third):o [normal] mode -> @of_mode
+  [stable] equilibrium (positions|angles) -> @equilibrium
   (size|magnitude) of State -> magnitude of {State}
   (net|resultant|total) force on Holder -> net force on {Holder}
   (net|resultant|total) torque on Holder [About] -> net torque on {Holder} {About}
   (torque|moment) of Force [on Holder] About -> torque of {Force} on {Holder} {About}
-  (elongation|stretch|extension) [of|in] Spring -> elongation of {Spring}
+  (elongation|stretch|extension|deflection|deformation) [of|in] Spring -> elongation of {Spring}
   compression [of|in] Spring -> compression of {Spring}
   force (in|of|exerted by|from) Spring -> force {Spring}
   spring force -> spring force
@@ -162,6 +170,7 @@ Held
   Role (between|exerted between) [gears|bodies|blocks|balls|wheels|masses|disks|carts|cars|cylinders|boxes] Body:a and Body:b
       -> @between
   Role on Body:b (from|by|exerted by|due to) Body:a -> @by_on
+  Role between (gears|teeth|wheels|disks|discs|cylinders|blocks) -> @lone_role
   Role -> @lone_role !2
 
 Role
@@ -200,6 +209,8 @@ Gone
   impulse (of|exerted by|from|on|in|at|given by) (Unknown|Stranger) [on Body] -> @impulse
   impulse [(that|which) Body exerts] (on|exerted on) Body -> @impulse
   impulse in String -> @impulse
+  (impulsive reaction|impulsive force|reactive impulse|impulse of reaction|impulse) (at|of|on|in) (Element|Point) [JustAfter|during impact] -> @impulsive
+  [total] time (during which|that|for which) Subj (slips|slides|skids|is slipping|is sliding) -> time until {Subj} stops slipping
   (maximum|greatest) height [reached|attained] [by Body|it reaches|Body reaches] -> how high does it rise
   (distance|way) Thing:a (slides|moves|travels|slips|walks|rolls|slid|moved) (on|along|relative to|over|across) Thing:b -> @slid
   (maximum|greatest|largest):x angle (of swing|of deflection|of rotation|of oscillation) -> @largest_angle

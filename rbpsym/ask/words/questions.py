@@ -73,9 +73,12 @@ Asking
 Condition
   [Ask] [Best] coefficient of [static] friction [needed|required|necessary] [(for|to) Slipless] [at Contact] [SafeMoment] -> {Best} mu for which
       it does not slip {SafeMoment}
+  [Ask] [minimum] (required|necessary) coefficient of [static] friction [(for|to) Slipless] -> smallest mu for which it does not slip
   [Ask] [Best] (friction coefficient|coefficient of friction) (needed|required) -> smallest mu for which it does not slip
   [Ask] Best Chosen [of Body] [ForWhich|needed to|required to|to|needed for] Cond [Given] -> {Best} {Chosen} for which {Cond} {Given}
   [Ask] [Best] (Par|Chosen) [needed|required|allowed] (to|for) Must -> {Best} {Par}{Chosen} for which {Must}
+  [Ask] Par (needed|required|necessary) to (stop|bring):v [Body:b] [to rest] (in|within|after):w Value (turns|revolutions|rotations)
+      -> @stopping
   [Ask] [Best] (Par|Chosen) without Unwanted -> {Best} {Par}{Chosen} for which {Unwanted}
   [Ask] Par (giving|that gives|which gives|for|making|of) Best State -> @best_of
   [Ask] [Best] Par [of Body] ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
@@ -101,6 +104,7 @@ Condition
   what [is] Best [value of] Par ForWhich Cond -> {Best} {Par} for which {Cond}
 
 Stable
+  condition (that|for which) Resting [of Thing] is stable -> @is_stable
   condition for (stability|stable equilibrium) [of equilibrium|of Thing] -> @is_stable
   (when|where) is equilibrium [of Thing] stable -> @is_stable
 
@@ -117,6 +121,7 @@ Unwanted
   (slipping|sliding|skidding|slip) -> it does not slip
   (tipping|overturning|toppling) -> it does not tip
   (losing contact|leaving Ground|lifting off) -> it stays in contact
+  (lifting|lifting of|lift-off of) Contact -> {Contact} does not lift
 
 Spotted
   (State|Lost) Spot -> {State}{Lost} {Spot}
@@ -183,6 +188,8 @@ Cond
       rest at {Coord} = {Value}
   Subj Full -> @full
   Resting [of Thing] (is|be) (stable|unstable):x -> @stable
+  Subj (stops dead|is stopped dead|is at rest after it|is stopped by Unknown) -> velocity of {Subj} right after impact vanishes
+  Subj (stops|is stopped|comes to rest) (in|after|within):w Value (turns|revolutions|rotations) -> @stops_in
   State Still [BlowMoment] -> {State} {BlowMoment} vanishes
   Subj (is|be|are|comes|remains|stops) [at rest|to rest] BlowMoment -> velocity of {Subj} {BlowMoment} vanishes
   Subj (Rolls|Go|moves) (with|at) constant (speed|velocity) -> acceleration of {Subj} vanishes

@@ -95,7 +95,7 @@ def _chart(problem: Problem, text: str) -> Chart:
     return Chart(plain, rules, finders)
 
 
-PLURAL = re.compile(r"(?:\w+ )?(?:tensions|forces|reactions|speeds|velocities|accelerations)\b")
+PLURAL = re.compile(r"(?:\w+ )?(?:tensions|components|horizontal and vertical components|forces|reactions|speeds|velocities|accelerations)\b")
 
 
 def spread(problem: Problem, text: str) -> list[str]:
@@ -155,7 +155,7 @@ def _stranger(lexicon: Lexicon, words: list[Heard], at: int) -> Iterator[Parsed]
         yield Parsed(at + 1, word, 0)
 
 
-NO_NOUNS = {"and", "the", "for", "with", "when", "where", "after", "before", "until", "which", "that", "just", "its", "than", "relative"}
+NO_NOUNS = {*GROUND.split("|"), "and", "the", "for", "with", "when", "where", "after", "before", "until", "which", "that", "just", "its", "than", "relative"}
 
 
 def _raw(plain: str, words: list[Heard], at: int) -> Iterator[Parsed]:
