@@ -269,7 +269,7 @@ class Asked(Frozen):
 
 
 def struck_phases(problem: Problem) -> list[int]:
-    """The places of the phases at the beginning of which impulses act: stated ones, or those with which a new constraint is met."""
+    """The places of the phases that begin with impulses: stated ones, or those with which a new constraint is met."""
     stages = (problem, *(phase.problem for phase in problem.phases))
     names = [{element.name for element in stage.constraints} for stage in stages]
     return [k for k, phase in enumerate(problem.phases, 1) if phase.impulses or names[k] - names[k - 1]]

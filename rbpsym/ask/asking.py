@@ -198,7 +198,8 @@ def moments_of(problem: Problem) -> str:
     """How the moments and the parts of a problem's motion are said."""
     names = [coordinate.name for coordinate in problem.coordinates]
     struck = ["right after impact", "just before impact"] if len(struck_phases(problem)) == 1 else []
-    told = ["at the start", *struck, *(f"in phase {phase.name}" for phase in problem.phases), *(f"where {n} = VALUE" for n in names[:2])]
+    phases = [f"in phase {phase.name}" for phase in problem.phases]
+    told = ["at the start", *struck, *phases, *(f"where {name} = VALUE" for name in names[:2])]
     held = [e.name for e in problem.constraints if e.kind == "contact"]
     return ", ".join(f"“{one}”" for one in (*told, *(f"where {name} vanishes" for name in held[:1]))) + " or no moment at all"
 

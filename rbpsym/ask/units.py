@@ -26,13 +26,15 @@ GONE = re.compile(r"(?<!stops )(?<!rest )\bafter (?:a time of )?(?=\d+(?:\.\d+)?
 LETTER, FINEST = "q", 100_000
 # a letter that a question brings with it: “after falling h”, “a distance d”, “when the speed is v”, “after n turns”
 GREEK = "alpha|beta|gamma|delta|epsilon|eta|theta|kappa|lambda|mu|nu|xi|rho|sigma|tau|phi|chi|psi|omega"
+NOUN = (
+    "(?:angular )?(?:speed|velocity|acceleration)|distance|height|depth|length|way|time|period|angle|power|fallen|falling|falls?|"
+    "risen|rising|rises?|moved|moving|moves?|travelled|rolled|rolling|slid|sliding|gone|climbed|climbing|descended|descending|turned|turning|"
+    "rotated|turns?"
+)
 BROUGHT = re.compile(
-    r"\b(?P<noun>(?:angular )?(?:speed|velocity|acceleration)|distance|height|depth|length|way|time|period|angle|power|fallen|falling|"
-    r"falls?|risen|rising|rises?|moved|moving|moves?|travelled|rolled|rolling|slid|sliding|gone|climbed|climbing|descended|descending|"
-    r"turned|turning|rotated|turns?)"
-    rf"(?: (?:through|up|down|by|is|=|reaches|equals|has fallen to)| (?<=[dghys] )of(?= [a-z]))? (?P<letter>(?:a(?=$|,)|[B-Zb-z]|{GREEK})(?:_\w+)?)"
-    r"(?=$|,| (?!=|of\b)\D)"
-    rf"|\b(?:after|within|in|made) (?P<count>[a-zN](?:_\w+)?) (?:full |complete )?(?:turns|revolutions|rotations)\b"
+    rf"\b(?P<noun>{NOUN})(?: (?:through|up|down|by|is|=|reaches|equals|has fallen to)| (?<=[dghys] )of(?= [a-z]))? "
+    rf"(?P<letter>(?:a(?=$|,)|[B-Zb-z]|{GREEK})(?:_\w+)?)(?=$|,| (?!=|of\b)\D)"
+    r"|\b(?:after|within|in|made) (?P<count>[a-zN](?:_\w+)?) (?:full |complete )?(?:turns|revolutions|rotations)\b"
 )
 
 

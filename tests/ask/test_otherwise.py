@@ -92,7 +92,7 @@ def test_a_special_value_chooses_the_case_of_damping(question: str, worked_out: 
 REFUSED = (
     ("rod-pendulum", "ratio of F_y to foo", "means nothing"),
     ("rod-pendulum", "ratio of F_y to F_x", "still depends on theta"),
-    ("rod-pendulum", "theta where velocity of rod.tip = 0", "means nothing"),
+    ("rod-pendulum", "theta where velocity of rod.tip = 0", "is not understood"),
 )
 
 

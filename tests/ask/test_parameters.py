@@ -113,7 +113,7 @@ WRONG = [
     (ON_ROD, "v_0 for which T stays positive until phi = 1", "is no coordinate"),
     (ON_ROD, "v_0 for which T where phi = 0 vanishes", "is no coordinate"),
     (ON_ROD, "smallest v_0 for which it stays in contact", "no contact or string"),
-    (ROLLING, "acceleration of s with c", "means nothing"),
+    (ROLLING, "acceleration of s with c", "is not understood"),
     (ROLLING, "acceleration of s with foo = 2", "no parameter"),
     (ROLLING, "acceleration of s with m = 2", "does not depend on m"),
     (ROLLING, "acceleration of s with c = R", "is a length"),

@@ -11,6 +11,7 @@ from rbpsym.ask.asked import Asked
 from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.words.chart import Chart, compiled, tokens
 from rbpsym.ask.words.means import MEANINGS
+from rbpsym.ask.words.motions import MOTIONS
 from rbpsym.ask.words.reader import NAMED, VALUES, grammar, read
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.statement.loader import load_problem
@@ -56,10 +57,10 @@ def test_every_name_of_the_grammar_is_defined_and_every_function_used() -> None:
 
     for row in (row for rows_ in rows.values() for row in rows_):
         names(row[0])
-    assert used - rows.keys() <= {*NAMED, *VALUES, "Value", "Formula", "Raw"}
+    assert used - rows.keys() <= {*NAMED, *VALUES, "Value", "Formula", "Raw", "Stranger"}
     assert rows.keys() - used == {"Question"}
     said = {meaning[1:] for rows_ in rows.values() for _, meaning, _ in rows_ if meaning.startswith("@")}
-    assert said == {*MEANINGS, "it"}
+    assert said == {*MEANINGS, *MOTIONS, "it"}
     for node, meaning, _ in (row for rows_ in rows.values() for row in rows_):
         assert set(re.findall(r"{(\w+)}", meaning)) <= {*labels(node), "Subj"}, meaning
 

@@ -14,8 +14,8 @@ from rbpsym.expr import tree as t
 from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.quantity.bound import without_articles
 from rbpsym.statement.checks import unknowns_of
-from rbpsym.statement.paths import tensions
 from rbpsym.statement.model import Element, Line, PointRef, Problem
+from rbpsym.statement.paths import tensions
 
 Phrases = Mapping[tuple[str, ...], tuple[str, ...]]
 SHAPE_WORDS = tuple(SHAPES.split("|"))
@@ -24,13 +24,15 @@ TOUCHING = ("contact", "touch", "rolling", "sticking")  # what pushes along a no
 PULLING = ("string", "link", "pull")
 # what holds or pushes: the words for it, and the kinds of elements that these may mean
 ROLES: Mapping[str, tuple[str, tuple[str, ...]]] = {
-    "normal force": ("normal force|normal reaction|normal|contact force|support force|normal reaction force|load|wheel load|axle load", TOUCHING),
+    "normal force":
+        ("normal force|normal reaction|normal|contact force|support force|normal reaction force|load|wheel load|axle load",
+         TOUCHING),
     "tension": ("tension|tensile force|pull|tension force", PULLING),
     "friction":
         ("friction|friction force|frictional force|force of friction|static friction|force of static friction", TOUCHING),
     "force":
-        ("reaction|reaction force|support reaction|force|pivot reaction|pivot force|axle force|axle reaction|joint force|joint reaction|tangential force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|"
-         "tooth force",
+        ("reaction|reaction force|support reaction|force|pivot reaction|pivot force|axle force|axle reaction|joint force|"
+         "joint reaction|tangential force|pin force|hinge force|bearing force|bearing reaction|hinge reaction|tooth force",
          (*RESTING, *TOUCHING, *PULLING, "spring", "torsion-spring", "damper", "rotary-damper", "gear", "slider", "guide")),
 }  # fmt: skip
 CURVED = "circle|hoop|loop|dome|bowl|sphere|cylinder|hill|peg|corner|edge|incline|slope|wire|step|ramp"
@@ -47,7 +49,17 @@ OF_DIMENSION: Mapping[Dimension, tuple[str, ...]] = {
     MASS / TIME**2: ("stiffness", "spring constant", "spring stiffness"),
     NUMBER / TIME: ("initial angular velocity", "initial spin", "angular velocity", "angular speed"),
 }
-SLOPES = ("angle", "slope", "inclination", "incline", "angle of incline", "angle of slope", "angle of inclination", "angle of plane", "steepness")
+SLOPES = (
+    "angle",
+    "slope",
+    "inclination",
+    "incline",
+    "angle of incline",
+    "angle of slope",
+    "angle of inclination",
+    "angle of plane",
+    "steepness",
+)
 FEET = ("end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
 GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
 GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
@@ -93,10 +105,19 @@ class Lexicon:
                 self._add("Body", f"{body.name} {word}", body.name)
                 self._add("Body", f"{word} {body.name}", body.name)
             shaped = [word for word in SHAPE_WORDS if may_be(body, word)]
-            for word in (*(f"each {word}" for word in (*shaped, body.name, "body", "mass")), "weights", *(f"{word}s" for word in shaped)):
+            for word in (
+                *(f"each {word}" for word in (*shaped, body.name, "body", "mass")),
+                "weights",
+                *(f"{word}s" for word in shaped),
+            ):
                 if len(self.problem.bodies) > 1:
                     self._add("Each", word, body.name)
-            for word in ("bodies", "masses", "two bodies", *(f"{two}{word}s" for word in (*kinds, body.name) for two in ("", "two "))):
+            for word in (
+                "bodies",
+                "masses",
+                "two bodies",
+                *(f"{two}{word}s" for word in (*kinds, body.name) for two in ("", "two ")),
+            ):
                 if len(self.problem.bodies) > 1:
                     self._add("Each", word, body.name)
             for word in lone:
@@ -199,7 +220,9 @@ class Lexicon:
                 self._add("Force", size, e.name)
             for word in self.grounds(e):
                 self._add("Contact", word, e.name)
-            for word in ("tensions",) if e.kind == "string" else ("normal forces", "normal reactions") if e.kind in TOUCHING else ():
+            for word in (
+                ("tensions",) if e.kind == "string" else ("normal forces", "normal reactions") if e.kind in TOUCHING else ()
+            ):
                 for name in tensions(e) if e.kind == "string" else (f"normal force {e.name}",):
                     self._add("Several", word, name)
             for word in GUIDES.split("|") if e.kind in ("slider", "guide") else ():

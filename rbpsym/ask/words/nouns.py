@@ -47,12 +47,12 @@ State
   (speeds|velocities|accelerations|angular velocities|angular accelerations):n of Each -> @each
   (Noun|kinetic energy):n of Each -> {n} of {Each}
   Several [on both sides|on each side|on either side|on both sides of Body] -> {Several}
-  fraction of [initial|original] [kinetic|mechanical] energy [that is|which is] (lost|dissipated) [(in|during|by|at|on) [each]
-      BlowNoun|in slipping|while slipping|to friction] -> @fraction
+  fraction of [initial|original] [kinetic|mechanical] energy [that is|which is] (lost|dissipated) [(in|during|by|at|on)
+      [each] BlowNoun|in slipping|while slipping|to friction] -> @fraction
   fraction of [total] kinetic energy (that is|which is|that is in|in) (rotational|rotation) -> ratio of rotational kinetic
       energy to kinetic energy
-  fraction of [total] kinetic energy (that is|which is|that is in|in) (translational|translation) -> ratio of translational
-      kinetic energy to kinetic energy
+  fraction of [total] kinetic energy (that is|which is|that is in|in) (translational|translation) -> ratio of
+      translational kinetic energy to kinetic energy
   (speed|velocity|acceleration):n (down|up|along) [the] (incline|slope|plane|ramp|hill) -> @lone_noun
   (acceleration|velocity|speed):n of Thing (down|up|along) (incline|slope|plane|ramp|hill) -> magnitude of {n} of {Thing}
   RelNoun of Thing (relative to|with respect to) (ground|floor|earth) -> {RelNoun} of {Thing}
@@ -61,11 +61,12 @@ State
   (speed|velocity|angular velocity|angular speed):n with which Event -> @with_which
   (Noun|Turns):n (acquired|attained|gained|had|given to) by Thing -> @acquired
   height at which Event -> @height_at
-  (speed|velocity|Turns):n [of Thing] (eventually|finally|after long time|in long run|in steady state|long time after Stranger) -> @terminal
+  (speed|velocity|Turns):n [of Thing] (eventually|finally|after long time|in long run|in steady state|long time after
+      Stranger) -> @terminal
   (acceleration|velocity|speed|force|tension|friction|normal force):n [of Thing] (on|during) way (up|down|back):x -> @on_way
   (frictional|friction|resisting|braking|retarding) (torque|couple|moment) [on Body] -> @resisting
-  (speed|velocity) (with|at) which Thing (Moving|Go|Turn|moves|comes|flies|passes) [(on|through|along|down|up|over|in|out of|off|
-      into|past) (Noun|Ground|Body|Point):w] -> speed of {Thing}
+  (speed|velocity) (with|at) which Thing (Moving|Go|Turn|moves|comes|flies|passes) [(on|through|along|down|up|over|in|out
+      of|off| into|past) (Noun|Ground|Body|Point):w] -> speed of {Thing}
   (speed|velocity) (at|with) which Subj (Hit) HitWhat -> @strikes
   angle of Holder -> @angle_of
   equilibrium (angle|distance|position|height|length|value|coordinate) [of Thing] -> @equilibrium
@@ -92,16 +93,16 @@ State
   (horizontal|vertical):x [component of|part of] Noun of Thing -> {x} component of {Noun} of {Thing}
   (direction|angle) of Held -> direction of {Held}
   (Swinging|Swinging of Thing) [about [its|stable] Resting] -> @swings
-  (frequencies|normal frequencies|natural frequencies|normal mode frequencies|vibration frequencies|frequencies of [two|three] normal
-      modes|frequencies of vibration|natural frequencies of vibration) [of system] -> frequencies
+  (frequencies|normal frequencies|natural frequencies|normal mode frequencies|vibration frequencies|frequencies of [two|
+      three] normal modes|frequencies of vibration|natural frequencies of vibration) [of system] -> frequencies
   [angle|position|distance|value] [of Thing] (when|in|at|for) [in] equilibrium -> @equilibrium
   CoordNoun (when|in|at|for) [in] equilibrium -> equilibrium of {CoordNoun}
-  (steady-state amplitude|steady amplitude|amplitude in steady state|amplitude of forced (oscillation|oscillations|vibration|motion)|
-      amplitude of (steady-state|steady) (oscillation|vibration|motion)) [of Thing] -> @forced
-  (phase lag|phase angle|phase difference|phase shift):x [of (Thing|displacement|response|motion)] [(behind|relative to|with respect to|
-      between) (force|support|drive|driving force)] -> @forced
-  (resonance frequency|resonant frequency|frequency at resonance|resonance angular frequency|driving frequency at resonance|frequency
-      of resonance):x [of amplitude] -> @resonance
+  (steady-state amplitude|steady amplitude|amplitude in steady state|amplitude of forced (oscillation|oscillations|
+      vibration|motion)| amplitude of (steady-state|steady) (oscillation|vibration|motion)) [of Thing] -> @forced
+  (phase lag|phase angle|phase difference|phase shift):x [of (Thing|displacement|response|motion)] [(behind|relative to|
+      with respect to| between) (force|support|drive|driving force)] -> @forced
+  (resonance frequency|resonant frequency|frequency at resonance|resonance angular frequency|driving frequency at
+      resonance|frequency of resonance):x [of amplitude] -> @resonance
   (amplitude at resonance|resonant amplitude|resonance amplitude|maximum amplitude of Coord) -> @at_resonance
   point [of|on] [Holder] [that|which] [is] (instantaneously|momentarily) at rest -> instantaneous centre of {Holder}
   (horizontal|vertical):x [component of|part of] Noun -> @lone_component
@@ -110,10 +111,12 @@ State
   [(horizontal and vertical|x and y|rectangular)] components of Held -> @held_x
   [(horizontal and vertical|x and y|rectangular)] components of Held -> @held_y
   (static|equilibrium) (elongation|stretch|extension|deflection) [of|in] Spring -> elongation of {Spring} in equilibrium
-  (critical damping coefficient|coefficient for critical damping|damping coefficient for critical damping|critical damping) -> @critical
+  (critical damping coefficient|coefficient for critical damping|damping coefficient for critical damping|critical
+      damping) -> @critical
   damping factor [of Thing] -> damping ratio
   (lower|lowest|higher|highest|first|second|third):o (frequency|period|natural frequency):x -> @of_mode
-  (frequency|period|natural frequency):x (of|in) (lower|lowest|higher|highest|first|second|third):o [normal] mode -> @of_mode
+  (frequency|period|natural frequency):x (of|in) (lower|lowest|higher|highest|first|second|third):o [normal] mode ->
+      @of_mode
   [stable] equilibrium (positions|angles) -> @equilibrium
   (size|magnitude) of State -> magnitude of {State}
   (net|resultant|total) force on Holder -> net force on {Holder}
@@ -131,8 +134,10 @@ State
   Formula -> {Formula} !1
 
 Swinging
-  (period|frequency|circular frequency|angular frequency|natural frequency|natural circular frequency|period of oscillation|
-      frequency of oscillation|period of vibration|frequency of vibration|natural period|oscillation frequency|oscillation period):x [of [its] [small|free|natural] (oscillations|vibrations|oscillation|swings|motion|rocking|rocking motion|amplitudes|amplitude)] -> {x}
+  (period|frequency|circular frequency|angular frequency|natural frequency|natural circular frequency|period of
+      oscillation| frequency of oscillation|period of vibration|frequency of vibration|natural period|oscillation
+      frequency|oscillation period):x [of [its] [small|free|natural] (oscillations|vibrations|oscillation|swings|motion|
+      rocking|rocking motion|amplitudes|amplitude)] -> {x}
 
 Sign
   (magnitude of|size of) -> magnitude of
@@ -167,8 +172,8 @@ Held
   Role on Holder [at|from|by|of|exerted by|due to] [Where] -> @held_on
   Role (that|which|with which) Body:a (exerts|exert|acts|pushes|presses) on Body:b -> @by_on
   Role (of|by|exerted by|from) Body:a (on|exerted on|upon) Body:b -> @by_on
-  Role (between|exerted between) [gears|bodies|blocks|balls|wheels|masses|disks|carts|cars|cylinders|boxes] Body:a and Body:b
-      -> @between
+  Role (between|exerted between) [gears|bodies|blocks|balls|wheels|masses|disks|carts|cars|cylinders|boxes] Body:a and
+      Body:b -> @between
   Role on Body:b (from|by|exerted by|due to) Body:a -> @by_on
   Role between (gears|teeth|wheels|disks|discs|cylinders|blocks) -> @lone_role
   Role -> @lone_role !2
@@ -184,11 +189,12 @@ Where
   Element -> {Element}
 
 Gone
-  [total] (time|time needed|time required|time taken|time it takes|time interval) (at which|when|until|before|till) Event -> time until {Event}
+  [total] (time|time needed|time required|time taken|time it takes|time interval) (at which|when|until|before|till) Event
+      -> time until {Event}
   (time|time needed|time required|time taken|time it takes) [for|to] Event -> time until {Event}
   work done on Holder -> net work on {Holder}
-  (energy|heat|mechanical energy|kinetic energy) (dissipated|absorbed|lost|generated|taken up|produced) (by|in|to) Element ->
-      @dissipated
+  (energy|heat|mechanical energy|kinetic energy) (dissipated|absorbed|lost|generated|taken up|produced) (by|in|to) Element
+      -> @dissipated
   impulse [(of|on|from|exerted by|at|given to|received by|exerted on) Struck] -> @impulse
   (time|time needed|time required|time taken|time interval|elapsed time|duration) [for Subj] -> time
   time [it takes|that it takes|it takes it|taken by it|required] [for] Subj -> time
@@ -209,10 +215,13 @@ Gone
   impulse (of|exerted by|from|on|in|at|given by) (Unknown|Stranger) [on Body] -> @impulse
   impulse [(that|which) Body exerts] (on|exerted on) Body -> @impulse
   impulse in String -> @impulse
-  (impulsive reaction|impulsive force|reactive impulse|impulse of reaction|impulse) (at|of|on|in) (Element|Point) [JustAfter|during impact] -> @impulsive
-  [total] time (during which|that|for which) Subj (slips|slides|skids|is slipping|is sliding) -> time until {Subj} stops slipping
+  (impulsive reaction|impulsive force|reactive impulse|impulse of reaction|impulse) (at|of|on|in) (Element|Point)
+      [JustAfter|during impact] -> @impulsive
+  [total] time (during which|that|for which) Subj (slips|slides|skids|is slipping|is sliding) -> time until {Subj} stops
+      slipping
   (maximum|greatest) height [reached|attained] [by Body|it reaches|Body reaches] -> how high does it rise
-  (distance|way) Thing:a (slides|moves|travels|slips|walks|rolls|slid|moved) (on|along|relative to|over|across) Thing:b -> @slid
+  (distance|way) Thing:a (slides|moves|travels|slips|walks|rolls|slid|moved) (on|along|relative to|over|across) Thing:b ->
+      @slid
   (maximum|greatest|largest):x angle (of swing|of deflection|of rotation|of oscillation) -> @largest_angle
   Heat [to friction|in slipping|by friction] -> @heat
   (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost

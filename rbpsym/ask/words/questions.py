@@ -17,10 +17,10 @@ Question
   [Ask] Best State [Spans] -> {Best} {State} {Spans}
   [Ask] Best Noun ReachedBy [Reached] -> {Best} {Noun} of {ReachedBy}
   [Ask] ratio of Pair [on both sides|on two sides] [Tails] -> ratio of {Pair} {Tails}
-  [Ask] ratio of [their|two] (speeds|velocities|accelerations|angular velocities|angular accelerations|angular speeds|kinetic energies|
-      momenta):n [of Each] [Tails] -> @ratio_each
-  [Ask] ratio of [their|two] (speeds|velocities|accelerations|angular velocities|angular accelerations|angular speeds|kinetic energies|
-      momenta):n [of Each] [Tails] -> @ratio_other
+  [Ask] ratio of [their|two] (speeds|velocities|accelerations|angular velocities|angular accelerations|angular speeds|
+      kinetic energies| momenta):n [of Each] [Tails] -> @ratio_each
+  [Ask] ratio of [their|two] (speeds|velocities|accelerations|angular velocities|angular accelerations|angular speeds|
+      kinetic energies| momenta):n [of Each] [Tails] -> @ratio_other
   [Ask] ratio of State:a (to|and) State:b [Tails] -> ratio of {a} to {b} {Tails}
   [Ask] ratio of Noun of Thing:a (to|and) that of Thing:b [Tails] -> @ratio
   [Ask] ratio of Noun of Thing:a (to|and) Thing:b [Tails] -> @ratio
@@ -48,9 +48,10 @@ Asking
   (with|at) (what|which) (speed|velocity) (does|will|do) Event -> @with_which
   what (speed|velocity|acceleration):x (does|will|has) Thing [have] [Tails] -> {x} of {Thing} {Tails}
   what (angular velocity|angular speed|angular acceleration):x (does|will) Thing [have] [Tails] -> {x} of {Thing} {Tails}
-  how far [up|down|along] [Ground] (does|will|can|has|do|is) Thing FarVerb [Along] [Spans] -> distance travelled by {Thing} {Spans}
-  how high (does|will|can) Thing (Rise|Go|Turn|swing|go|get|jump|bounce|fly|climb|rise|rebound) [up|above ground] [After] ->
-      how high does {Thing} rise {After}
+  how far [up|down|along] [Ground] (does|will|can|has|do|is) Thing FarVerb [Along] [Spans] -> distance travelled by
+      {Thing} {Spans}
+  how high (does|will|can) Thing (Rise|Go|Turn|swing|go|get|jump|bounce|fly|climb|rise|rebound) [up|above ground] [After]
+      -> how high does {Thing} rise {After}
   how long (does it take|will it take|does it last|is it|did it take) (until|before|till|for) Event -> time until {Event}
   how long (does it take|will it take|did it take) Event -> time until {Event}
   how long (does|will) Subj take Event -> time until {Event}
@@ -61,8 +62,8 @@ Asking
   (where|at what point|at which point|at what place|at what position) (does|do|will) Event -> @where
   at (what|which) [value of] CoordNoun (does|do|will|is|has) Event -> {CoordNoun} where {Event}
   (through|by) (what|which) angle (does|will|has) Body Turn [Spans] -> angle turned by {Body} {Spans}
-  how many (turns|revolutions|rotations) (does|will|has) Body (make|makes|made|complete|Turn) [Spans] -> number of turns of
-      {Body} {Spans}
+  how many (turns|revolutions|rotations) (does|will|has) Body (make|makes|made|complete|Turn) [Spans] -> number of turns
+      of {Body} {Spans}
   how long (does|will|did) Subj (slip|slide|skid) -> time until {Subj} stops slipping
   how much (energy|kinetic energy|mechanical energy) (is|was) lost [Spans] -> energy lost {Spans}
   how much work (does|did|is done by) Force [do] [Spans] -> work of {Force} {Spans}
@@ -71,14 +72,16 @@ Asking
   (does|do|will|can) Condition -> does {Condition}
 
 Condition
-  [Ask] [Best] coefficient of [static] friction [needed|required|necessary] [(for|to) Slipless] [at Contact] [SafeMoment] -> {Best} mu for which
-      it does not slip {SafeMoment}
-  [Ask] [minimum] (required|necessary) coefficient of [static] friction [(for|to) Slipless] -> smallest mu for which it does not slip
+  [Ask] [Best] coefficient of [static] friction [needed|required|necessary] [(for|to) Slipless] [at Contact] [SafeMoment]
+      -> {Best} mu for which it does not slip {SafeMoment}
+  [Ask] [minimum] (required|necessary) coefficient of [static] friction [(for|to) Slipless] -> smallest mu for which it
+      does not slip
   [Ask] [Best] (friction coefficient|coefficient of friction) (needed|required) -> smallest mu for which it does not slip
-  [Ask] Best Chosen [of Body] [ForWhich|needed to|required to|to|needed for] Cond [Given] -> {Best} {Chosen} for which {Cond} {Given}
+  [Ask] Best Chosen [of Body] [ForWhich|needed to|required to|to|needed for] Cond [Given] -> {Best} {Chosen} for which
+      {Cond} {Given}
   [Ask] [Best] (Par|Chosen) [needed|required|allowed] (to|for) Must -> {Best} {Par}{Chosen} for which {Must}
-  [Ask] Par (needed|required|necessary) to (stop|bring):v [Body:b] [to rest] (in|within|after):w Value (turns|revolutions|rotations)
-      -> @stopping
+  [Ask] Par (needed|required|necessary) to (stop|bring):v [Body:b] [to rest] (in|within|after):w Value (turns|revolutions|
+      rotations) -> @stopping
   [Ask] [Best] (Par|Chosen) without Unwanted -> {Best} {Par}{Chosen} for which {Unwanted}
   [Ask] Par (giving|that gives|which gives|for|making|of) Best State -> @best_of
   [Ask] [Best] Par [of Body] ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
@@ -86,21 +89,23 @@ Condition
       {Cond} {Given}
   [Ask] [Best] Par (that makes|that causes|that lets|that allows|to make|to let|to cause|which makes|that will cause|that
       will make) Cond [Given] -> {Best} {Par} for which {Cond} {Given}
-  [Ask] [Best] Par (that|which|that just|that will|to|that can) (keep|keeps|prevent|prevents) Subj (from|in) Kept -> {Best}
-      {Par} for which {Subj} {Kept}
-  [Ask] [Best] Par (that|which|needed|required|just) [just|will|can] [starts|begins|start] [to|that] (raises|raise|lifts|lift|move|moves|start|starts|turn) Thing -> @starts
-  [Ask] [Best] Par (to|that|needed to|required to) (prevent|prevents|avoid) (slipping|slip|sliding) -> {Best} {Par} for which
-      it does not slip
+  [Ask] [Best] Par (that|which|that just|that will|to|that can) (keep|keeps|prevent|prevents) Subj (from|in) Kept ->
+      {Best} {Par} for which {Subj} {Kept}
+  [Ask] [Best] Par (that|which|needed|required|just) [just|will|can] [starts|begins|start] [to|that] (raises|raise|lifts|
+      lift|move|moves|start|starts|turn) Thing -> @starts
+  [Ask] [Best] Par (to|that|needed to|required to) (prevent|prevents|avoid) (slipping|slip|sliding) -> {Best} {Par} for
+      which it does not slip
   [Ask] [Best] Par (to|that|needed to|required to) (prevent|prevents|avoid) (tipping|tip|overturning) -> {Best} {Par} for
       which it does not tip
   (for|at|with) (what|which) [Best] [value|values|range of values] [of] Par (does|do|will|is|are|would|can|has) Cond ->
       {Best} {Par} for which {Cond}
   for (what|which) [Best] [value|values|range of values] [of] Par Cond -> {Best} {Par} for which {Cond}
-  what (must|should|would|does|do|will) Par (be|have to be|need to be) (for|so that|such that|if|in order that|to have) Cond
-      -> {Par} for which {Cond}
-  how (large|great|big|high|long|heavy|strong|small|fast) (must|should|may|can) Par be (for|so that|such that|if|before) Cond
-      -> {Par} for which {Cond}
-  what (value|values) of Par (makes|make|gives|give|will make|will give|would make|lets|causes) Cond -> {Par} for which {Cond}
+  what (must|should|would|does|do|will) Par (be|have to be|need to be) (for|so that|such that|if|in order that|to have)
+      Cond -> {Par} for which {Cond}
+  how (large|great|big|high|long|heavy|strong|small|fast) (must|should|may|can) Par be (for|so that|such that|if|before)
+      Cond -> {Par} for which {Cond}
+  what (value|values) of Par (makes|make|gives|give|will make|will give|would make|lets|causes) Cond -> {Par} for which
+      {Cond}
   what [is] Best [value of] Par ForWhich Cond -> {Best} {Par} for which {Cond}
 
 Stable
@@ -139,8 +144,8 @@ Spot
   Until Event -> until {Event}
 
 Slipless
-  (pure rolling|rolling without slipping|rolling|roll without slipping|prevent slipping|prevent sliding|no slipping|no slip|
-      prevent slip) ->
+  (pure rolling|rolling without slipping|rolling|roll without slipping|prevent slipping|prevent sliding|no slipping|no
+      slip| prevent slip) ->
 
 SafeMoment
   Moment -> {Moment}
@@ -184,16 +189,18 @@ Cond
   Subj Rolls (without slipping|without sliding|purely) -> {Subj} does not slip
   (rolling|it rolls|pure rolling) (occurs|without slipping|is possible|without slipping is possible) -> it does not slip
   (there is no|no|without any) (slipping|sliding|slip) [occurs] -> it does not slip
-  Subj (comes to rest|stops|is brought to rest|come to rest) (at|when|where) Coord (=|is|reaches) Value -> {Coord} comes to
-      rest at {Coord} = {Value}
+  Subj (comes to rest|stops|is brought to rest|come to rest) (at|when|where) Coord (=|is|reaches) Value -> {Coord} comes
+      to rest at {Coord} = {Value}
   Subj Full -> @full
   Resting [of Thing] (is|be) (stable|unstable):x -> @stable
-  Subj (stops dead|is stopped dead|is at rest after it|is stopped by Unknown) -> velocity of {Subj} right after impact vanishes
+  Subj (stops dead|is stopped dead|is at rest after it|is stopped by Unknown) -> velocity of {Subj} right after impact
+      vanishes
   Subj (stops|is stopped|comes to rest) (in|after|within):w Value (turns|revolutions|rotations) -> @stops_in
   State Still [BlowMoment] -> {State} {BlowMoment} vanishes
   Subj (is|be|are|comes|remains|stops) [at rest|to rest] BlowMoment -> velocity of {Subj} {BlowMoment} vanishes
   Subj (Rolls|Go|moves) (with|at) constant (speed|velocity) -> acceleration of {Subj} vanishes
-  Subj (rotates|turns|spins) (with|at) constant (speed|angular velocity|angular speed|rate) -> angular acceleration of {Subj} vanishes
+  Subj (rotates|turns|spins) (with|at) constant (speed|angular velocity|angular speed|rate) -> angular acceleration of
+      {Subj} vanishes
   Contact (stays|remains|stay|remain|Not leave|Not lift off) [on|in contact with] Ground -> {Contact} does not lift
   State Not (fall|drop|decrease|go) below Value -> {State} stays above {Value}
   State Not (exceed|rise above|grow beyond|go above) Value -> {State} stays below {Value}
@@ -216,8 +223,8 @@ BlowMoment
   (JustAfter|after) BlowNoun -> right after impact
 
 Full
-  [Aux] (make|makes|making|complete|completes|completing|perform|performs|describe|describes) (full|complete|whole|entire|one
-      full|one complete) (circle|loop|turn|revolution|circles|revolutions|rotation) ->
+  [Aux] (make|makes|making|complete|completes|completing|perform|performs|describe|describes) (full|complete|whole|entire|
+      one full|one complete) (circle|loop|turn|revolution|circles|revolutions|rotation) ->
   [Aux] (complete|completes) (circle|loop) ->
   [Aux] (go|goes) (all way round|full circle|right round|over top) ->
 

@@ -12,6 +12,7 @@ from rbpsym.ask.words.chart import UNREAD, Chart, Heard, Meaning, Node, Parsed, 
 from rbpsym.ask.words.clauses import CLAUSES
 from rbpsym.ask.words.lexicon import GROUND, ROLES, Lexicon, Phrases
 from rbpsym.ask.words.means import MEANINGS
+from rbpsym.ask.words.motions import MOTIONS
 from rbpsym.ask.words.nouns import NOUNS
 from rbpsym.ask.words.questions import QUESTIONS
 from rbpsym.ask.words.verbs import patterns
@@ -23,7 +24,24 @@ from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement.model import Problem
 
 MOST_UNREAD = 16  # what a reading may cost
-NAMED = ("Body", "Coord", "Par", "Point", "Force", "Element", "Contact", "Blow", "Begin", "Begun", "Phase", "Struck", "Each", "Several", "Pair", "Chosen")
+NAMED = (
+    "Body",
+    "Coord",
+    "Par",
+    "Point",
+    "Force",
+    "Element",
+    "Contact",
+    "Blow",
+    "Begin",
+    "Begun",
+    "Phase",
+    "Struck",
+    "Each",
+    "Several",
+    "Pair",
+    "Chosen",
+)
 GROUNDS = (
     f"{GROUND}|wall|incline|slope|ramp|hill|dome|bowl|loop|circle|sphere|wedge|edge|corner|step|peg|hoop|guide|wire|cylinder|drum|"
     "curve|tube|bar|rod"
@@ -88,14 +106,16 @@ def _chart(problem: Problem, text: str) -> Chart:
         "Raw": partial(_raw, plain),
         "Stranger": partial(_stranger, lexicon),
     }
-    functions: dict[str, Meaning] = {name: partial(find, lexicon) for name, find in MEANINGS.items()}
+    functions: dict[str, Meaning] = {name: partial(find, lexicon) for name, find in {**MEANINGS, **MOTIONS}.items()}
     functions["it"] = lambda caps: lexicon.it or "it"
     rules = {name: [(node, functions.get(meaning[1:], meaning), cost) for node, meaning, cost in rows]
              for name, rows in grammar().items()}  # fmt: skip
     return Chart(plain, rules, finders)
 
 
-PLURAL = re.compile(r"(?:\w+ )?(?:tensions|components|horizontal and vertical components|forces|reactions|speeds|velocities|accelerations)\b")
+PLURAL = re.compile(
+    r"(?:\w+ )?(?:tensions|components|horizontal and vertical components|forces|reactions|speeds|velocities|accelerations)\b"
+)
 
 
 def spread(problem: Problem, text: str) -> list[str]:
@@ -151,11 +171,34 @@ def _value(problem: Problem, plain: str, dimension: object, is_formula: bool, wo
 
 def _stranger(lexicon: Lexicon, words: list[Heard], at: int) -> Iterator[Parsed]:
     """A noun that names nothing of the problem: “ledge”."""
-    if at < len(words) and (word := words[at].word).isalpha() and len(word) > 2 and word not in NO_NOUNS and not lexicon.knows(word):
+    if (
+        at < len(words)
+        and (word := words[at].word).isalpha()
+        and len(word) > 2
+        and word not in NO_NOUNS
+        and not lexicon.knows(word)
+    ):
         yield Parsed(at + 1, word, 0)
 
 
-NO_NOUNS = {*GROUND.split("|"), "and", "the", "for", "with", "when", "where", "after", "before", "until", "which", "that", "just", "its", "than", "relative"}
+NO_NOUNS = {
+    *GROUND.split("|"),
+    "and",
+    "the",
+    "for",
+    "with",
+    "when",
+    "where",
+    "after",
+    "before",
+    "until",
+    "which",
+    "that",
+    "just",
+    "its",
+    "than",
+    "relative",
+}
 
 
 def _raw(plain: str, words: list[Heard], at: int) -> Iterator[Parsed]:
