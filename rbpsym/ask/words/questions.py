@@ -118,7 +118,7 @@ Must
   (stay|remain) on Ground -> it stays in contact
   keep String (taut|tight|stretched) -> tension {String} stays above 0
   (tip|topple|overturn|tip over|tipping) -> it tips
-  (slip|slide|start sliding|start slipping|start moving|begin to slide|move) -> it slips
+  (slip|slide|start sliding|start slipping|begin to slide) -> it slips
   (Full) -> @full
   (rolling without slipping|roll without slipping|pure rolling|rolling|prevent slipping|no slipping) -> it does not slip
 
