@@ -140,7 +140,7 @@ BlowClause
   (Subj|[its|one|one of its|free|other|right|left|lower|upper] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|
       embedded|captured|struck|hit|kicked|stuck|lodged|latched|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
       onto|in|by|to|up|off|off it|onto it|on it] [Body|Point|Unknown] -> impact
-  Subj [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
+  (Subj|Stranger) [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
   (Unknown|Body) (catches|grabs|seizes|engages|strikes|hits|captures|hooks) [(its|one|free|other|right|left|lower|upper)]
       (end|Body| Point|it|corner|edge) -> impact
   (embedding|catching|landing|hooking|capture) -> impact
@@ -199,7 +199,7 @@ Happening
   [Subj] [Aux] Leave [Ground:g|Body:g|Point:g|other|other one|it|Stranger] -> @leaves
   String [Aux] (stops being taut|is no longer taut|loses tension|goes slack|becomes slack|go slack|become slack|is slack|
       slackens) -> {String} goes slack
-  Contact [Aux] (Leave|lose contact|loses contact) [Ground] -> {Contact} vanishes
+  Contact [Aux] (Leave|lose contact|loses contact) [Ground] -> {Contact} vanishes !1
   Held (vanishes|is lost|vanish|is zero|becomes zero|drops to zero|falls to zero) -> @vanishes
   (contact|it) [Aux] (is lost|ceases|loses contact) -> contact is lost
   Subj [Aux] (reaches|reach|is at|be at|reached|gets to) (maximum height|greatest height|highest point|top of [its] path|

@@ -144,6 +144,13 @@ def _of_kinds(what: str, *kinds: str) -> Of:
     return find
 
 
+def gone(lexicon: Lexicon, who: str) -> str:
+    """How far something goes: of the only body, which more than one coordinate tells, what lies between beginning and end."""
+    who, lone_body = lexicon.it if who == "it" else who, lexicon.it in lexicon.problem.body_names
+    is_told = len(lexicon.problem.coordinates) > 1 and who == lexicon.it and lone_body and len(lexicon.problem.bodies) == 1
+    return f"magnitude of displacement of {who}" if is_told else f"distance travelled by {who or 'it'}"
+
+
 MEANINGS: Mapping[str, Of] = {
     "ratio_held": _ratio_held,
     "angle_of": _angle_of,
@@ -159,7 +166,7 @@ MEANINGS: Mapping[str, Of] = {
     "lone_centre": lambda lexicon, caps: f"instantaneous centre of {lexicon.it}" if lexicon.it else None,
     "held_x": _component_of("horizontal"),
     "held_y": _component_of("vertical"),
-    "impulsive": lambda lexicon, caps: f"impulse of {e} in impact" if (e := caps["Element"]) and lexicon.struck else None,
+    "impulsive": lambda lexicon, caps: f"impulse of {e}" if (e := caps["Element"]) and lexicon.struck else None,
     "inertia": lambda lexicon, caps: f"moment of inertia of {caps['x'] or 'system'} {caps['About']}",
     "slid": lambda lexicon, caps: f"magnitude of displacement of {_point(lexicon, caps['a'])}"
                                   f" relative to {_point(lexicon, caps['b'])}",
@@ -177,8 +184,8 @@ MEANINGS: Mapping[str, Of] = {
     "between": _between,
     "by_on": _by_on,
     "named": _named,
-    "distance": lambda lexicon, caps: "distance travelled by "
-                                      f"{caps['Thing'] or (lexicon.it if caps['Subj'] == 'it' else caps['Subj'])}",
+    "far": lambda lexicon, caps: f"{gone(lexicon, caps['Thing'])} {caps['Spans']}",
+    "distance": lambda lexicon, caps: gone(lexicon, caps["Thing"] or caps["Subj"]),
     "angle": lambda lexicon, caps: f"angle turned by {caps['Holder']}" if caps["Holder"] else "angle turned",
     "turns": lambda lexicon, caps: f"number of turns of {caps['Holder']}" if caps["Holder"] else "number of turns",
     "work": lambda lexicon, caps: f"work of {caps['Force']}{' on ' if caps['Holder'] else ''}{caps['Holder']}",

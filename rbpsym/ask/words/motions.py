@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from rbpsym.ask.named import begun_without, joined, may_be
 from rbpsym.ask.words.chart import Caps
 from rbpsym.ask.words.lexicon import TOUCHING, Lexicon
-from rbpsym.ask.words.means import MEANINGS, Of, coordinate, lone, of_it, of_thing
+from rbpsym.ask.words.means import MEANINGS, Of, coordinate, gone, lone, of_it, of_thing
 from rbpsym.expr import tree as t
 from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.typeset.machine import to_machine
@@ -208,7 +208,7 @@ MOTIONS: Mapping[str, Of] = {
     "swings": _swings,
     "starts": _starts,
     "damped": lambda lexicon, caps: f"{who} is {caps['x']}" if (who := caps["Thing"] or lone(lexicon)) else None,
-    "distance_until": lambda lexicon, caps: f"distance travelled by {lexicon.it} until {caps['Event']}" if lexicon.it else None,
+    "distance_until": lambda lexicon, caps: f"{gone(lexicon, 'it')} until {caps['Event']}" if lexicon.it else None,
     "heat": _heat,
     "flat": _flat,
     "lower_end": _end("lower"),

@@ -48,8 +48,7 @@ Asking
   (with|at) (what|which) (speed|velocity) (does|will|do) Event -> @with_which
   what (speed|velocity|acceleration):x (does|will|has) Thing [have] [Tails] -> {x} of {Thing} {Tails}
   what (angular velocity|angular speed|angular acceleration):x (does|will) Thing [have] [Tails] -> {x} of {Thing} {Tails}
-  how far [up|down|along] [Ground] (does|will|can|has|do|is) Thing FarVerb [Along] [Spans] -> distance travelled by
-      {Thing} {Spans}
+  how far [up|down|along] [Ground] (does|will|can|has|do|is) Thing FarVerb [Along] [Spans] -> @far
   how high (does|will|can) Thing (Rise|Go|Turn|swing|go|get|jump|bounce|fly|climb|rise|rebound) [up|above ground] [After]
       -> how high does {Thing} rise {After}
   how long (does it take|will it take|does it last|is it|did it take) (until|before|till|for) Event -> time until {Event}
