@@ -168,6 +168,8 @@ class LatexReader(Cursor[Token]):
         if token.kind != "letter" or token.text != "d" or self.table.has_d:
             return token.kind == "differential"
         behind = self.ahead(ahead + 1)
+        if behind.text == "/" and self.ahead(ahead + 2).kind != "end":  # d/dt
+            return self.sees_differential(ahead + 2)
         return behind.kind in ("letter", "text") or behind.text in _DIFFERENTIATED
 
     def expect(self, text: str, opening: Token | None = None) -> None:
@@ -180,7 +182,7 @@ class LatexReader(Cursor[Token]):
         raise self.error(f"“{self.token.text or 'the end'}” stands where “{text}” is expected", kind=kind)
 
 
-_ACCENTED = (r"\vec", r"\boldsymbol", r"\dot", r"\ddot", r"\hat", r"\bar", r"\tilde", r"\mathcal")
+_ACCENTED = (r"\vec", r"\boldsymbol", r"\dot", r"\ddot", r"\hat", r"\bar", r"\tilde", r"\mathcal", r"\mathfrak")
 _DIFFERENTIATED = frozenset(("(", "^", "{", "}", *_ACCENTED))  # what a differential d may stand before
 F = TypeVar("F", bound=Callable[..., Any])
 COMMANDS: dict[str, Callable[..., Node]] = {}  # what begins so, read from there; some say None where it does not stand there

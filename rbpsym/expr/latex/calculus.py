@@ -5,11 +5,11 @@ from __future__ import annotations
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.formal import formal, over_an_index, taken_at
-from rbpsym.expr.latex.functions import SIGNS, operand
+from rbpsym.expr.latex.functions import FUNCTIONS, SIGNS, operand
 from rbpsym.expr.latex.grammar import argument, atom, begins_factor, between, expression, factor, goes_on, multiplied
 from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import COLUMN, Token
+from rbpsym.expr.latex.tokens import COLUMN, Token, closed
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 from rbpsym.frozen import replace
 
@@ -50,6 +50,7 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     if not (reader.sees_sign("{") and reader.sees_differential(1)):
         return None
     begin = reader.position
+    _mark_below(reader)
     reader.take()
     if slashed_derivative(reader) is not None:  # (∂z/∂x)/(∂z/∂y)
         reader.position = begin
@@ -57,7 +58,8 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     partial = reader.take().text == "∂"
     order = 0 if reader.sees_sign("_") else _order(reader)
     of = None if reader.sees_sign("}") or not order else expression(reader)
-    if not order or not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
+    small = of is not None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(of))  # dx dy
+    if not order or small or not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
         reader.position = begin  # the fraction of a length d, or of a differential
         return None
     place = reader.position
@@ -69,10 +71,22 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
         reader.position = begin
         return None
     if of is None:
-        of = operand(reader) if begins_factor(reader) else t.Formal("operator", span=(start, reader.previous_end))
+        of = _operated(reader, start)
     for wrt, times in reversed(parts):
         of = reader.spanned(t.Deriv(of, wrt, times, partial), start)
     return of
+
+
+def _mark_below(reader: LatexReader) -> None:
+    """The d below a differential is one too, also before a function: dσ/(d cos θ)."""
+    place = closed(reader.tokens, reader.position) + 2
+    if place < len(reader.tokens) and reader.tokens[place].text == "d" and reader.tokens[place + 1].text in FUNCTIONS:
+        reader.tokens = (*reader.tokens[:place], replace(reader.tokens[place], kind="differential"), *reader.tokens[place + 1 :])
+
+
+def _operated(reader: LatexReader, start: int) -> t.Node:
+    """What d/dt in front stands for; the operator alone where nothing follows."""
+    return operand(reader) if begins_factor(reader) else t.Formal("operator", span=(start, reader.previous_end))
 
 
 def _by_index(below: t.Node) -> t.Node:
@@ -89,12 +103,14 @@ def slashed_derivative(reader: LatexReader) -> t.Node | None:
     if reader.integrals or not reader.sees_differential():
         return None
     partial = reader.take().text == "∂"
+    alone = reader.sees_sign("/")
     of = read_name(reader) if begins_name(reader.token) else None
-    if of is None or not reader.pass_sign("/") or not reader.sees_differential():
+    if (of is None and not alone) or not reader.pass_sign("/") or not reader.sees_differential():
         reader.position = start
         return None
     reader.take()
     wrt = "t" if _is_time(reader) else read_symbol(reader)
+    of = _operated(reader, token.start) if of is None else of
     return reader.spanned(t.Deriv(of, wrt, 1, partial), token.start)
 
 

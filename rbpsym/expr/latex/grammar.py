@@ -347,7 +347,8 @@ def argument(reader: LatexReader) -> t.Node:
     if reader.token.kind == "digit":
         token = reader.take()
         return t.Num(int(token.text), span=(token.start, token.end))
-    return read_name(reader) if begins_name(reader.token) and not reader.sees_differential() else atom(reader)
+    letter = reader.token.kind == "letter" or (begins_name(reader.token) and not reader.sees_differential())
+    return read_name(reader) if letter else atom(reader)
 
 
 @begins("{")

@@ -24,9 +24,10 @@ from rbpsym.expr.latex.functions import relation
 from rbpsym.expr.latex.grammar import BELOW, UNKNOWN_COMMAND
 from rbpsym.expr.latex.names import as_words
 from rbpsym.expr.latex.rows import GAP, laid_out
+from rbpsym.expr.latex.small import differentials, is_balanced
 from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, EQUIVALENT, IMPLIED, MAX_LENGTH, Token, tokenize
 from rbpsym.expr.source import SourceText
-from rbpsym.expr.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
+from rbpsym.expr.symbol_table import Drawn, LatexReader, Question, SymbolTable, equally, symbol_table
 from rbpsym.frozen import Frozen, replace
 
 MOST_READINGS, MOST_TOKENS = 128, 12_000  # readings, and tokens read in all of them
@@ -71,7 +72,22 @@ def every_reading(source: SourceText, tokens: tuple[Token, ...], table: SymbolTa
     sound = tuple(reading for reading in readings if reading.node is not None)
     if not sound and first.error is not None:
         raise first.error
-    return sound
+    even = tuple(one for one in sound if is_balanced(one.node, source.text))
+    if even or not sound:
+        return even
+    if any(_stands_alone(tokens, place) for place in range(len(tokens) - 1)):
+        return every_reading(source, tokens, replace(table, names=type(table.names)({Drawn("d"): ("d",)})), read)
+    raise source.error("is this d a differential, or a symbol?", *differentials(sound[0].node, source.text)[0], _D_MEANT)
+
+
+_D_MEANT = r"Write \mathrm{d}x for a differential; for a product, say in the symbols what d means, or write d \cdot x."
+
+
+def _stands_alone(tokens: tuple[Token, ...], place: int) -> bool:
+    """Is it a d that nobody takes for a differential, as in d = 2r, x/d, d^2 ≪ x?"""
+    before, token, behind = tokens[place - 1], tokens[place], tokens[place + 1]
+    ends = behind.kind in ("row", "end") or behind.text in ("=", "+", "-", ")", "_", r"\cdot", ",", r"\ll", r"\gg", r"\approx")
+    return token.text == "d" and token.kind == "letter" and before.text not in ("_", "^", "{") and ends
 
 
 def _tree(reading: Reading) -> t.Node:

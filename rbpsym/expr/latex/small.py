@@ -1,0 +1,43 @@
+"""How small the sides of a relation are: dW = F dx is of first order on both; where they are not alike, an italic d is a length."""
+
+from __future__ import annotations
+
+from itertools import product
+
+from rbpsym.expr import tree as t
+
+_JOINED, _SUMMED = ("dotted", "crossed"), ("sum", "named", "marked", "±", "∓")
+_REACHING = ("several", "operator", "∂", "∇")
+_WHOLE = ("integral", "path", "∮")
+
+
+def differentials(node: t.Node, text: str) -> list[tuple[int, int]]:
+    """Where a differential begins with an italic d."""
+    found = (part.span for part in t.walk(node) if isinstance(part, t.Formal) and part.kind == "differential" and part.span)
+    return [span for span in found if text[span[0]] == "d"]
+
+
+def is_balanced(node: t.Node, text: str) -> bool:
+    """Is no side of a relation known to be small where another is known not to be? An area dA is dx dy, of any order."""
+    if isinstance(node, t.Relations):
+        return all(is_balanced(row, text) for row in node.rows)
+    return not isinstance(node, t.Chain) or not differentials(node, text) or len({0 in one for one in map(_orders, node.items) if one}) < 2
+
+
+def _orders(node: t.Node) -> frozenset[int]:
+    """The order; none where it is not known: for 0, a change or variation, and for a sum of several, x + dx."""
+    kind = node.kind if isinstance(node, t.Formal) else ""
+    if kind == "differential" and isinstance(node, t.Formal):
+        return frozenset([next((part.value for part in node.parts[1:] if isinstance(part, t.Num)), 1)])
+    parts = [_orders(part) for part in t.children(node)]
+    if isinstance(node, (t.Mul, t.Dot, t.Cross)) or kind in _JOINED:
+        return frozenset(map(sum, product(*parts)))
+    if isinstance(node, t.Div):
+        return frozenset(above - below for above, below in product(*parts) if not above * below)  # dσ / (d cosθ dφ)
+    if isinstance(node, (t.Add, t.Neg, t.Group, t.Abs)) or kind in _SUMMED:
+        return parts[0] if len({*parts}) == 1 else frozenset()
+    if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
+        return frozenset(one * node.exponent.value for one in parts[0])
+    whole = isinstance(node, (t.Integral, t.PathIntegral, t.BodyIntegral)) or kind in _WHOLE
+    known = all(parts) and not isinstance(node, (t.Delta, t.Word)) and kind not in _REACHING and node not in (t.ZERO, t.Sym("delta"))
+    return frozenset([0]) if whole or (known and {*parts} <= {frozenset([0])}) else frozenset()
