@@ -66,7 +66,7 @@ SENTENCES: Mapping[str, Sentence] = {
     "marked": ("only a symbol can have a subscript, prime or mark", "Give all of it a symbol."),
     "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
     "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
-    "run": ("is this a product, or one name?", "Leave a thin space between factors, or make a name upright."),
+    "run": ("is this a product, or one name, such as a length between two points?", "Leave a thin space between factors, or make a name upright."),
     **dict.fromkeys(("crossed", "dotted"), (
         "is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side.")),
     "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),

@@ -152,7 +152,29 @@ def goes_on(reader: LatexReader, sign: str = "") -> bool:
     return False
 
 
+def _between_points(reader: LatexReader, factors: list[t.Node]) -> list[t.Node]:
+    """With capitals side by side, of which nothing is known, as one: A_1P may be a length, KE a name; the last may be raised."""
+    found: list[t.Node] = []
+    for one in factors:
+        run = found[-1] if found else one
+        (_, end), (begin, behind) = run.span or (0, 0), one.span or (0, 0)
+        letter = one.base if isinstance(one, t.Pow) else one
+        if end == begin and _is_capital(reader, run) and _is_capital(reader, letter):
+            parts = run.parts if isinstance(run, t.Formal) else (run,)
+            found[-1:] = [t.Formal("run", (*parts, one), span=((run.span or (0, 0))[0], behind))]
+        else:
+            found.append(one)
+    return found
+
+
+def _is_capital(reader: LatexReader, node: t.Node) -> bool:
+    last = node.parts[-1] if isinstance(node, t.Formal) and node.kind == "run" else node
+    text = reader.source.text[slice(*(last.span or (0, 0)))]
+    return isinstance(last, t.Sym) and text[:1].isupper() and "^" not in text
+
+
 def _one(reader: LatexReader, factors: list[t.Node], start: int) -> t.Node:
+    factors = _between_points(reader, factors) if reader.table.open else factors
     if len(factors) == 1:
         return factors[0]
     for place, part in enumerate(factors):
@@ -183,6 +205,8 @@ def _is_below(reader: LatexReader, num: t.Node, below: list[t.Node]) -> bool:
         return False
     question, hint = BELOW, "Use parentheses, or \\frac."
     close = reader.token.kind == "letter" and reader.token.start == reader.previous_end
+    if reader.table.open and close and reader.token.text.isupper() and _is_capital(reader, below[-1]):
+        return True
     if half:
         return reader.decide(question, hint, yes=int(reader.token.text != "π"))
     return reader.decide(question, hint, no=int(coefficient and close))

@@ -51,7 +51,7 @@ def as_words(text: str, tokens: list[Token]) -> list[Token]:
 
 
 def letter_run(reader: LatexReader) -> t.Node | None:
-    """Letters side by side of which nothing is known and which may be one word: in front of a bracket, four, or three capitals.
+    """Letters side by side of which nothing is known and which may be one word: in front of a bracket, or four.
 
     None, and nothing passed, for any other, and where one of them is raised, has an index, or may be the d of a differential.
     """
@@ -60,8 +60,7 @@ def letter_run(reader: LatexReader) -> t.Node | None:
         if run and token.start > reader.tokens[place + len(run) - 1].end:
             break
         run += token.text
-    word = token.text in ("(", "[") or len(run) > 3 or (run.isupper() and len(run) > 2)
-    scripts = ("^", "'") if run.isupper() and len(run) > 2 else ("_", "^", "'")
+    word, scripts = token.text in ("(", "[") or len(run) > 3, ("_", "^", "'")
     closed_in = len(run) > 3 and token.text == ")" and reader.ahead(-1).text == "("  # (poids)
     if len(run) < 2 or not word or token.text in scripts or ("d" in run and not closed_in):
         return None

@@ -28,7 +28,8 @@ def _orders(node: t.Node) -> frozenset[int]:
     """The order; none where it is not known: for 0, a change or variation, and for a sum of several, x + dx."""
     kind = node.kind if isinstance(node, t.Formal) else ""
     if kind == "differential" and isinstance(node, t.Formal):
-        return frozenset([next((part.value for part in node.parts[1:] if isinstance(part, t.Num)), 1)])
+        told = node.parts[1:]  # d², đ; any other is what it is divided by
+        return frozenset(part.value if isinstance(part, t.Num) else 1 for part in told or (t.ONE,) if isinstance(part, (t.Num, t.Word)))
     parts = [_orders(part) for part in t.children(node)]
     if isinstance(node, (t.Mul, t.Dot, t.Cross)) or kind in _JOINED:
         return frozenset(map(sum, product(*parts)))
