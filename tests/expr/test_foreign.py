@@ -170,7 +170,7 @@ FORMAL = {  # read whole, without a value
     r"T = F h(\hat y) + \overline{v^2}": "T = F value(h, ŷ) + accented(bar, v²)",
     r"\frac{d}{dt} a b = \sum \frac12 m v^2": "d/dt(several(ab)) = sum(½mv²)",
     r"\vec v = \omega\times\vec r + \int\mathrm{d}^3 r\, k": "v⃗ = crossed(ω, r⃗) + ∫k ddifferential(r, 3)",
-    r"\lim_{v<<c} K = \lim_{\delta t\to 0} x": "limit(K, ≪(v, c)) = limit(x, δt → 0)",
+    r"\lim_{v<<c} K = \lim_{\delta t\to 0} x": "limit(K, ≪(v, c)) = limit(x, varied(δ, t) → 0)",
     r"U(x) - U(y) = -W(x)": "value(U, x) − value(U, y) = −value(W, x)",
     r"E[X^2] = F(t + \Delta t)": "value(E, X²) = value(F, t + Δt)",
     r"a = \binom{n}{k}": "a = binomial(n, k)",

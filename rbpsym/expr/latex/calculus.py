@@ -355,7 +355,8 @@ def _bracket(reader: LatexReader) -> t.Node:
     before, start = reader.tokens[reader.position - 1], reader.token.start
     node = between(reader, "]")
     alone = all(one.kind in ("row", "end") or one.text in SIGNS for one in (before, reader.token))
-    if alone and isinstance(node, (t.Sym, t.Vec)):
+    alone = alone or (reader.table.open and not reader.sees_sign("_"))
+    if alone and isinstance(node.base if isinstance(node, t.Pow) else node, (t.Sym, t.Vec)):
         return reader.spanned(t.Formal("unit", (node,)), start)
     if isinstance(node, t.Formal) or not reader.sees_sign("_"):
         return node

@@ -22,6 +22,10 @@ from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
 Sentence = tuple[str, str]
 _UNITS = "a number with a unit can't be decided", "Claim the formula in symbols."
+_SPELLED = (
+    "is this a unit, or a product of symbols?",
+    "Write the number alone in the unit that the claim says, or * where a product is meant.",
+)
 _DOTS = "dots stand for terms that nobody can compute", "Write all terms, or a sum over an index."
 _ONE = "this stands for two formulas", "Write the sign that is meant."
 _NONE = "this says nothing that can be computed", "Write an equation."
@@ -47,7 +51,7 @@ _OPERATORS = (
 )  # fmt: skip
 _GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
 SENTENCES: Mapping[str, Sentence] = {
-    "measured": _UNITS, "…": _DOTS, **dict.fromkeys(("±", "∓"), _ONE), **dict.fromkeys(LOOSE.values(), _NONE),
+    "measured": _UNITS, "spelled": _SPELLED, "…": _DOTS, **dict.fromkeys(("±", "∓"), _ONE), **dict.fromkeys(LOOSE.values(), _NONE),
     **dict.fromkeys(("∀", "∃"), _NONE), "∮": _PATH, **dict.fromkeys(("list", "brackets", "braces"), _SEVERAL),
     "∞": ("infinity is no value", r"Write a limit, \lim_{x \to ...}, or a number."),
     "mean": ("a mean value can't be read", "Give it a symbol of its own."), "∇": _GRADIENT,
@@ -65,6 +69,7 @@ SENTENCES: Mapping[str, Sentence] = {
     "unfinished": ("what stands on the right of this?", "Write the right side too."),
     "marked": ("only a symbol can have a subscript, prime or mark", "Give all of it a symbol."),
     "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
+    "varied": ("is this a product, or a variation?", r"Write \delta \cdot x, or say in the symbols what all of it means."),
     "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
     "run": ("is this a product, or one name, such as a length between two points?", "Leave a thin space between factors, or make a name upright."),
     **dict.fromkeys(("crossed", "dotted"), (

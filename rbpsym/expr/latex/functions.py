@@ -10,6 +10,7 @@ of it. Decided by what the symbols are declared to be (`SymbolTable.varies`) and
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction as Rational
 from itertools import dropwhile
 
@@ -55,12 +56,29 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
         ops.append(SIGNS[sign.text])
         _pass_word(reader, sign)
         ends = reader.token.kind == "end"
-        items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else expression(reader))
+        items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else _measured(reader, expression(reader)))
     found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
     if not reader.sees_sign(*LOOSE):
         return found
     loose = LOOSE[_pass_word(reader, reader.take())]
     return reader.spanned(t.Formal(loose, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
+
+
+_UNIT = r"(?:k?g|[ckm]?m|[mk]?N|[kM]?[JWV]|[km]?s|Hz|rad|K|Pa|[kM]?eV|min|mol)(?:\^\{?-?\d\}?)?"
+_UNITS = rf"{_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}}"
+_BEHIND = r"(?:~|\\[ ;]|\\q?quad)"
+_RATIO = rf"\\[dt]?frac\s*\{{\s*{_UNITS}\s*\}}\s*\{{[^{{}}]*s[^{{}}]*(?:\{{\d\}})?\}}"
+_TENS = r"(?:\s*\\(?:times|cdot)\s*10\s*\^\s*\{?-?\d+\}?)?"
+
+
+def _measured(reader: LatexReader, node: t.Node) -> t.Node:
+    """The side of a relation; marked where it is a number and letters that spell a unit, or such a fraction, but may be symbols:
+    of these nothing is known, or they stand apart behind a decimal number."""
+    gap = rf"(?:{_BEHIND}|\\,)?" if reader.table.open else _BEHIND
+    number = rf"-?\s*\d+(?:\.\d+)?{_TENS}" if reader.table.open else r"-?\s*\d+\.\d+"
+    text = reader.source.text[slice(*(node.span or (0, 0)))]
+    found = re.fullmatch(rf"{number}\s*(?:{gap}\s*(?:{_UNITS})|(?:{_BEHIND}|\\,)?\s*(?:{_RATIO}))\s*", text)
+    return t.Formal("spelled", (node,), span=node.span) if found else node
 
 
 def _pass_word(reader: LatexReader, sign: Token) -> str:
@@ -85,11 +103,14 @@ def _name(reader: LatexReader) -> t.Node:
     if left_out and Drawn(reader.token.text) not in reader.table.names:
         start = reader.take().start
         return reader.spanned(t.Formal("order", (COMMANDS["("](reader),)), start)
+    if reader.table.open and reader.token.text == "δ" and begins_name(reader.ahead()):
+        start = reader.take().start
+        return reader.spanned(t.Formal("varied", (t.Sym("delta"), read_name(reader))), start)
     return read_name(reader)
 
 
 _NAMED = (t.Sym, t.Vec, t.Deriv)
-_VALUES = ("binomial", "factorial", "measured", "state", "mean", "…", "log")  # no functions
+_VALUES = ("binomial", "factorial", "measured", "state", "mean", "…", "log", "unit")  # no functions
 
 
 def called(reader: LatexReader, node: t.Node) -> t.Node:

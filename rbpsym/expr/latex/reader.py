@@ -190,15 +190,6 @@ _FRAME = re.compile(
 _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 
 
-_UNIT = r"(?:k?g|[ckm]?m|[mk]?N|k?[JW]|s|Hz|rad|K|Pa)(?:\^\{?-?\d\}?)?"
-_UNITS = rf"{_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}}"
-_BEHIND = r"(?:~|\\[ ;]|\\q?quad)"
-_RATIO = rf"\\[dt]?frac\s*\{{\s*{_UNITS}\s*\}}\s*\{{[^{{}}]*s[^{{}}]*(?:\{{\d\}})?\}}"
-_MEASURED = re.compile(  # a decimal number and letters behind a gap that spell a unit, or such a fraction, up to the end of a row
-    rf"\d\.\d+\s*(?:{_BEHIND}\s*({_UNITS})|(?:{_BEHIND}|\\,)?\s*({_RATIO}))\s*[.,]?\s*(?:\\\\|$)"
-)
-
-
 _UPRIGHT_D = re.compile(r"(?<![\d_^~])(?<!\\,)(?<!_\{)\\(?:mathrm|rm|text|textrm)\s*\{\s*d\s*([a-z])\s*\}")  # \mathrm{dt}
 
 
@@ -219,10 +210,6 @@ def _formula_tokens(text: str, source: SourceText, table: SymbolTable) -> tuple[
         end = _closed_at(text, frame.end())
         if end > 0 and (_RELATES.search(text, frame.end(), end) or not (text[: frame.start()] + text[end + 1 :]).strip()):
             text = f"{text[: frame.start()]}{' ' * len(frame[0])}{text[frame.end() : end]} {text[end + 1 :]}"
-    if measured := _MEASURED.search(text[:MAX_LENGTH]):
-        hint = "Write the number alone in the unit that the claim says, or * where a product is meant."
-        group = 1 if measured[1] else 2
-        raise source.error(f"is “{measured[group]}” a unit, or a product of symbols?", *measured.span(group), hint)
     own = {row[0] for row in table.spellings if len(row) == 1}  # commands that are names: \\th
     tokens = tokenize(SourceText(text, source.place), gaps=True)
     named = (replace(one, kind="letter") if one.kind == "command" and one.text in own else one for one in tokens)

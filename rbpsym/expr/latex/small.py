@@ -7,7 +7,7 @@ from itertools import product
 from rbpsym.expr import tree as t
 
 _JOINED, _SUMMED = ("dotted", "crossed"), ("sum", "named", "marked", "±", "∓")
-_REACHING = ("several", "operator", "∂", "∇")
+_REACHING = ("varied", "several", "operator", "∂", "∇")
 _WHOLE = ("integral", "path", "∮")
 
 
@@ -40,5 +40,5 @@ def _orders(node: t.Node) -> frozenset[int]:
     if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
         return frozenset(one * node.exponent.value for one in parts[0])
     whole = isinstance(node, (t.Integral, t.PathIntegral, t.BodyIntegral)) or kind in _WHOLE
-    known = all(parts) and not isinstance(node, (t.Delta, t.Word)) and kind not in _REACHING and node not in (t.ZERO, t.Sym("delta"))
+    known = all(parts) and not isinstance(node, (t.Delta, t.Word)) and kind not in _REACHING and node != t.ZERO
     return frozenset([0]) if whole or (known and {*parts} <= {frozenset([0])}) else frozenset()

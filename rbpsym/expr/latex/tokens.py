@@ -232,7 +232,7 @@ def _unbraced(tokens: list[Token]) -> list[Token]:
         texts = [found.text for found in tokens[k : k + 5]]
         if token.text == r"\boldsymbol" and texts[1:4] in _BRACED_SIGNS:
             dropped |= {k, k + 1, k + 3}
-        if texts[:3] in _BRACED_SIGNS and k and tokens[k - 1].text not in ("^", "_"):
+        if texts[:3] in _BRACED_SIGNS and tokens[k - 1].text not in ("^", "_"):
             dropped |= {k, k + 2}
         free = k == 0 or not (tokens[k - 1].kind in _TAKING or tokens[k - 1].text in ("^", "_", "]") or k - 1 in argued)
         twice = texts[:2] == ["{", "{"] != texts[1:3]
@@ -263,7 +263,7 @@ def _given(tokens: list[Token]) -> list[Token]:
     return [replace(token, text=GIVEN) if k in alone else token for k, token in enumerate(tokens)]
 
 
-_BRACED_SIGNS = [["{", sign, "}"] for sign in (r"\cdot", r"\times", "+", "-", "=")]
+_BRACED_SIGNS = [["{", sign, "}"] for sign in (r"\cdot", r"\times", "+", "-", "=", "[", "]")]
 
 
 def _argued(tokens: list[Token]) -> set[int]:
@@ -334,7 +334,7 @@ def _text(text: str) -> tuple[str, str]:
         return "row", CONDITION
     if text.startswith(r"\qc"):
         return "row", ""
-    if word in PUNCTUATION:
+    if word in (*PUNCTUATION, *"+-=()[]"):
         return "sign", word
     return "row" if plain in JOINING else "text", word
 
