@@ -56,7 +56,9 @@ def definitions(text: str) -> tuple[dict[str, Macro], str, list[tuple[int, str]]
         if name in COUNTERS:
             pieces, position = [*pieces, text[position:end]], end
             continue
-        found[name] = _macro(head, text[head.end() + 1 : end - 1])
+        macro = _macro(head, text[head.end() + 1 : end - 1])
+        if not any(one.body == name for own in _COMMAND.findall(macro.body) if (one := found.get(own))):  # what it was before, \\let
+            found[name] = macro
         pieces += [text[position : head.start()], re.sub(r"[^\n]", " ", text[head.start() : end])]
         position = end
     return found, "".join([*pieces, text[position:]]), faults

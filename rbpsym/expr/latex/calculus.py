@@ -182,6 +182,8 @@ def _integral(reader: LatexReader) -> t.Node:
     found, reader.path = reader.path, around
     if found is None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(integrand)):
         return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
+    if found is None and not reader.sees_differential() and reader.table.open and not reader.sees_sign("+", "-"):
+        return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
     if found is None and not reader.sees_differential():
         raise reader.error("the integral has no differential", "Write dθ at its end.", start)
     path = _differential(reader) if found is None else found

@@ -47,7 +47,7 @@ _BINOMIALS = (r"\binom", r"\dbinom", r"\tbinom")
 _QUANTIFIERS = {r"\forall": "∀", r"\exists": "∃"}
 _OPERATORS = (
     r"\det", r"\min", r"\max", r"\Re", r"\Im", r"\arg", r"\sup", r"\inf", r"\dim", r"\ker", r"\Tr", r"\tr", r"\sgn", r"\deg",
-    r"\argmin", r"\argmax", r"\Pr", r"\lg", r"\gcd",
+    r"\argmin", r"\argmax", r"\Pr", r"\lg", r"\gcd", r"\angle", r"\triangle",
 )  # fmt: skip
 _GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
 SENTENCES: Mapping[str, Sentence] = {

@@ -223,7 +223,7 @@ def begins_factor(reader: LatexReader) -> bool:
     if (reader.bars and token.text in _PLAIN_BARS) or _sees_evaluation(reader):
         return False
     known = token.kind in ("digit", "letter", "text") or begins_name(token)
-    return known or token.text in COMMANDS
+    return known or (token.text in COMMANDS and token.text not in _OPERATORS)
 
 
 def _sees_derivative(reader: LatexReader) -> bool:

@@ -231,6 +231,9 @@ def _rows(reader: LatexReader) -> t.Node:
             row = t.Relations((row,), sources=tuple(map(_as_small, line)), span=row.span)
         elif reader.source.text.startswith("\\\\", parting.start):
             line = []
+        if reader.source.text[parting.start] == "," and isinstance(row, t.Chain) and not isinstance(rows[-1], (t.Chain, t.Formal, t.Word)):
+            several = t.Formal("list", (rows.pop(), row.items[0]), span=row.span)  # x, y = 0
+            row = replace(row, items=(several, *row.items[1:]))
         line += row.rows if isinstance(row, t.Relations) else () if _is_text(row) else (row,)
         if _is_condition(row, parting.text, rows, conditions):
             conditions.append(row)

@@ -51,7 +51,7 @@ _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each 
     rf"\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
     rf"(?=\s*(?:\\[,;]\s*)?(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
 )
-_ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
+_ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm|bf)\s*(?:\{\s*0\s*\}|0)"
 _DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
 _GAP = (
     r"(?<=[-+=&])\{\}|\{\}(?=\s*(?:[-+=<>&]|\\[pm]{2}(?![A-Za-z])))"
@@ -108,7 +108,8 @@ _ALIASES = {
     r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
     r"\va": r"\vec", r"\vu": r"\hat",
     r"\vb*": r"\boldsymbol", r"\va*": r"\vec", r"\vu*": r"\hat", r"\land": r"\wedge",
-    r"\lt": "<", r"\gt": ">", "±": r"\pm", "∓": r"\mp", r"\varpropto": r"\propto",
+    r"\lt": "<", r"\gt": ">", "±": r"\pm", "⊥": r"\perp", "∥": r"\parallel", "∈": r"\in", "∝": r"\propto", "≪": r"\ll", "≫": r"\gg", "∞": r"\infty",
+    "÷": "/", r"\div": "/", "∓": r"\mp", r"\varpropto": r"\propto",
     r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
     r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
     r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
@@ -194,12 +195,13 @@ def _behind_script(tokens: list[Token], k: int) -> int:
 
 
 _OPENING, _CLOSING = ("(", "[", "{", r"\{", r"\lvert"), (")", "]", "}", r"\}", r"\rvert")
-_TAKING = ("command", "text", "begin", "differential")
+_TAKING = ("command", "text", "begin")
+_DIVIDING = {r"\over": r"\frac", r"\choose": r"\binom"}
 
 
 def _divided(tokens: list[Token]) -> list[Token]:
-    r"""The tokens with {a \\over b} as \\frac{a}{b}, and (a \\over b) as (\\frac{a}{b})."""
-    place = next((k for k, token in enumerate(tokens) if token.text == r"\over"), None)
+    r"""The tokens with {a \\over b} as \\frac{a}{b}, and (a \\over b) as (\\frac{a}{b}); so \\choose."""
+    place = next((k for k, token in enumerate(tokens) if token.text in _DIVIDING), None)
     if place is None:
         return tokens
     begin, depth = place, 0
@@ -211,7 +213,7 @@ def _divided(tokens: list[Token]) -> list[Token]:
         return tokens
     over, inner = tokens[place], tokens[begin].text == "{"
     one, last = (replace(over, kind="sign", text=text) for text in "{}")
-    made = [replace(over, text=r"\frac"), one, *tokens[begin + 1 : place], last, one, *tokens[place + 1 : end], last]
+    made = [replace(over, text=_DIVIDING[over.text]), one, *tokens[begin + 1 : place], last, one, *tokens[place + 1 : end], last]
     return _divided([*tokens[: begin + (not inner)], *made, *tokens[end + inner :]])
 
 
