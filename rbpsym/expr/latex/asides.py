@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from rbpsym.expr.latex.tokens import COLUMN, CONDITION, PUNCTUATION, Token
+from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, PUNCTUATION, Token
 
 _NUMBER = re.compile(r"\d{1,2}(?:[.-]\d{1,3}){0,2}[a-z]?'?|\*{1,3}|[a-zA-Z]'{0,2}|[A-Z]\.\d{1,2}")
 _WIDE = re.compile(r"\\q?quad|\\hspace|\\hfil")
@@ -19,7 +19,8 @@ def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tupl
     words = [k for k, token in enumerate(tokens) if token.kind == "text" and token.text[:1] + token.text[-1:] == "()"]
     words = words if COLUMN not in {token.text for token in tokens} else []
     for place in reversed([k for k in words if _ends(tokens, k + 1) and not _begins(tokens, k) and not _relates(tokens[k - 1 : k], relations)]):
-        tokens = (*tokens[:place], replace(tokens[place], kind="row", text=""), *tokens[place:])
+        said = (replace(tokens[place], kind="row", text=""), tokens[place]) if CONDITIONS.search(tokens[place].text) else ()
+        tokens = (*tokens[:place], *said, *tokens[place + 1 :])
     found = list(tokens)
     for begin, end in reversed(_pairs(tokens)):
         inner = tokens[begin + 1 : end]

@@ -269,7 +269,7 @@ def factor(reader: LatexReader) -> t.Node:
         exponent, named = _exponent(reader), isinstance(base, (t.Sym, t.Vec))
         base = COMMANDS["applied"](reader, base, first, raised=True) if named and not is_open else base  # r²(z)
         is_value = isinstance(base, t.Formal) and base.kind == "value"  # b(t - u)² may be the square of the brackets alone
-        is_sign = named or (isinstance(base, t.Formal) and base.kind in ("∂", "∇"))
+        is_sign = named or isinstance(base, t.Delta) or (isinstance(base, t.Formal) and base.kind in ("∂", "∇", "varied"))
         several = isinstance(exponent, t.Num) and isinstance(exponent.value, int) and exponent.value > 9  # g^{12}
         index = is_open and (is_value or (is_sign and (several or bool(t.names(exponent) - {"pi"}))))
         power = t.Formal("raised", (base, exponent)) if index else reader.power(base, exponent, start)
