@@ -8,7 +8,7 @@ from dataclasses import replace
 from rbpsym.errors import Incomplete, RbpsymError, UnknownName
 from rbpsym.expr import tree as t
 from rbpsym.expr.directed import is_vector
-from rbpsym.expr.latex.names import begins_name, letter_run, read_name
+from rbpsym.expr.latex.names import begins_name, between_points, is_capital, letter_run, read_name
 from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.rows import OPEN
 from rbpsym.expr.latex.scripts import label_after, mark_above
@@ -152,29 +152,8 @@ def goes_on(reader: LatexReader, sign: str = "") -> bool:
     return False
 
 
-def _between_points(reader: LatexReader, factors: list[t.Node]) -> list[t.Node]:
-    """With capitals side by side, of which nothing is known, as one: A_1P may be a length, KE a name; the last may be raised."""
-    found: list[t.Node] = []
-    for one in factors:
-        run = found[-1] if found else one
-        (_, end), (begin, behind) = run.span or (0, 0), one.span or (0, 0)
-        letter = one.base if isinstance(one, t.Pow) else one
-        if end == begin and _is_capital(reader, run) and _is_capital(reader, letter):
-            parts = run.parts if isinstance(run, t.Formal) else (run,)
-            found[-1:] = [t.Formal("run", (*parts, one), span=((run.span or (0, 0))[0], behind))]
-        else:
-            found.append(one)
-    return found
-
-
-def _is_capital(reader: LatexReader, node: t.Node) -> bool:
-    last = node.parts[-1] if isinstance(node, t.Formal) and node.kind == "run" else node
-    text = reader.source.text[slice(*(last.span or (0, 0)))]
-    return isinstance(last, t.Sym) and text[:1].isupper() and "^" not in text
-
-
 def _one(reader: LatexReader, factors: list[t.Node], start: int) -> t.Node:
-    factors = _between_points(reader, factors) if reader.table.open else factors
+    factors = between_points(reader, factors) if reader.table.open else factors
     if len(factors) == 1:
         return factors[0]
     for place, part in enumerate(factors):
@@ -205,7 +184,7 @@ def _is_below(reader: LatexReader, num: t.Node, below: list[t.Node]) -> bool:
         return False
     question, hint = BELOW, "Use parentheses, or \\frac."
     close = reader.token.kind == "letter" and reader.token.start == reader.previous_end
-    if reader.table.open and close and reader.token.text.isupper() and _is_capital(reader, below[-1]):
+    if reader.table.open and close and reader.token.text.isupper() and is_capital(reader, below[-1]):
         return True
     if half:
         return reader.decide(question, hint, yes=int(reader.token.text != "π"))
@@ -219,22 +198,11 @@ def begins_factor(reader: LatexReader) -> bool:
     """Does something that can be multiplied follow?"""
     token = reader.token
     if reader.sees_differential():
-        return not reader.integrals or _sees_derivative(reader)
+        return not reader.integrals
     if (reader.bars and token.text in _PLAIN_BARS) or _sees_evaluation(reader):
         return False
     known = token.kind in ("digit", "letter", "text") or begins_name(token)
     return known or (token.text in COMMANDS and token.text not in _OPERATORS)
-
-
-def _sees_derivative(reader: LatexReader) -> bool:
-    """Does dω/dt in a line follow?"""
-    position = reader.position
-    try:
-        return COMMANDS["d/"](reader) is not None
-    except RbpsymError:
-        return False
-    finally:
-        reader.position = position
 
 
 def refuse_number(reader: LatexReader) -> None:

@@ -70,6 +70,27 @@ def letter_run(reader: LatexReader) -> t.Node | None:
     return reader.spanned(t.Formal("run", tuple(read_name(reader) for _ in run)), start)
 
 
+def between_points(reader: LatexReader, factors: list[t.Node]) -> list[t.Node]:
+    """With capitals side by side, of which nothing is known, as one: A_1P may be a length, KE a name; the last may be raised."""
+    found: list[t.Node] = []
+    for one in factors:
+        run = found[-1] if found else one
+        (_, end), (begin, behind) = run.span or (0, 0), one.span or (0, 0)
+        letter = one.base if isinstance(one, t.Pow) else one
+        if end == begin and is_capital(reader, run) and is_capital(reader, letter):
+            parts = run.parts if isinstance(run, t.Formal) else (run,)
+            found[-1:] = [t.Formal("run", (*parts, one), span=((run.span or (0, 0))[0], behind))]
+        else:
+            found.append(one)
+    return found
+
+
+def is_capital(reader: LatexReader, node: t.Node) -> bool:
+    last = node.parts[-1] if isinstance(node, t.Formal) and node.kind == "run" else node
+    text = reader.source.text[slice(*(last.span or (0, 0)))]
+    return isinstance(last, t.Sym) and text[:1].isupper() and "^" not in text
+
+
 def read_name(reader: LatexReader) -> t.Node:
     """A symbol, vector, unit vector or word. Raises ReadError for an unknown name."""
     start = reader.token.start

@@ -4,49 +4,33 @@ from __future__ import annotations
 
 from rbpsym.expr import tree as t
 from rbpsym.expr.latex.formal import formal, numeral, taken_at
-from rbpsym.expr.latex.functions import operand, whole_number
+from rbpsym.expr.latex.functions import whole_number
 from rbpsym.expr.latex.grammar import argument
 from rbpsym.expr.latex.numerals import DEGREE
-from rbpsym.expr.symbol_table import LatexReader, begins
+from rbpsym.expr.latex.tokens import Token, closed
+from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
+from rbpsym.frozen import replace
 
 
 @begins(r"\dv", r"\pdv")
 def _derivative(reader: LatexReader) -> t.Node:
-    r"""\dv{f}{x}, \dv[2]{f}{x}, and \dv{t} in front of what it stands for; \pdv{f}{x}{y} too."""
-    head = reader.take()
+    r"""\dv{f}{x}, \dv[2]{f}{x}, and \dv{t} in front of what it stands for; \pdv{f}{x}{y} too: as the fraction that they print."""
+    begin, head, groups = reader.position, reader.take(), list[tuple[Token, ...]]()
     reader.pass_sign("*")
-    order = _option(reader)
-    begin, parts = reader.position, list[str | t.Node]()
-    empty = reader.sees_sign("{") and reader.ahead().text == "}"
-    reader.position += 2 * empty
-    of = None if empty else argument(reader)
-    while reader.sees_sign("{") and len(parts) < (1 if order > 1 or head.text == r"\dv" else 3):
-        parts.append(_variable(reader))
-    if not parts:
-        reader.position = begin
-        parts, of = [_variable(reader)], None
-    of = operand(reader) if of is None else of
-    named = [wrt for wrt in parts if isinstance(wrt, str)]
-    if len(named) < len(parts):
-        return formal(reader, head.start, "differential", of, *(one for one in parts if not isinstance(one, str)))
-    for wrt in reversed(named):
-        of = reader.spanned(t.Deriv(of, wrt, order, head.text == r"\pdv"), head.start)
-    return of
-
-
-def _option(reader: LatexReader) -> int:
-    """The order in brackets, 1 without."""
-    if not reader.sees_sign("["):
-        return 1
-    return whole_number(reader, "the order of a derivative", 1, 9)
-
-
-def _variable(reader: LatexReader) -> str | t.Node:
-    """The name of a symbol, or what else stands there, by which nothing is derived."""
-    time = [reader.ahead(count).text for count in range(3)] == ["{", "t", "}"]
-    reader.position += 3 * time
-    node = t.Sym("t") if time else argument(reader)
-    return node.name if isinstance(node, t.Sym) else node
+    order = whole_number(reader, "the order of a derivative", 1, 9) if reader.sees_sign("[") else 1
+    while reader.sees_sign("{") and len(groups) < (2 if order > 1 or head.text == r"\dv" else 4):
+        place, reader.position = reader.position, closed(reader.tokens, reader.position) + 1
+        groups.append(reader.tokens[place + 1 : reader.position - 1])
+    *of, last = groups or [()]
+    by = [*of[1:], last]
+    power = (replace(head, kind="sign", text="^"), replace(head, kind="digit", text=str(max(order, len(by)))))
+    opening, closing, d = (replace(head, kind="sign", text=text) for text in ("{", "}", "d" if head.text == r"\dv" else "∂"))
+    d = replace(d, kind="differential")
+    below = [token for one in by for token in (d, *one, *(power if order > 1 else ()))]
+    above = (d, *(power if max(order, len(by)) > 1 else ()), *(of[0] if of else ()))
+    fraction = (replace(head, text=r"\frac"), opening, *above, closing, opening, *below, closing)
+    reader.tokens, reader.position = (*reader.tokens[:begin], *fraction, *reader.tokens[reader.position :]), begin
+    return COMMANDS[r"\frac"](reader)
 
 
 @begins(r"\abs", r"\norm", r"\vqty")
