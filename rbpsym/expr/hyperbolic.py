@@ -14,41 +14,22 @@ def _exp(node: t.Node) -> t.Node:
     return t.Fn("exp", node)
 
 
-def _sinh(node: t.Node) -> t.Node:
-    return t.Div(t.Add((_exp(node), t.Neg(_exp(t.Neg(node))))), t.TWO)
+def _ln_root(one: t.Node) -> Made:
+    return lambda node: t.Fn("ln", t.Add((node, t.Sqrt(t.Add((t.Pow(node, t.TWO), one))))))
 
 
-def _cosh(node: t.Node) -> t.Node:
-    return t.Div(t.Add((_exp(node), _exp(t.Neg(node)))), t.TWO)
+def _over(above: Made, below: Made) -> Made:
+    return lambda node: t.Div(above(node), below(node))
 
 
-def _tanh(node: t.Node) -> t.Node:
-    return t.Div(_sinh(node), _cosh(node))
-
-
-def _over_one(function: Made) -> Made:
-    return lambda node: t.Div(t.ONE, function(node))
-
-
-def _square_and(node: t.Node, one: t.Node) -> t.Node:
-    return t.Sqrt(t.Add((t.Pow(node, t.TWO), one)))
-
-
-def _asinh(node: t.Node) -> t.Node:
-    return t.Fn("ln", t.Add((node, _square_and(node, t.ONE))))
-
-
-def _acosh(node: t.Node) -> t.Node:
-    return t.Fn("ln", t.Add((node, _square_and(node, t.Neg(t.ONE)))))
-
-
-def _atanh(node: t.Node) -> t.Node:
-    return t.Div(t.Fn("ln", t.Div(t.Add((t.ONE, node)), t.Add((t.ONE, t.Neg(node))))), t.TWO)
-
-
+_SINH = _over(lambda node: t.Add((_exp(node), t.Neg(_exp(t.Neg(node))))), lambda _: t.TWO)
+_COSH = _over(lambda node: t.Add((_exp(node), _exp(t.Neg(node)))), lambda _: t.TWO)
+_TANH = _over(_SINH, _COSH)
+_ATANH = _over(lambda node: t.Fn("ln", t.Div(t.Add((t.ONE, node)), t.Add((t.ONE, t.Neg(node))))), lambda _: t.TWO)
+_SECH, _CSCH, _COTH = (_over(lambda _: t.ONE, function) for function in (_COSH, _SINH, _TANH))
 HYPERBOLIC: Mapping[str, Made] = MappingProxyType({
-    "sinh": _sinh, "cosh": _cosh, "tanh": _tanh, "sech": _over_one(_cosh), "csch": _over_one(_sinh),
-    "cosech": _over_one(_sinh), "coth": _over_one(_tanh), "senh": _sinh, "tgh": _tanh,
-    **dict.fromkeys(("asinh", "arcsinh", "arsinh", "arcsenh"), _asinh),
-    **dict.fromkeys(("acosh", "arccosh", "arcosh"), _acosh), **dict.fromkeys(("atanh", "arctanh", "artanh"), _atanh),
+    "sinh": _SINH, "cosh": _COSH, "tanh": _TANH, "sech": _SECH, "csch": _CSCH, "cosech": _CSCH, "coth": _COTH, "senh": _SINH,
+    "tgh": _TANH, **dict.fromkeys(("asinh", "arcsinh", "arsinh", "arcsenh"), _ln_root(t.ONE)),
+    **dict.fromkeys(("acosh", "arccosh", "arcosh"), _ln_root(t.Neg(t.ONE))),
+    **dict.fromkeys(("atanh", "arctanh", "artanh"), _ATANH),
 })  # fmt: skip

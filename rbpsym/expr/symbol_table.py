@@ -34,6 +34,7 @@ class SymbolTable(Frozen):
     function: in x(t), V(θ) (None: nothing is known). `directed`: is a name that of a vector, printed without an arrow?
     `comma`: in 1{,}470 it is declared to be the decimal mark. `open`: any letter is a name, and nothing is known of it; what
     stands in brackets behind it or is raised is then no factor or power, no pair a vector, no operator's reach known.
+    `has_length`: the text itself uses a plain d as a symbol.
     """
 
     names: Mapping[Drawn, tuple[str, ...]]
@@ -43,11 +44,12 @@ class SymbolTable(Frozen):
     directed: Callable[[str], bool] = lambda name: False
     comma: bool = False
     open: bool = False
+    has_length: bool = False
 
     @property
     def has_d(self) -> bool:
         """Is a plain d a symbol, so that only an upright d is a differential?"""
-        return any(drawn.base == "d" for drawn in self.names)
+        return self.has_length or any(drawn.base == "d" for drawn in self.names)
 
     @property
     def has_e(self) -> bool:

@@ -1,8 +1,8 @@
-r"""What can be read in two ways: where nothing is known of the symbols it is marked or refused with its question; with a remark that
-says what the symbols are, or in the other spelling, it is read as told.
+r"""What can be read in two ways: where nothing is known of the symbols it is marked or refused with its question; with a remark
+that says what the symbols are, or in the other spelling, it is read as told.
 
 The places at which a reader chooses: letters side by side (product, name, length), a bracket behind a name, what is raised, a
-superscript, a d, a δ, a slash, the reach of a function, of a derivative, of a sum and of an integral, units, decimal marks, bars, signs.
+d, a δ, a slash, the reach of a function, of a derivative, of a sum and of an integral, units, decimal marks, signs.
 """
 
 import pytest
@@ -60,8 +60,9 @@ def _questions(latex):
         found = latex_ways(latex, ANY, whole=True)
     except RbpsymError as error:
         return [error.what]
-    marks = [[SENTENCES[one.kind][0] for one in t.walk(tree) if isinstance(one, t.Formal) and one.kind in SENTENCES] for tree in found.trees]
-    return [" ".join(asked + [found.error.what if found.error else ""]) for asked in marks]
+    formal = ([part for part in t.walk(tree) if isinstance(part, t.Formal) and part.kind in SENTENCES] for tree in found.trees)
+    told = found.error.what if found.error else ""
+    return [" ".join([*(SENTENCES[part.kind][0] for part in parts), told]) for parts in formal]
 
 
 @pytest.mark.parametrize(("latex", "question"), [row[:2] for row in ROWS])

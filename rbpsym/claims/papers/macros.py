@@ -57,7 +57,7 @@ def definitions(text: str) -> tuple[dict[str, Macro], str, list[tuple[int, str]]
             pieces, position = [*pieces, text[position:end]], end
             continue
         macro = _macro(head, text[head.end() + 1 : end - 1])
-        if not any(one.body == name for own in _COMMAND.findall(macro.body) if (one := found.get(own))):  # what it was before, \\let
+        if not any(found[own].body == name for own in _COMMAND.findall(macro.body) if own in found):  # by \\let
             found[name] = macro
         pieces += [text[position : head.start()], re.sub(r"[^\n]", " ", text[head.start() : end])]
         position = end

@@ -16,11 +16,8 @@ Span = tuple[int, int]
 def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
     """The tokens without hand-written numbers, and with (x > 0) behind a gap at the end of a row as a condition."""
     tokens = _labelled(_unnumbered(tokens), relations)
-    words = [k for k, token in enumerate(tokens) if token.kind == "text" and token.text[:1] + token.text[-1:] == "()"]
-    words = words if COLUMN not in {token.text for token in tokens} else []
-    for place in reversed([k for k in words if _ends(tokens, k + 1) and not _begins(tokens, k) and not _relates(tokens[k - 1 : k], relations)]):
-        said = (replace(tokens[place], kind="row", text=""), tokens[place]) if CONDITIONS.search(tokens[place].text) else ()
-        tokens = (*tokens[:place], *said, *tokens[place + 1 :])
+    if COLUMN not in {token.text for token in tokens}:
+        tokens = _unremarked(tokens, relations)
     found = list(tokens)
     for begin, end in reversed(_pairs(tokens)):
         inner = tokens[begin + 1 : end]
@@ -35,6 +32,19 @@ def without_asides(tokens: tuple[Token, ...], relations: frozenset[str]) -> tupl
                 del found[begin:behind]
         elif before < begin and _ends(tokens, end + 1) and not _begins(tokens, before) and _relates(inner, relations):
             found[begin : end + 1] = _conditions(tokens[begin], inner, relations)
+    return tuple(found)
+
+
+def _unremarked(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Token, ...]:
+    """Without words in parentheses at the end of a row; those that may be a condition have a row of their own."""
+    found = list[Token]()
+    for k, token in enumerate(tokens):
+        bracketed = token.kind == "text" and token.text[:1] + token.text[-1:] == "()" and _ends(tokens, k + 1)
+        aside = bracketed and not _begins(tokens, k) and not _relates(tokens[k - 1 : k], relations)
+        if not aside:
+            found.append(token)
+        elif CONDITIONS.search(token.text):
+            found += [replace(token, kind="row", text=""), token]
     return tuple(found)
 
 

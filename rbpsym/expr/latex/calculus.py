@@ -58,7 +58,7 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     partial = reader.take().text == "∂"
     order = 0 if reader.sees_sign("_") else _order(reader)
     of = None if reader.sees_sign("}") or not order else expression(reader)
-    small = of is not None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(of))  # dx dy
+    small = of is not None and _holds_differential(of)  # dx dy
     if not order or small or not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
         reader.position = begin  # the fraction of a length d, or of a differential
         return None
@@ -75,6 +75,10 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     for wrt, times in reversed(parts):
         of = reader.spanned(t.Deriv(of, wrt, times, partial), start)
     return of
+
+
+def _holds_differential(node: t.Node) -> bool:
+    return any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(node))
 
 
 def _mark_below(reader: LatexReader) -> None:
@@ -180,9 +184,8 @@ def _integral(reader: LatexReader) -> t.Node:
     reader.integrals -= 1
     sign = reader.take().text if reader.sees_sign(r"\cdot", r"\times") else ""
     found, reader.path = reader.path, around
-    if found is None and any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(integrand)):
-        return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
-    if found is None and not reader.sees_differential() and reader.table.open and not reader.sees_sign("+", "-"):
+    bare = reader.table.open and not reader.sees_differential() and not reader.sees_sign("+", "-")
+    if found is None and (bare or _holds_differential(integrand)):
         return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
     if found is None and not reader.sees_differential():
         raise reader.error("the integral has no differential", "Write dθ at its end.", start)
@@ -229,40 +232,24 @@ def _value_at(reader: LatexReader, limit: t.Node | str | None, path: t.Node) -> 
 
 
 def _region(reader: LatexReader) -> str | None:
-    """The name of a path 𝒞 or of a region; None (and nothing passed) if it is a limit."""
-    begin = reader.position
-    braces = reader.pass_sign("{")
-    text = _path_label(reader) or _region_label(reader)
-    if text and (not braces or reader.pass_sign("}")):
-        return text
-    reader.position = begin
-    return None
+    """The name of a region: Ω, upright, or a capital letter that is no symbol; "path" for 𝒞 or 𝒞_i, the path itself.
 
-
-def _path_label(reader: LatexReader) -> str | None:
-    """𝒞 or 𝒞_i: the path itself, which a path integral does not name otherwise."""
-    texts = [reader.ahead(count).text for count in range(4)]
-    if texts[0] != r"\mathcal" or "C" not in texts[1:3]:
+    None (and nothing passed) if it is a limit.
+    """
+    begin, braces = reader.position, reader.pass_sign("{")
+    token, texts = reader.token, [reader.ahead(count).text for count in range(3)]
+    alone = texts[1] != "^" and (texts[1] != "}" or reader.ahead(2).text != "^")
+    free = token.text.isupper() and Drawn(token.text) not in reader.table.names and alone
+    is_path = token.text == r"\mathcal" and "C" in texts[1:]
+    if not (is_path or token.kind == "text" or (token.kind == "letter" and (free or token.text == "Ω"))):
+        reader.position = begin
         return None
-    reader.position += 4 if texts[1] == "{" else 2
-    if reader.pass_sign("_"):
-        label_after(reader, begun=True)
-    return "path"
-
-
-def _region_label(reader: LatexReader) -> str | None:
-    """Ω, the upright name of a body, or a capital letter, if it is no symbol that could be a limit."""
-    token = reader.token
-    alone = reader.ahead().text != "^" and (reader.ahead().text != "}" or reader.ahead(2).text != "^")
-    free = token.text.isupper() and token.text != "Ω" and Drawn(token.text) not in reader.table.names
-    if token.kind == "letter" and free and alone:
-        return reader.take().text
-    if token.kind == "letter" and token.text == "Ω":
-        reader.take()
-        return "Omega"
-    if token.kind == "text":
-        reader.take()
-        return f"{token.text}_{label_after(reader)}" if reader.sees_sign("_") else token.text
+    text = {"Ω": "Omega"}.get(token.text, token.text)
+    reader.position += 1 if not is_path else 4 if texts[1] == "{" else 2
+    label = label_after(reader) if (is_path or token.kind == "text") and reader.sees_sign("_") else ""
+    if not braces or reader.pass_sign("}"):
+        return "path" if is_path else f"{text}_{label}" if label else text
+    reader.position = begin
     return None
 
 

@@ -51,7 +51,7 @@ _OPERATORS = (
 )  # fmt: skip
 _GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
 SENTENCES: Mapping[str, Sentence] = {
-    "measured": _UNITS, "spelled": _SPELLED, "…": _DOTS, **dict.fromkeys(("±", "∓"), _ONE), **dict.fromkeys(LOOSE.values(), _NONE),
+    "measured": _UNITS, "spelled": _SPELLED, "…": _DOTS, **dict.fromkeys("±∓", _ONE), **dict.fromkeys(LOOSE.values(), _NONE),
     **dict.fromkeys(("∀", "∃"), _NONE), "∮": _PATH, **dict.fromkeys(("list", "brackets", "braces"), _SEVERAL),
     "∞": ("infinity is no value", r"Write a limit, \lim_{x \to ...}, or a number."),
     "mean": ("a mean value can't be read", "Give it a symbol of its own."), "∇": _GRADIENT,
@@ -71,7 +71,8 @@ SENTENCES: Mapping[str, Sentence] = {
     "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
     "varied": ("is this a product, or a variation?", r"Write \delta \cdot x, or say in the symbols what all of it means."),
     "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
-    "run": ("is this a product, or one name, such as a length between two points?", "Leave a thin space between factors, or make a name upright."),
+    "run": ("is this a product, or one name, such as a length between two points?",
+            "Leave a thin space between factors, or make a name upright."),
     **dict.fromkeys(("crossed", "dotted"), (
         "is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side.")),
     "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),

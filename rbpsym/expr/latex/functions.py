@@ -10,7 +10,6 @@ of it. Decided by what the symbols are declared to be (`SymbolTable.varies`) and
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction as Rational
 from itertools import dropwhile
 
@@ -30,7 +29,7 @@ from rbpsym.expr.latex.grammar import (
     refuse_number,
 )
 from rbpsym.expr.latex.names import begins_name, read_name
-from rbpsym.expr.latex.numerals import number
+from rbpsym.expr.latex.numerals import measured, number
 from rbpsym.expr.latex.scripts import label_after
 from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token, closed
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
@@ -56,29 +55,12 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
         ops.append(SIGNS[sign.text])
         _pass_word(reader, sign)
         ends = reader.token.kind == "end"
-        items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else _measured(reader, expression(reader)))
+        items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else measured(reader, expression(reader)))
     found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
     if not reader.sees_sign(*LOOSE):
         return found
     loose = LOOSE[_pass_word(reader, reader.take())]
     return reader.spanned(t.Formal(loose, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
-
-
-_UNIT = r"(?:k?g|[ckm]?m|[mk]?N|[kM]?[JWV]|[km]?s|Hz|rad|K|Pa|[kM]?eV|min|mol)(?:\^\{?-?\d\}?)?"
-_UNITS = rf"{_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}}"
-_BEHIND = r"(?:~|\\[ ;]|\\q?quad)"
-_RATIO = rf"\\[dt]?frac\s*\{{\s*{_UNITS}\s*\}}\s*\{{[^{{}}]*s[^{{}}]*(?:\{{\d\}})?\}}"
-_TENS = r"(?:\s*\\(?:times|cdot)\s*10\s*\^\s*\{?-?\d+\}?)?"
-
-
-def _measured(reader: LatexReader, node: t.Node) -> t.Node:
-    """The side of a relation; marked where it is a number and letters that spell a unit, or such a fraction, but may be symbols:
-    of these nothing is known, or they stand apart behind a decimal number."""
-    gap = rf"(?:{_BEHIND}|\\,)?" if reader.table.open else _BEHIND
-    number = rf"-?\s*\d+(?:\.\d+)?{_TENS}" if reader.table.open else r"-?\s*\d+\.\d+"
-    text = reader.source.text[slice(*(node.span or (0, 0)))]
-    found = re.fullmatch(rf"{number}\s*(?:{gap}\s*(?:{_UNITS})|(?:{_BEHIND}|\\,)?\s*(?:{_RATIO}))\s*", text)
-    return t.Formal("spelled", (node,), span=node.span) if found else node
 
 
 def _pass_word(reader: LatexReader, sign: Token) -> str:

@@ -62,9 +62,8 @@ def letter_run(reader: LatexReader) -> t.Node | None:
         run += token.text
     word, scripts = token.text in ("(", "[") or len(run) > 3, ("_", "^", "'")
     closed_in = len(run) > 3 and token.text == ")" and reader.ahead(-1).text == "("  # (poids)
-    if run in ("ln", "lg", "log") and token.text in ("_", r"\frac"):
-        word, scripts = True, ()
-    if len(run) < 2 or not word or token.text in scripts or ("d" in run and not closed_in):
+    logarithm = run in ("ln", "lg", "log") and token.text in ("_", r"\frac")
+    if len(run) < 2 or not (word or logarithm) or (token.text in scripts and not logarithm) or ("d" in run and not closed_in):
         return None
     start = reader.token.start
     return reader.spanned(t.Formal("run", tuple(read_name(reader) for _ in run)), start)

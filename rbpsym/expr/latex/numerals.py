@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction as Rational
 
 from rbpsym.expr import tree as t
@@ -35,3 +36,20 @@ def number(reader: LatexReader) -> t.Node:
     if reader.token.text in ("C", "F"):  # a temperature, and no angle
         return reader.spanned(t.Formal("measured", (found, t.Word(f"°{reader.take().text}"))), start)
     return reader.spanned(t.mul(found, DEGREE), start)
+
+
+_UNIT = r"(?:k?g|[ckm]?m|[mk]?N|[kM]?[JWV]|[km]?s|Hz|rad|K|Pa|[kM]?eV|min|mol)(?:\^\{?-?\d\}?)?"
+_UNITS = rf"{_UNIT}(?:\s*(?:/|\\cdot|~|\\[ ,])?\s*{_UNIT}){{0,4}}"
+_BEHIND = r"(?:~|\\[ ;]|\\q?quad)"
+_RATIO = rf"\\[dt]?frac\s*\{{\s*{_UNITS}\s*\}}\s*\{{[^{{}}]*s[^{{}}]*(?:\{{\d\}})?\}}"
+_TENS = r"(?:\s*\\(?:times|cdot)\s*10\s*\^\s*\{?-?\d+\}?)?"
+
+
+def measured(reader: LatexReader, node: t.Node) -> t.Node:
+    """The side of a relation; marked where it is a number and letters that spell a unit, or such a fraction, but may be symbols:
+    of these nothing is known, or they stand apart behind a decimal number."""
+    gap = rf"(?:{_BEHIND}|\\,)?" if reader.table.open else _BEHIND
+    number = rf"-?\s*\d+(?:\.\d+)?{_TENS}" if reader.table.open else r"-?\s*\d+\.\d+"
+    text = reader.source.text[slice(*(node.span or (0, 0)))]
+    found = re.fullmatch(rf"{number}\s*(?:{gap}\s*(?:{_UNITS})|(?:{_BEHIND}|\\,)?\s*(?:{_RATIO}))\s*", text)
+    return t.Formal("spelled", (node,), span=node.span) if found else node

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.formal import formal, numeral, taken_at
+from rbpsym.expr.latex.formal import numeral, taken_at
 from rbpsym.expr.latex.functions import whole_number
 from rbpsym.expr.latex.grammar import argument
 from rbpsym.expr.latex.numerals import DEGREE

@@ -27,7 +27,7 @@ from rbpsym.expr.latex.rows import GAP, laid_out
 from rbpsym.expr.latex.small import differentials, is_balanced
 from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, EQUIVALENT, IMPLIED, MAX_LENGTH, Token, tokenize
 from rbpsym.expr.source import SourceText
-from rbpsym.expr.symbol_table import Drawn, LatexReader, Question, SymbolTable, equally, symbol_table
+from rbpsym.expr.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
 from rbpsym.frozen import Frozen, replace
 
 MOST_READINGS, MOST_TOKENS = 128, 12_000  # readings, and tokens read in all of them
@@ -76,7 +76,7 @@ def every_reading(source: SourceText, tokens: tuple[Token, ...], table: SymbolTa
     if even or not sound:
         return even
     if any(_stands_alone(tokens, place) for place in range(len(tokens) - 1)):
-        return every_reading(source, tokens, replace(table, names=type(table.names)({Drawn("d"): ("d",)})), read)
+        return every_reading(source, tokens, replace(table, has_length=True), read)
     raise source.error("is this d a differential, or a symbol?", *differentials(sound[0].node, source.text)[0], _D_MEANT)
 
 
@@ -231,9 +231,9 @@ def _rows(reader: LatexReader) -> t.Node:
             row = t.Relations((row,), sources=tuple(map(_as_small, line)), span=row.span)
         elif reader.source.text.startswith("\\\\", parting.start):
             line = []
-        if reader.source.text[parting.start] == "," and isinstance(row, t.Chain) and not isinstance(rows[-1], (t.Chain, t.Formal, t.Word)):
-            several = t.Formal("list", (rows.pop(), row.items[0]), span=row.span)  # x, y = 0
-            row = replace(row, items=(several, *row.items[1:]))
+        alone = not isinstance(rows[-1], (t.Chain, t.Formal, t.Word))
+        if alone and isinstance(row, t.Chain) and reader.source.text[parting.start] == ",":  # x, y = 0
+            row = replace(row, items=(t.Formal("list", (rows.pop(), row.items[0]), span=row.span), *row.items[1:]))
         line += row.rows if isinstance(row, t.Relations) else () if _is_text(row) else (row,)
         if _is_condition(row, parting.text, rows, conditions):
             conditions.append(row)

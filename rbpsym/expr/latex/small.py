@@ -1,11 +1,13 @@
-"""How small the sides of a relation are: dW = F dx is of first order on both; where they are not alike, an italic d is a length."""
+"""How small the sides of a relation are: dW = F dx is of first order on both; else an italic d is no differential."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import product
 
 from rbpsym.expr import tree as t
 
+Orders = frozenset[int | Fraction]
 _JOINED, _SUMMED = ("dotted", "crossed"), ("sum", "named", "marked", "±", "∓")
 _REACHING = ("varied", "several", "operator", "∂", "∇")
 _WHOLE = ("integral", "path", "∮")
@@ -13,8 +15,8 @@ _WHOLE = ("integral", "path", "∮")
 
 def differentials(node: t.Node, text: str) -> list[tuple[int, int]]:
     """Where a differential begins with an italic d."""
-    found = (part.span for part in t.walk(node) if isinstance(part, t.Formal) and part.kind == "differential" and part.span)
-    return [span for span in found if text[span[0]] == "d"]
+    found = (part for part in t.walk(node) if isinstance(part, t.Formal) and part.kind == "differential")
+    return [part.span for part in found if part.span and text[part.span[0]] == "d"]
 
 
 def is_balanced(node: t.Node, text: str) -> bool:
@@ -24,17 +26,17 @@ def is_balanced(node: t.Node, text: str) -> bool:
     return not isinstance(node, t.Chain) or not differentials(node, text) or len({0 in one for one in map(_orders, node.items) if one}) < 2
 
 
-def _orders(node: t.Node) -> frozenset[int]:
+def _orders(node: t.Node) -> Orders:
     """The order; none where it is not known: for 0, a change or variation, and for a sum of several, x + dx."""
     kind = node.kind if isinstance(node, t.Formal) else ""
     if kind == "differential" and isinstance(node, t.Formal):
-        told = node.parts[1:]  # d², đ; any other is what it is divided by
-        return frozenset(part.value if isinstance(part, t.Num) else 1 for part in told or (t.ONE,) if isinstance(part, (t.Num, t.Word)))
+        told = node.parts[-1] if node.parts[1:] else t.ONE  # d², đ; any other is what it is divided by
+        return frozenset([told.value] if isinstance(told, t.Num) else [1] if isinstance(told, t.Word) else [])
     parts = [_orders(part) for part in t.children(node)]
     if isinstance(node, (t.Mul, t.Dot, t.Cross)) or kind in _JOINED:
         return frozenset(map(sum, product(*parts)))
     if isinstance(node, t.Div):
-        return frozenset(above - below for above, below in product(*parts) if not above * below)  # dσ / (d cosθ dφ)
+        return frozenset(above - below for above, below in product(*parts) if not above * below)  # none: dσ/(d cos θ)
     if isinstance(node, (t.Add, t.Neg, t.Group, t.Abs)) or kind in _SUMMED:
         return parts[0] if len({*parts}) == 1 else frozenset()
     if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
