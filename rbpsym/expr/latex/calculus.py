@@ -9,6 +9,7 @@ from rbpsym.expr.latex.functions import FUNCTIONS, SIGNS, operand
 from rbpsym.expr.latex.grammar import argument, atom, begins_factor, between, expression, factor, goes_on, multiplied
 from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
+from rbpsym.expr.latex.small import is_small
 from rbpsym.expr.latex.tokens import COLUMN, Token, closed
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 from rbpsym.frozen import replace
@@ -58,7 +59,7 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     partial = reader.take().text == "∂"
     order = 0 if reader.sees_sign("_") else _order(reader)
     of = None if reader.sees_sign("}") or not order else expression(reader)
-    small = of is not None and _holds_differential(of)  # dx dy
+    small = of is not None and any(map(is_small, t.walk(of)))  # dx dy
     if not order or small or not (reader.pass_sign("}") and reader.sees_differential(1)) or reader.ahead(2).text == "(":
         reader.position = begin  # the fraction of a length d, or of a differential
         return None
@@ -75,10 +76,6 @@ def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     for wrt, times in reversed(parts):
         of = reader.spanned(t.Deriv(of, wrt, times, partial), start)
     return of
-
-
-def _holds_differential(node: t.Node) -> bool:
-    return any(isinstance(part, t.Formal) and part.kind == "differential" for part in t.walk(node))
 
 
 def _mark_below(reader: LatexReader) -> None:
@@ -185,7 +182,7 @@ def _integral(reader: LatexReader) -> t.Node:
     sign = reader.take().text if reader.sees_sign(r"\cdot", r"\times") else ""
     found, reader.path = reader.path, around
     bare = reader.table.open and not reader.sees_differential() and not reader.sees_sign("+", "-")
-    if found is None and (bare or _holds_differential(integrand)):
+    if found is None and (bare or any(map(is_small, t.walk(integrand)))):
         return formal(reader, start.start, "integral", integrand, *(end for end in limits if isinstance(end, t.Node)))
     if found is None and not reader.sees_differential():
         raise reader.error("the integral has no differential", "Write dθ at its end.", start)

@@ -12,6 +12,7 @@ from rbpsym.expr.latex.names import begins_name, between_points, is_capital, let
 from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.rows import OPEN
 from rbpsym.expr.latex.scripts import label_after, mark_above
+from rbpsym.expr.latex.small import is_small
 from rbpsym.expr.latex.tokens import END_COLUMN, LOOSE, Token
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
@@ -53,7 +54,7 @@ def _signed(reader: LatexReader, term: t.Node, sign: Token) -> t.Node:
 def _is_differential(term: t.Node) -> bool:
     term = term.arg if isinstance(term, t.Neg) else term
     parts = term.factors if isinstance(term, t.Mul) else (term,)
-    return any(isinstance(part, t.Formal) and part.kind == "differential" for part in parts)
+    return any(map(is_small, parts))
 
 
 def term_of(reader: LatexReader) -> t.Node:

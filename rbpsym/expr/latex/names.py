@@ -85,6 +85,7 @@ def between_points(reader: LatexReader, factors: list[t.Node]) -> list[t.Node]:
 
 
 def is_capital(reader: LatexReader, node: t.Node) -> bool:
+    """Is it a capital letter, perhaps with a subscript, or does it end with one?"""
     last = node.parts[-1] if isinstance(node, t.Formal) and node.kind == "run" else node
     text = reader.source.text[slice(*(last.span or (0, 0)))]
     return isinstance(last, t.Sym) and text[:1].isupper() and "^" not in text

@@ -13,17 +13,23 @@ _REACHING = ("varied", "several", "operator", "∂", "∇")
 _WHOLE = ("integral", "path", "∮")
 
 
+def is_small(node: t.Node) -> bool:
+    """Is it a differential?"""
+    return isinstance(node, t.Formal) and node.kind == "differential"
+
+
 def differentials(node: t.Node, text: str) -> list[tuple[int, int]]:
     """Where a differential begins with an italic d."""
-    found = (part for part in t.walk(node) if isinstance(part, t.Formal) and part.kind == "differential")
-    return [part.span for part in found if part.span and text[part.span[0]] == "d"]
+    return [part.span for part in t.walk(node) if is_small(part) and part.span and text[part.span[0]] == "d"]
 
 
 def is_balanced(node: t.Node, text: str) -> bool:
     """Is no side of a relation known to be small where another is known not to be? An area dA is dx dy, of any order."""
     if isinstance(node, t.Relations):
         return all(is_balanced(row, text) for row in node.rows)
-    return not isinstance(node, t.Chain) or not differentials(node, text) or len({0 in one for one in map(_orders, node.items) if one}) < 2
+    if not isinstance(node, t.Chain) or not differentials(node, text):
+        return True
+    return len({0 in one for one in map(_orders, node.items) if one}) < 2
 
 
 def _orders(node: t.Node) -> Orders:
