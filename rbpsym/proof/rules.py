@@ -12,7 +12,7 @@ from importlib import import_module
 
 from rbpsym.decide.verdict import undecided
 from rbpsym.proof.checks import of_steps as c
-from rbpsym.proof.context import Context
+from rbpsym.proof.context import DECIDED, EXACT, Context
 from rbpsym.proof.duties import duties
 from rbpsym.proof.step import Certificate, Step
 from rbpsym.proof.view import seen_by
@@ -149,17 +149,17 @@ def certify(context: Context, step: Step) -> Certificate:
     return found
 
 
-def examined(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False) -> tuple[Certificate, set[str]]:
-    """The certificate of the step with these premises, and which of them were used; a `hasty` one holds by numbers.
+def examined(context: Context, step: Step, premises: tuple[str, ...], *, by_numbers: int = EXACT) -> tuple[Certificate, set[str]]:
+    """The certificate of the step with these premises, and which of them were used; `by_numbers`: with what these are trusted.
 
     What follows from a step that is not proved is not proved.
     """
-    view = seen_by(context, step, premises, hasty=hasty)
+    view = seen_by(context, step, premises, by_numbers=by_numbers)
     checks = RULES[step.rule]
     verdict = c.weakest(c.guarded(partial(check, view, step)) for check in checks)
     open_ = [id for id in view.used if id in context.steps and not context.steps[id].certificate.verdict.is_proved]
     if verdict.is_proved and open_:
         verdict = undecided(f"it follows from “{min(open_)}”, which is not proved")
-    if verdict.is_proved and not view.is_hasty:
+    if verdict.is_proved and by_numbers != DECIDED:
         verdict = replace(verdict, obligations=tuple(dict.fromkeys((*verdict.obligations, *duties(view, step)))))
     return Certificate(tuple(check.__name__ for check in checks), verdict), view.used
