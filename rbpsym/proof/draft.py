@@ -41,7 +41,8 @@ def bound(context: Context, step: Step, named: Iterable[str]) -> Step:
         found, granted = _proved(context, step, named)
     context.rests[step.id] = frozenset(introducers(context, [step.statement])) | fixed(context)
     if found is UNCHECKED:
-        found, _ = examined(context, step, _widest(context, step, named))
+        *_, widest = _levels(context, step, named)
+        found, _ = examined(context, step, widest)
         return replace(step, premises=named, certificate=found)
     seen = replace(context, steps={id: context.steps[id] for id in granted if id in context.steps},
                    **{name: dict(getattr(context, name)) for name in ("scalars", "vectors", "works", "moments")})  # fmt: skip
@@ -81,10 +82,6 @@ def _least(context: Context, step: Step, granted: tuple[str, ...], *, is_free: b
 
 def _is_fine(found: Certificate, *, is_free: bool) -> bool:
     return found.verdict.is_proved and not (is_free and found.verdict.obligations)
-
-
-def _widest(context: Context, step: Step, named: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(id for level in _levels(context, step, named) for id in level))
 
 
 def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
