@@ -10,11 +10,11 @@ import dataclasses
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import MISSING, FrozenInstanceError
 from dataclasses import field as field
-from dataclasses import replace as replace
 from itertools import count
 from operator import attrgetter
-from typing import Any, NoReturn, dataclass_transform
+from typing import Any, NoReturn, TypeVar, dataclass_transform
 
+T = TypeVar("T")
 put = object.__setattr__
 OFTEN = 300  # times that a class is made before its constructor is written out
 
@@ -51,6 +51,32 @@ class Frozen:
 
     def __delattr__(self, name: str) -> NoReturn:
         raise FrozenInstanceError(f"cannot change field {name!r}")
+
+
+def replace(value: T, /, **changes: Any) -> T:
+    """The value with other fields; what is found late stays so."""
+    kept = {f.name: vars(value)[f.name] for f in _fields(value) if f.init and f.name not in changes}
+    return type(value)(**kept, **changes)
+
+
+class Late:
+    """A field that may be given as what finds it, once, when somebody looks; the default, if it is not given."""
+
+    def __init__(self, default: Any) -> None:
+        self.default = default
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, instance: object, owner: type | None = None) -> Any:
+        if instance is None:
+            return self.default
+        if callable(found := vars(instance)[self.name]):
+            vars(instance)[self.name] = found = found()
+        return found
+
+    def __set__(self, instance: object, value: object) -> None:
+        vars(instance)[self.name] = value
 
 
 @dataclass_transform(field_specifiers=(field,))

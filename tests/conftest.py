@@ -21,7 +21,7 @@ from tests.library.derived import answers_to, derive_once
 for name, is_steady in (("random", False), ("steady", True)):
     settings.register_profile(name, derandomize=is_steady, database=None, deadline=None, print_blob=True)
 settings.load_profile("steady")
-gc.set_threshold(20_000, 20, 20)  # trees and polynomials are many and in no circles
+gc.disable()  # trees and polynomials are many and in no circles: after each tenth module is often enough
 
 PUBLIC = rbpsym.derive  # asked for before it is replaced: the package keeps what it finds first
 MODULES = count()  # that this worker went through

@@ -91,7 +91,7 @@ def _geometric(draft: Draft, element: Element) -> None:
         f"condition.{element.name}",
         "constraint",
         t.system([_plain(row) for row in rows] if ties else rows),
-        f"kinematics.condition.{_kind(element)}",
+        f"kinematics.condition.{'distance' if element.values.get('rim') is not None else element.kind}",
         level=STANDARD if ties else FULL,
         variant="tie" if ties else "identity",
         **_force(draft, t.Vec(element.name)),
@@ -150,11 +150,6 @@ def _plain(node: t.Node) -> t.Node:
         case t.Neg(arg=arg):
             return t.neg(arg)
     return node
-
-
-def _kind(element: Element) -> str:
-    """How the place is spoken of: where a round body touches, its centre has a distance from the curve."""
-    return "distance" if element.values.get("rim") is not None else element.kind
 
 
 def _labels(element: Element) -> list[str]:

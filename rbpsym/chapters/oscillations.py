@@ -45,7 +45,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int, *, whole: bool) ->
     rows = [t.equation(t.Sym(name), draft.show(value)) for name, value in item.at.items()]
     linear = _is_linearized(draft, item)
     proved, names = item.nature.proved, draft.study.system.independent
-    nature = NATURES[proved] if proved != "open" or _is_told(item) else "undecided"
+    nature = NATURES[proved] if proved != "open" or item.where is not None or item.nature.conditions else "undecided"
     draft.add(f"equilibrium.{place}", "equilibrium", t.system(rows), f"oscillations.{nature}" + (".alone" if item.stable else ""),
               level=FULL, premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
               names=[t.Sym(name) for name in item.at], others=[t.Sym(name) for name in names if name not in item.at],
@@ -55,11 +55,6 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int, *, whole: bool) ->
         _linearized(draft, item, place, f"oscillations.linear.{LINEAR[proved]}", rows)
     elif item.stable or (item.linear.is_damped and proved == "open"):
         modes.write(draft, item, place, whole=whole)
-
-
-def _is_told(item: Equilibrium) -> bool:
-    """Whether a condition on the parameters tells if it is stable."""
-    return item.where is not None or bool(item.nature.conditions)
 
 
 NATURES = {"minimum": "stable", "asymptotic": "asymptotic", "unstable": "unstable", "open": "unclear"}

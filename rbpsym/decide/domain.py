@@ -57,11 +57,7 @@ def conditions(node: Node, scope: Meanings) -> list[Condition]:
     for condition in found:
         if condition.op == "!=" and is_zero(condition.value):
             raise Undecided("a denominator is identically zero")
-    return [condition for condition in found if condition.value.number() is None or not _is_met(condition)]
-
-
-def _is_met(condition: Condition) -> bool:
-    return holds_at(condition, Point({}))
+    return [condition for condition in found if condition.value.number() is None or not holds_at(condition, Point({}))]
 
 
 def holds_at(condition: Condition, point: Point) -> bool:

@@ -95,10 +95,6 @@ def _dot(left: sympy.Expr, right: sympy.Expr) -> sympy.Expr:
     return sympy.Function("Dot")(left, right)
 
 
-def _cross(left: sympy.Expr, right: sympy.Expr) -> sympy.Expr:
-    return sympy.Function("Cross", commutative=False)(left, right)
-
-
 def _integral(node: t.Integral, names: Alphabet) -> sympy.Expr:
     inner, ends = names.over(node.var), (names.write(node.lower), names.write(node.upper))
     return sympy.Integral(inner.write(node.integrand), (inner.scalar(node.var), *ends))
@@ -145,7 +141,7 @@ TABLE: dict[type[t.Node], Callable[[Any, Alphabet], Any]] = {
     t.Fn: lambda node, names: getattr(sympy, node.name)(names.write(node.arg)),
     t.Abs: lambda node, names: sympy.Abs(names.write(node.arg)),
     t.Group: lambda node, names: names.write(node.arg),
-    t.Cross: lambda node, names: _cross(names.write(node.left), names.write(node.right)),
+    t.Cross: lambda node, names: sympy.Function("Cross", commutative=False)(names.write(node.left), names.write(node.right)),
     t.Dot: lambda node, names: _dot(names.write(node.left), names.write(node.right)),
     t.Deriv: lambda node, names: sympy.Derivative(names.write(node.of), (names.scalar(node.wrt), node.order)),
     t.Integral: _integral,

@@ -21,7 +21,7 @@ def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar
     rational, powers = value.num.content()
     squares = tuple((i, e - e % 2) for i, e in powers if e - e % 2 and is_positive(atoms.symbol_name(i) or ""))
     inner = value.num.scaled(Fraction(1) / rational, inverse(squares))
-    outer = Scalar(Poly({_halved(squares): 1})) * root(Scalar(Poly({(): rational})))
+    outer = Scalar(Poly({tuple((i, e // 2) for i, e in squares): 1})) * root(Scalar(Poly({(): rational})))
     return outer if inner == ONE == value.den else outer * generator_of("root", Scalar(inner, value.den))
 
 
@@ -213,10 +213,6 @@ def _with_number_inside(powers: Monomial, number: Fraction) -> Scalar:
 def with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
     """The polynomial with an image in place of a generator."""
     return sum((Scalar(part) * image**power for power, part in poly.by_power(index).items()), NOTHING)
-
-
-def _halved(powers: Monomial) -> Monomial:
-    return tuple((i, e // 2) for i, e in powers)
 
 
 def without_even_roots(value: Scalar) -> Scalar:

@@ -8,10 +8,10 @@ decided, the other sentence of the entry is said, if its own condition holds; ""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 from rbpsym.errors import RbpsymError
 from rbpsym.field import at_most
+from rbpsym.frozen import replace
 from rbpsym.proof import grounds as g
 from rbpsym.proof import grounds_works as w
 from rbpsym.proof.grounds import Said

@@ -26,10 +26,13 @@ from rbpsym.proof.step import Step
 INNER: Mapping[type[Node], str] = {Deriv: "of", Bracket: "arg", Limit: "arg", Integral: "integrand"}
 
 
+EXACT, DENIED, DECIDED = 0, 1, 2  # what numbers are trusted with: nothing; that a gap does not close; whether it does
+
+
 class BareGround(Frozen):
     """What a check asks beside values: here nothing is tied or unsolved, and all may be used without being noted."""
 
-    is_hasty = False
+    by_numbers = EXACT
 
     @property
     def ties(self) -> tuple[ConstraintCondition, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import replace
+from functools import cache, partial
 from typing import Any
 
 from rbpsym.decide.equal import proofs_alone, scalars_equal
@@ -11,18 +11,20 @@ from rbpsym.decide.rooted import Senses, neat
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, Scalar, Space, Vector, apart, ask_for_more, at_most, has_roots, tidy
 from rbpsym.field.poly import generator
+from rbpsym.frozen import replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.present.pulls import by_pulls
 from rbpsym.proof.assertions import settled, told
-from rbpsym.proof.context import Context
+from rbpsym.proof.checks.of_steps import NOT_BY_NUMBERS
+from rbpsym.proof.context import DECIDED, DENIED, EXACT, Context
 from rbpsym.proof.facts import MOTION, facts_of
 from rbpsym.proof.forms import Forms
 from rbpsym.proof.grounds import Said
 from rbpsym.proof.letters import fixed, introduce, introducers
 from rbpsym.proof.rules import examined
-from rbpsym.proof.step import STANDARD, UNCHECKED, Skipped, Step
+from rbpsym.proof.step import STANDARD, UNCHECKED, Certificate, Skipped, Step
 
 TELLS_MOTION = ("solution", "first_integral", "substitution")  # rules of steps that say what the motion is
 SIGNED = ("vanishing", "equilibrium")  # rules that decide signs on ranges: costly where they fail
@@ -30,31 +32,56 @@ MOST_LAWS = 6  # of so many single laws it is tried whether they do
 
 
 def bound(context: Context, step: Step, named: Iterable[str]) -> Step:
-    """The step with its premises, what else its author cites, and its certificate."""
+    """The step with its certificate, the least premises, and what else its author cites.
+
+    Where nothing is owed, the least are sought when somebody looks at them: the letters mean then what they mean now.
+    """
     named = tuple(dict.fromkeys(named))
     with proofs_alone():
-        kept = _needed(context, step, named, hasty=True)
-    found, used = (UNCHECKED, set[str]()) if kept is None else examined(context, step, kept)
-    if kept is None or not found.verdict.is_proved or set(kept) - used:  # numbers mislead: the long way
-        with proofs_alone():
-            kept = _needed(context, step, named, hasty=False)
-        found, _ = examined(context, step, _widest(context, step, named) if kept is None else kept)
-    kept = named if kept is None else kept
+        found, granted = _proved(context, step, named)
     context.rests[step.id] = frozenset(introducers(context, [step.statement])) | fixed(context)
-    return replace(step, premises=kept, cites=tuple(id for id in named if id not in kept), certificate=found)
+    if found is UNCHECKED:
+        *_, widest = _levels(context, step, named)
+        found, _ = examined(context, step, widest)
+        return replace(step, premises=named, certificate=found)
+    seen = replace(context, steps={id: context.steps[id] for id in granted if id in context.steps},
+                   **{name: dict(getattr(context, name)) for name in ("scalars", "vectors", "works", "moments")})  # fmt: skip
+    least = cache(partial(_least, seen, step, granted, is_free=not found.verdict.obligations))
+    late: Any = {"premises": lambda: least()[1], "cites": lambda: tuple(id for id in named if id not in least()[1])}
+    return replace(step, **late, certificate=least()[0] if found.verdict.obligations else found)
 
 
-def _needed(context: Context, step: Step, named: tuple[str, ...], *, hasty: bool) -> tuple[str, ...] | None:
-    """The least of the first set of premises with which it is proved; None if it is with none."""
-    for level in _levels(context, step, named):
-        found, used = examined(context, step, level, hasty=hasty)
-        if found.verdict.is_proved:
-            return _irredundant(context, step, tuple(id for id in level if id in used), hasty=hasty)
-    return None
+def _proved(context: Context, step: Step, named: tuple[str, ...]) -> tuple[Certificate, tuple[str, ...]]:
+    """The first certificate that proves it, with the premises that it used; sets that numbers deny come last."""
+    for trust in (DENIED, EXACT):
+        for level in _levels(context, step, named):
+            found, used = examined(context, step, level, by_numbers=trust)
+            if not found.verdict.is_proved and found.verdict != NOT_BY_NUMBERS and trust == DENIED:  # fewer may be seen through
+                quick, used = examined(context, step, level, by_numbers=DECIDED)
+                if quick.verdict.is_proved:
+                    level = _irredundant(context, step, _of(level, used), DECIDED, is_free=False)
+                    found, used = examined(context, step, level)
+            if found.verdict.is_proved:
+                return found, _of(level, used)
+    return UNCHECKED, ()
 
 
-def _widest(context: Context, step: Step, named: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(id for level in _levels(context, step, named) for id in level))
+def _least(context: Context, step: Step, granted: tuple[str, ...], *, is_free: bool) -> tuple[Certificate, tuple[str, ...]]:
+    """Those of the premises without which it is not proved: by numbers, and where these mislead by the long way.
+
+    With `is_free` it must owe nothing: a premise that spares a condition is needed.
+    """
+    with apart(), at_most(MOST_PRODUCTS), proofs_alone():
+        for trust in (DECIDED, EXACT):
+            kept = _irredundant(context, step, granted, trust, is_free=is_free)
+            found, used = examined(context, step, kept)
+            if _is_fine(found, is_free=is_free) and used.issuperset(kept):
+                break
+    return found, kept
+
+
+def _is_fine(found: Certificate, *, is_free: bool) -> bool:
+    return found.verdict.is_proved and not (is_free and found.verdict.obligations)
 
 
 def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
@@ -79,14 +106,18 @@ def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tu
             yield level
 
 
-def _irredundant(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool) -> tuple[str, ...]:
+def _irredundant(context: Context, step: Step, premises: tuple[str, ...], trust: int, *, is_free: bool) -> tuple[str, ...]:
     """Without those that the step is proved without."""
     for id in reversed(premises):
         if id in premises:
-            found, used = examined(context, step, tuple(other for other in premises if other != id), hasty=hasty)
-            if found.verdict.is_proved:
-                premises = tuple(other for other in premises if other in used)
+            found, used = examined(context, step, tuple(other for other in premises if other != id), by_numbers=trust)
+            if _is_fine(found, is_free=is_free):
+                premises = _of(premises, used)
     return premises
+
+
+def _of(premises: tuple[str, ...], used: Collection[str]) -> tuple[str, ...]:
+    return tuple(id for id in premises if id in used)
 
 
 class Draft:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Set
 from contextlib import suppress
 from itertools import combinations
-from typing import Any, Protocol
+from typing import Any
 
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.equal import scalars_equal
@@ -21,6 +21,7 @@ from rbpsym.field.exponentials import with_squares
 from rbpsym.field.modular import PRIME, NoImage, value_of
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.numbers import number
+from rbpsym.proof.context import BareGround
 
 TINY = 1e-9
 
@@ -42,20 +43,13 @@ class Pivot(Frozen):
     row: Scalar = NOTHING
 
 
-class Notes(Protocol):
-    """Where it is noted what was used."""
-
-    def use(self, id: str) -> None:
-        """Notes a premise."""
-
-
 class Known(Frozen):
     """Pivots in the order in which they are put in; squares of speeds."""
 
     pivots: tuple[Pivot, ...]
     squares: tuple[Pivot, ...]
 
-    def reduced(self, found: Scalar, notes: Notes) -> Scalar:
+    def reduced(self, found: Scalar, notes: BareGround) -> Scalar:
         """The value with all unknowns replaced of which something is known."""
         for pivot in self.pivots:
             if depends_on(found, pivot.name):
@@ -63,7 +57,7 @@ class Known(Frozen):
                 found = short(substitute(found, {pivot.name: pivot.value}))
         return found
 
-    def with_squares(self, found: Scalar, notes: Notes) -> Scalar:
+    def with_squares(self, found: Scalar, notes: BareGround) -> Scalar:
         """The value with squares of speeds replaced."""
         for pivot in self.squares:
             if depends_on(found, pivot.name):
@@ -81,7 +75,7 @@ class Known(Frozen):
         return made
 
 
-def _note(pivot: Pivot, notes: Notes) -> None:
+def _note(pivot: Pivot, notes: BareGround) -> None:
     for id in pivot.sources:
         notes.use(id)
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from rbpsym.decide.verdict import PROVED, Verdict, undecided
 from rbpsym.expr.tree import Chain, Node
-from rbpsym.frozen import Frozen, field
+from rbpsym.frozen import Frozen, Late, field
 from rbpsym.mechanics.study import Study
 from rbpsym.showing import Shown
 from rbpsym.statement.course import Course, CoursePart
@@ -75,9 +75,9 @@ class Step(Shown):
     chapter: str
     phrase: str
     slots: Mapping[str, Any] = field(default_factory=dict)
-    premises: tuple[str, ...] = ()
+    premises: tuple[str, ...] = Late(())  # type: ignore[assignment]
     _: KW_ONLY
-    cites: tuple[str, ...] = ()
+    cites: tuple[str, ...] = Late(())  # type: ignore[assignment]
     level: int = STANDARD
     is_result: bool = False
     obligations: tuple[Chain, ...] = ()

@@ -21,7 +21,7 @@ from rbpsym.field import EX, EY, Meanings, Scalar, Space, Value, depends_on, nam
 from rbpsym.field.modular import NoImage
 from rbpsym.frozen import field
 from rbpsym.mechanics.system import ConstraintCondition
-from rbpsym.proof.context import Context
+from rbpsym.proof.context import DECIDED, EXACT, Context
 from rbpsym.proof.entailment import Known, SourcedRow, cofactors, known_by, used_by_numbers
 from rbpsym.proof.facts import MOTION, law_rows
 from rbpsym.proof.letters import fixed, introducers
@@ -50,12 +50,12 @@ class Granted:
 
 
 class View(Context):
-    """A context as one step sees it. `order`: ids that it may use; `used`: those that it did use. `is_hasty`: what is
-    not proved at once need not be refuted."""
+    """A context as one step sees it. `order`: ids that it may use; `used`: those that it did use. `by_numbers`: with
+    what these are trusted."""
 
     step: Any = None
     order: tuple[str, ...] = ()
-    is_hasty: bool = False
+    by_numbers: int = EXACT
     trail: list[set[str]] = field(default_factory=lambda: [set()])
     goals: list[Scalar] = field(default_factory=list)
     opaque: set[str] = field(default_factory=set)
@@ -290,7 +290,8 @@ class View(Context):
             sources = used_by_numbers(rows, gap, unknown, speeds, self.rows)
         except (NoImage, ValueError, ZeroDivisionError):
             return None
-        self.trail[-1] |= sources or set()
+        if self.by_numbers == DECIDED:
+            self.trail[-1] |= sources or set()
         return sources is not None
 
     def divisors(self) -> list[Scalar]:
@@ -349,10 +350,10 @@ class View(Context):
                     yield SourcedRow(self._by_laws(row), frozenset((id, *noted)))
 
 
-def seen_by(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False) -> View:
+def seen_by(context: Context, step: Step, premises: tuple[str, ...], *, by_numbers: int = EXACT) -> View:
     """The context as a step with these premises sees it."""
     shared = {name: getattr(context, name) for name in SHARED}
-    return View(**shared, step=step, order=premises, is_hasty=hasty)
+    return View(**shared, step=step, order=premises, by_numbers=by_numbers)
 
 
 class _Letters(Mapping[str, Any]):

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from rbpsym.frozen import OFTEN, Frozen, Walker, field, replace
+from rbpsym.frozen import OFTEN, Frozen, Late, Walker, field, replace
 
 
 class Place(Frozen):
@@ -99,6 +99,17 @@ def test_walkers_remember() -> None:
     own = Own(1)
     own.x, own.seen[:] = 2, [3]
     assert (own.x, own.seen, Own(1).seen) == (2, [3], [])
+
+
+def test_a_late_field_is_found_once_and_replacing_another_does_not_look():
+    class Own(Frozen):
+        a: int
+        b: int = Late(7)
+
+    looks = []
+    late = replace(Own(1, lambda: looks.append(1) or 5), a=2)
+    assert (late.a, looks, Own(1).b, Own(1, 3).b) == (2, [], 7, 3)
+    assert (late.b, late.b, late, looks) == (5, 5, Own(2, 5), [1])
 
 
 def test_it_can_be_sent_to_another_process() -> None:

@@ -18,12 +18,13 @@ from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol, total
 from rbpsym.field.division import divide, vanishes_on
 from rbpsym.field.normal import normal
-from rbpsym.proof.context import Context
+from rbpsym.proof.context import DECIDED, Context
 from rbpsym.proof.mass import angular_momentum, kinetic_energy, mass_moments, moment_about, moments_of, primitive, torque
 from rbpsym.proof.step import Step
 
 MOST_PRODUCTS = 250_000  # of a single check: what takes more stays undecided
 Check = Callable[[Context, Step], Verdict]
+NOT_BY_NUMBERS = undecided("not by numbers")
 
 
 def weakest(verdicts: Iterable[Verdict]) -> Verdict:
@@ -94,7 +95,7 @@ def _components(found: Value) -> tuple[Scalar, ...]:
 
 def same(context: Context, a: Scalar, b: Scalar) -> Verdict:
     """Whether two scalars are equal, on the conditions that tie the coordinates if there are any."""
-    if context.is_hasty and not _may_be_equal(a - b, context):
+    if context.by_numbers and not _may_be_equal(a - b, context):
         return undecided("not proved at once")
     found = scalars_equal(a, b, context.assumptions)
     if found.kind is not PROVED and _is_unsolved(context, a - b):
@@ -148,8 +149,9 @@ def seen(context: Context, value: Scalar, depth: str) -> Any:
 
 def agree(context: Context, a: Scalar, b: Scalar, depth: str) -> Verdict:
     """Whether two values are equal as seen at that depth."""
-    if context.is_hasty and (quick := context.agree_by_numbers(a - b, depth)) is not None:
-        return proved("by numbers") if quick else undecided("not by numbers")
+    quick = context.agree_by_numbers(a - b, depth) if context.by_numbers else None
+    if quick is False or (quick and context.by_numbers == DECIDED):
+        return proved("by numbers") if quick else NOT_BY_NUMBERS
     found = same(context, seen(context, a - b, depth), NOTHING)
     if found.is_proved and depth != "state":
         context.reach(a - b)
