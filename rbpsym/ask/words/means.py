@@ -71,6 +71,7 @@ def coordinate(lexicon: Lexicon, caps: Caps) -> str | None:
 
 
 def lone(lexicon: Lexicon) -> str:
+    """The only coordinate; nothing where there are several."""
     names = [c.name for c in lexicon.problem.coordinates]
     return names[0] if len(names) == 1 else ""
 
@@ -88,6 +89,7 @@ def _relative(lexicon: Lexicon, caps: Caps) -> str | None:
 
 
 def of_it(lexicon: Lexicon, noun: str) -> str:
+    """A noun of what “it” means; the noun alone where that is not known."""
     return f"{noun} of {lexicon.it}" if lexicon.it else noun
 
 
@@ -111,6 +113,7 @@ def _angle_of(lexicon: Lexicon, caps: Caps) -> str | None:
 
 
 def of_thing(lexicon: Lexicon, caps: Caps, what: str) -> str | None:
+    """What is asked of the coordinate, or body, that is named, or of the only coordinate; None for a point."""
     who = caps["Thing"] or lone(lexicon)
     return f"{what} of {who}" if who and "." not in who else None
 
