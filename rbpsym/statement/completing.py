@@ -119,15 +119,30 @@ def _drive(coordinate: Coordinate, bodies: Mapping[str, Body], moving: Set[str],
             values = {"body": turned, "angle": renamed(angle, then), "of": against}
             return Element(letter, "prescribed-angle", values, place)
     for point, other, pair in _places(bodies):
-        for along, axis in zip(((ONE, ZERO), (ZERO, ONE)), pair, strict=True):
-            if {*names(axis)} & moving == {name}:
-                values = {"point": point, "distance": renamed(axis, then), "along": along, "of": other}
-                return Element(letter, "prescribed", values, place)
+        along, moves = _way(pair, name), {*names(pair[0]), *names(pair[1])} & moving
+        distance = add(*(mul(part, axis) for part, axis in zip(along, pair, strict=True)))
+        if not {*names(along[0]), *names(along[1])} & moving and (moves == {name} or {*names(distance)} & moving == {name}):
+            values = {"point": point, "distance": renamed(distance, then), "along": along, "of": other}
+            return Element(letter, "prescribed", values, place)
     raise StatementError(
-        f"no body has an angle, or a place, that tells “{name}” alone, so that it could be led as it is stated",
-        instead='say what leads it under [constraints]: type = "prescribed" or "prescribed-angle".',
+        f"no body has an angle, and no point a straight way, that tells “{name}” alone, so that it could be led as it is stated",
+        instead='say what leads it under [constraints], type = "prescribed" or "prescribed-angle"; a light rod (mass = "0") '
+        "with such an angle may lead a point along a circle.",
         place=place,
     )
+
+
+def _way(place: Pair, name: str) -> Pair:
+    """The unit vector along which a place goes as a coordinate changes, to the right or up where that is along an axis."""
+    from rbpsym.field import derivative, root, tidy
+    from rbpsym.field.evaluate import scalar
+    from rbpsym.present.forms import present
+
+    dx, dy = (derivative(scalar(part), name) for part in place)
+    if not (dx and dy):
+        return (ONE if dx else ZERO), (ONE if dy else ZERO)
+    size = root(tidy(dx * dx + dy * dy))
+    return present(dx / size), present(dy / size)
 
 
 def _angles(bodies: Mapping[str, Body]) -> Iterator[tuple[str, str | None, Node]]:

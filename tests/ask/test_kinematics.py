@@ -90,6 +90,34 @@ def test_a_relative_angle_may_be_led_where_masses_are_stated() -> None:
     assert found.verdict.is_proved and found.text == "kappa"
 
 
+def test_what_leads_a_point_pushes_along_its_way() -> None:
+    """Along an incline, and so without a part across it; what turns as it goes has no such force."""
+    block = """
+        [parameters]
+        M = "mass"
+        a = "acceleration"
+        g = "acceleration"
+        beta = "acute"
+        [coordinates.s]
+        start = "0"
+        acceleration = "a"
+        [bodies.block]
+        shape = "particle"
+        mass = "M"
+        center = ["s*cos(beta)", "s*sin(beta)"]
+        [interactions.W]
+        type = "gravity"
+        [constraints.N]
+        type = "guide"
+        point = "block.center"
+        line = "y = x*tan(beta)"
+    """
+    across, along = ask(load_text(block), "N", "D_s")
+    assert (across.text, along.text) == ("M*g*cos(beta)", "M*(a + g*sin(beta))")
+    with pytest.raises(StatementError, match="no point a straight way"):
+        load_text(block.replace("s*sin(beta)", "s*sin(beta)*exp(s/b)").replace("[coordinates", "b = 'length'\n[coordinates"))
+
+
 def test_nothing_is_said_of_forces() -> None:
     found = derive(load_text(WHEEL))
     assert found.steps and all(step.certificate.verdict.is_proved for step in found.steps)
