@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -70,9 +70,9 @@ def _opposite(world: AskedPhase, superlative: str | None, name: str, text: str, 
     relation = FLIPPED.get(found.relation, found.relation)
     says = f"every such {name} does" if superlative and relation != "=" else ""
     grounds = tuple((rule, {**data, "opposite": True}) for rule, data in found.grounds)
-    if not found.values:
-        return replace(found, grounds=grounds) if f"“{text}”" in found.says else found
-    return replace(found, relation=relation, says=says, grounds=grounds)
+    if f"“{text}”" in found.says:
+        return replace(found, relation=relation, grounds=grounds)
+    return replace(found, relation=relation, says=says, grounds=grounds) if found.values else found
 
 
 def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense: int, opposite: str = "") -> Finding:
@@ -106,7 +106,7 @@ def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense:
     if found.cases:
         return _in_cases(name, found, parts, given, along, sense)
     if not found.is_empty and (sense or None in (found.lower, found.upper)):
-        found = replace(found, asked=alone(found, parts[1], sense or (-1 if found.upper is None else 1)))
+        found = replace(found, asked=alone(found, parts[1], given, sense or (-1 if found.upper is None else 1)))
     if opposite and not found.is_empty and not found.is_whole:
         bounds = [end for end in (found.lower, found.upper) if end is not None]
         bounds = [end for end in bounds if sense and end == getattr(found, SIDES[sense])] or bounds
@@ -118,7 +118,22 @@ def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense:
     told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
     told_ = _otherwise(told_, name, found, parts, given, along, text)
     ends = {end for one in regions if one for end in (one.lower, one.upper)}
+    told_ = _beyond(told_, name, zip(values, regions, strict=True), given, (along, opposite, sense)) if opposite and sense else told_
     return _stopped(told_, name, condition, pairs, ends, given)
+
+
+def _beyond(
+    told_: Finding, name: str, pairs: Iterable[tuple[Scalar, Region | None]], given: Assumptions, of: tuple[str | None, str, int]
+) -> Finding:
+    """With where else the contrary of what is wanted holds, beyond a bound on the side that is not asked for."""
+    along, opposite, sense = of
+    for value, one in pairs:
+        if told_.values and one is not None and (end := getattr(one, SIDES[-sense])) is not None:
+            part = given.with_range(name, *((None, end) if sense > 0 else (end, None)))
+            fails = Finding(**kept_said((value,), along, one.worst, part, holds=False))
+            says = f"“{opposite}” holds for {name} {'<' if sense > 0 else '>'} {told(end)}, too"
+            told_ = replace(told_, says="; ".join(filter(None, (told_.says, says))), **together(told_, fails))
+    return told_
 
 
 def _case(world: AskedPhase, name: str, values: Sequence[Scalar], given: Assumptions) -> list[Demand]:
@@ -186,7 +201,7 @@ def _otherwise(
     """With what holds where the conditions of a bound are not met, as far as it is proved."""
     if told_.relation == "between" and not told_.says and found.asked:
         ends = (("<", found.upper, 1), (">", found.lower, -1))
-        bare = next(((text, op, end) for op, end, way in ends if end is not None and not alone(found, parts[1], way)), None)
+        bare = next(((text, op, end) for op, end, way in ends if end is not None and not alone(found, parts[1], given, way)), None)
         told_ = _else(told_, name, found, parts, given, along, bare) if bare else told_
     if found.otherwise and told_.says:
         turned = Demand(-found.asked[0].value, ">=" if found.asked[0].op == ">" else ">")

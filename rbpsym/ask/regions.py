@@ -184,12 +184,14 @@ def binding(
     return tuple(value for value, one in pairs if one is None or settle(_behind(one, found, sense), given) == ())
 
 
-def alone(found: Region, regions: Sequence[Region | None], sense: int) -> tuple[Demand, ...]:
-    """What is asked for the upper (1) or lower (-1) bound alone, without the demands of what is no bound otherwise."""
+def alone(found: Region, regions: Sequence[Region | None], given: Assumptions, sense: int) -> tuple[Demand, ...]:
+    """What is asked for the upper (1) or lower (-1) bound alone, without the demands of what is no bound otherwise, and with
+    what followed from those."""
     side = SIDES[sense]
     idle = [one for one in regions if one and one.otherwise == 1 and getattr(one, side) != getattr(found, side)]
-    firm = {demand for one in regions if one and one not in idle for demand in one.asked}
-    return tuple(demand for demand in found.asked if demand in firm or not any(demand in one.asked for one in idle))
+    firm = dict.fromkeys(demand for one in regions if one and one not in idle for demand in one.asked)
+    left = dict.fromkeys(demand for demand in found.asked if demand in firm or not any(demand in one.asked for one in idle))
+    return settle({**left, **firm}, given) or tuple(left)
 
 
 def _outermost(found: list[Region], side: str, sense: int, given: Assumptions) -> Region | None:

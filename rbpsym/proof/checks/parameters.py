@@ -254,8 +254,9 @@ def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way: Way,
     is_kept = all(_is_kept(rooted(substitute(value, there), given), way, within) for value in values)
     worst = [value for whole in values for value in _there(whole, *way)]
     edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
-    floor = NOTHING if symbol(name) in values else None  # below it, it is negative itself
-    outside = given.with_range(name, *((floor, there[name]) if sense < 0 else (there[name], None)))
+    limits = of_symbol(name, given)
+    floor = NOTHING if symbol(name) in values else limits.lower  # below it, it is negative itself
+    outside = given.with_range(name, *((floor, there[name]) if sense < 0 else (there[name], limits.upper)))
     cores = [part for value in edge for part in (value, _core(value, given)) if is_zero(rooted(substitute(part, there), given))]
     falls = (sign(shorter(derivative(value, name)), each).kind == KINDS[-sense] for value in cores for each in (given, outside))
     if is_kept and any(falls):
