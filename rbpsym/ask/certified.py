@@ -243,7 +243,7 @@ def _said_of(draft: Draft, asked: Scalar) -> tuple[str, str]:
     """The step that says a value, and how that is made of it."""
     known = draft.study.assumptions
     for turned, turn in TURNED.items():
-        value = rationalised(neat(turn(asked) if asked or "frequency" not in turned else asked, known))
+        value = rationalised(neat(turn(asked) if asked else asked, known))
         saying = []
         for step in draft.steps:
             for left, op, right in t.relations(step.statement):

@@ -125,6 +125,7 @@ TURNED: Mapping[str, Callable[[Scalar], Scalar]] = {
     "itself": lambda value: value,
     "its opposite": lambda value: -value,
     "its magnitude": lambda value: value,
+    "its reciprocal": lambda value: 1 / value,
     "its square": lambda value: value * value,
     "its frequency": lambda value: PI * 2 / value,
     "the square of its frequency": lambda value: (PI * 2 / value) ** 2,
