@@ -4,7 +4,7 @@ before one. The question does not name that parameter."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 
@@ -17,9 +17,11 @@ from rbpsym.ask.seen import AskedPhase, never_told, parameter, parts_seen
 from rbpsym.ask.sliding import of_contact
 from rbpsym.ask.wanted import Wanted
 from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.expr.tree import Node, Sym, walk
 from rbpsym.field import Scalar, depends_on, is_zero
 from rbpsym.mechanics.demands import possible
 from rbpsym.mechanics.stability import essential
+from rbpsym.quantities import FORCE, LENGTH
 
 EVENT = r"(?:begin to |start to |begins to |starts to )?(slip|tip)s?(?: over)?"
 ORDER = re.compile(rf"\w+ {EVENT} before \w+ {EVENT}(?: as (\w+) (?:grows|increases))?")
@@ -56,7 +58,8 @@ def comes_first(world: AskedPhase, text: str) -> Finding:
 
 def _resting(world: AskedPhase, found: Finding, limits: Finding, text: str) -> Finding:
     valid = possible((*found.valid, *limits.valid), world.motion.assumptions, never_told(text))
-    return replace(found, **together(found, limits), valid=valid)
+    says = "; ".join(filter(None, (found.says, limits.says)))
+    return replace(found, **together(found, limits), valid=valid, says=says)
 
 
 def _first_of_two(world: AskedPhase, name: str, text: str) -> tuple[Wanted, Finding] | None:
@@ -74,6 +77,9 @@ def _first_of_two(world: AskedPhase, name: str, text: str) -> tuple[Wanted, Find
             limits = Finding(**together(one, other), valid=(*one.valid, *other.valid))
             found[load] = Wanted((second - first,), given, closed=False), limits
     gaps = {essential(condition.values[0], given) for condition, _ in found.values()}
+    if len(gaps) > 1 and (load := _load(world, found)):
+        condition, limits = found[load]
+        return condition, replace(limits, says=f"as {load} grows")
     if len(gaps) == 1:
         return next(iter(found.values()))
     both = f"no parameter is known whose growth makes it both {said[1]} and {said[2]}"
@@ -83,6 +89,18 @@ def _first_of_two(world: AskedPhase, name: str, text: str) -> tuple[Wanted, Find
 
 def _free(world: AskedPhase, name: str = "") -> list[str]:
     return [quantity.name for quantity in world.study.problem.parameters if quantity.name != name]
+
+
+def _load(world: AskedPhase, names: Iterable[str]) -> str | None:
+    """The only one of them that is an applied force or couple: a book that names none lets that grow."""
+    acting = {part.name for element in world.study.problem.interactions if element.kind in APPLIED
+              for value in element.values.values() for node in (value if isinstance(value, tuple) else (value,))
+              if isinstance(node, Node) for part in walk(node) if isinstance(part, Sym)}  # fmt: skip
+    loads = [name for name in names if name in acting and world.dimensions[name] in (FORCE, FORCE * LENGTH)]
+    return loads[0] if len(loads) == 1 else None
+
+
+APPLIED = ("couple", "force", "pull")
 
 
 def _limit(world: AskedPhase, load: str, text: str, name: str = "") -> tuple[Scalar, Finding]:
@@ -105,6 +123,8 @@ def bounded(world: AskedPhase, superlative: str, phrase: str, text: str) -> Find
     [(first, _), *others] = found
     names = [name for _, name in found]
     if any(not is_zero(one.values[0] - first.values[0]) for one, _ in others) or depends_on(first.values[0], names[0]):
+        if load := _load(world, names):
+            return replace(next(one for one, name in found if name == load), place=None, says=f"as {load} grows")
         raise StatementError(f"it depends on which of {', '.join(names)} changes",
                              instead=f"ask for that of one: “{superlative} {names[0]} for which {text}”.")  # fmt: skip
     return replace(first, place=None) if others else first

@@ -118,7 +118,8 @@ def region_of(world: AskedPhase, name: str, condition: Wanted, text: str, sense:
     told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
     told_ = _otherwise(told_, name, found, parts, given, along, text)
     ends = {end for one in regions if one for end in (one.lower, one.upper)}
-    told_ = _beyond(told_, name, zip(values, regions, strict=True), given, (along, opposite, sense)) if opposite and sense else told_
+    if opposite and sense:
+        told_ = _beyond(told_, name, zip(values, regions, strict=True), given, (along, opposite, sense))
     return _stopped(told_, name, condition, pairs, ends, given)
 
 
@@ -201,7 +202,8 @@ def _otherwise(
     """With what holds where the conditions of a bound are not met, as far as it is proved."""
     if told_.relation == "between" and not told_.says and found.asked:
         ends = (("<", found.upper, 1), (">", found.lower, -1))
-        bare = next(((text, op, end) for op, end, way in ends if end is not None and not alone(found, parts[1], given, way)), None)
+        free = (end for end in ends if end[1] is not None and not alone(found, parts[1], given, end[2]))
+        bare = next(((text, op, end) for op, end, _ in free if end is not None), None)
         told_ = _else(told_, name, found, parts, given, along, bare) if bare else told_
     if found.otherwise and told_.says:
         turned = Demand(-found.asked[0].value, ">=" if found.asked[0].op == ">" else ">")

@@ -164,6 +164,7 @@ SAID: Mapping[str, Row] = {
     f"with this {OF_IT} itself, {OF_IT} is approached and never reached": {"approached": _itself},
     f"else “…” holds for {NAME} < {OF_IT}": {"holds_for": _one_sided(-1)},
     f"else “…” holds for {NAME} > {OF_IT}": {"holds_for": _one_sided(1)},
+    f"as {OF_IT} grows": dict.fromkeys(("holds_for", "extreme", "least_on_way", "one_zero"), _itself),
     f"“…” holds for {NAME} [<>] {OF_IT}, too": {"least_on_way": _holds(True)},
     "beyond it the motion is not the one that is stated|there a contact is lost|there it slips": BEYOND,
     f"no (largest|least) value is reached: {OF_IT} is approached as {OF_IT}": {"extreme": lambda data: bool(data["at_end"])},

@@ -96,7 +96,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int, longest: int | Non
     made = [amplitudes(item, square) for square in found] if len(item.stiffness) > 1 else []
     shapes = [shape for shape in made if shape is not None]
     ratios = [ratio for shape in shapes for ratio in shape]
-    if len(shapes) == len(found) and (longest is None or all(length(draft.show(ratio, factor=True)) <= longest for ratio in ratios)):
+    if len(shapes) == len(found) and all(longest is None or length(draft.show(ratio, factor=True)) <= longest for ratio in ratios):
         for k, (square, shape) in enumerate(zip(found, shapes, strict=True), 1):
             _shape(draft, item, place, k, square, shape)
 

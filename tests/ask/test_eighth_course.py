@@ -1,0 +1,48 @@
+"""Bounds of one side among several, what grows where no question says so, shapes of modes, what is led round: worked out by hand
+before the engine was asked.
+
+Hibbeler 8, 17; Beer & Johnston 16; Taylor 11; Serway 6; Irodov 1.3.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.ask.asking import answered
+from rbpsym.typeset.machine import to_machine
+from tests.ask.test_unseen import asked
+from tests.ask.test_unseen import test_it_finds_what_is_worked_out_by_hand as found
+
+ANSWERS = (
+    ("pulled-up-slope", "smallest P for which it slips", "M*g*(sin(beta) + mu*cos(beta))"),
+    ("pulled-up-slope", "smallest P for which it tips", "M*g*(H*sin(beta) + b*cos(beta))/(2*h)"),
+    ("pulled-up-slope", "largest h for which it slips before it tips",
+     "(H*sin(beta) + b*cos(beta))/(2*(sin(beta) + mu*cos(beta)))"),
+    ("forklift", "largest deceleration for which N_B >= 0", "g*(M*c - m*d)/(M*h_1 + m*h_2)"),
+    ("sprung-cart-pendulum", "ratio of x to theta in the lowest mode with M = m, k = m*g/l", "l*(1 + sqrt(5))/2"),
+    ("sprung-cart-pendulum", "lowest frequency with M = m, k = m*g/l", "sqrt((3 - sqrt(5))*g/(2*l))"),
+    ("swing-on-rope", "largest theta_0 for which T stays below T_max", "acos((3 - T_max/(m*g))/2)"),
+    ("dryer", "Omega for which N vanishes where theta = 7*pi/18", "sqrt(g*sin(7*pi/18)/R)"),
+    ("dryer", "smallest Omega for which N stays positive", "sqrt(g/R)"),
+    ("slipping-spool", "smallest beta for which the spool begins to move", "atan(mu*(1 + R/r))"),
+    ("hoop-with-body", "smallest v_0 for which phi reaches pi", "sqrt(2*m*g*R/M)"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "question", "worked_out"), ANSWERS, ids=lambda value: str(value)[:60])
+def test_it_finds_what_is_worked_out_by_hand(name: str, question: str, worked_out: str) -> None:
+    found(name, question, worked_out)
+
+
+def test_where_else_it_slips_is_said_beside_the_smallest_pull() -> None:
+    """Downwards, under a pull that is too small."""
+    answer = answered(asked("pulled-up-slope"), "smallest P for which it slips")
+    assert answer.verdict.is_proved
+    assert answer.says.startswith("“it slips” holds for P < ")
+
+
+def test_a_bound_has_the_sign_of_what_it_bounds() -> None:
+    """A rough slope holds the block without any pull; what followed from a condition that was left out stands without it."""
+    answer = answered(asked("pulled-up-slope"), "smallest P for which it does not slip")
+    assert answer.verdict.is_proved
+    assert "sin(beta) - mu*cos(beta) > 0" in map(to_machine, answer.valid)
