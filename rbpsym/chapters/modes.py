@@ -30,7 +30,7 @@ def write(draft: Draft, item: Equilibrium, place: int, *, whole: bool = False) -
         decay.write(draft, item, place)
     elif item.frequencies_squared:
         _characteristic(draft, item, place)
-        _frequencies(draft, item, place, None if whole else LONGEST_RATIO)
+        _frequencies(draft, item, place, whole=whole)
 
 
 def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
@@ -84,7 +84,7 @@ def _characteristic(draft: Draft, item: Equilibrium, place: int) -> None:
               data=item.facts)  # fmt: skip
 
 
-def _frequencies(draft: Draft, item: Equilibrium, place: int, longest: int | None) -> None:
+def _frequencies(draft: Draft, item: Equilibrium, place: int, *, whole: bool) -> None:
     """Squares of the frequencies, the slowest first, and the shapes of the modes."""
     rows, found = [], item.frequencies_squared
     for k, square in enumerate(found, 1):
@@ -96,7 +96,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int, longest: int | Non
     made = [amplitudes(item, square) for square in found] if len(item.stiffness) > 1 else []
     shapes = [shape for shape in made if shape is not None]
     ratios = [ratio for shape in shapes for ratio in shape]
-    if len(shapes) == len(found) and all(longest is None or length(draft.show(ratio, factor=True)) <= longest for ratio in ratios):
+    if len(shapes) == len(found) and (whole or all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios)):
         for k, (square, shape) in enumerate(zip(found, shapes, strict=True), 1):
             _shape(draft, item, place, k, square, shape)
 
