@@ -78,10 +78,6 @@ def _beyond(world: AskedPhase, phrase: str, side: str, value: str, until: str | 
     return on_way(world, (gap,), phrase, until, text, world.motion.assumptions)
 
 
-def _keeps(world: AskedPhase, phrase: str, until: str | None, text: str | None) -> Wanted:
-    return _stays(world, phrase, "positive", until, text)
-
-
 def _holds_fast(world: AskedPhase, contact: str, until: str | None, text: str | None, name: str = "", then: str = "") -> Wanted:
     """Static friction stays below its limit, at one contact or at all (“it”), on the way or at one moment (`then`)."""
     needs = {need.constraint: need for need in world.study.friction_needs}
@@ -245,10 +241,6 @@ def _lets_go(world: AskedPhase, contact: str) -> Wanted:
     return _equal(world, contact, "0")
 
 
-def _vanishes(world: AskedPhase, phrase: str, place: str | None) -> Wanted:
-    return _equal(world, phrase + (place or ""), "0")
-
-
 def _equal(world: AskedPhase, left: str, right: str) -> Wanted:
     first, second = (value_of(world, side, of_vectors=True) for side in (left, right))
     require_same(world, first, second, (left, right))
@@ -321,11 +313,12 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
     (rf"(.+?) is (positive|negative){_UNTIL}", lambda world, *words: replace(_stays(world, *words), closed=False)),
     (rf"(.+?) (?:stays|remains|is(?: always)?) (below|above) (.+?){_UNTIL}", _beyond),
-    (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
+    (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", lambda w, phrase, *to: _stays(w, phrase, "positive", *to)),
     (rf"{_N} = (.+) is (un)?stable", _stable),
     (rf"equilibrium of {_N} is (un)?stable", lambda world, name, opposite: _stable(world, name, None, opposite)),
     (rf"{_N} = (.+) is (?:an equilibrium|in equilibrium|a place of rest)", _equilibrium),
     (rf"{_N} is (critically damped|overdamped|underdamped)", _damped),
     (r"(\w+) (?:leaves|lifts|loses contact)(?: off)?(?: (?:with )?\w+)?", _lets_go),
-    (r"(.+?) (?:just )?(?:vanish(?:es)?|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
+    (r"(.+?) (?:just )?(?:vanish(?:es)?|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)",
+     lambda w, phrase, at: _equal(w, phrase + (at or ""), "0")),
 )

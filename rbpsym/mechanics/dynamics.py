@@ -9,7 +9,7 @@ Kleppner & Kolenkow, ch. 7; Goldstein, 1.4; the projection is Jourdain's (Kane's
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from math import prod
 
@@ -22,7 +22,7 @@ from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.mechanics.unsolvable import asking, contradictory, indistinct, is_nonzero, massless, unheld
 
 Twist = tuple[Vector, Scalar]  # what a body has of its centre's motion and of its turning
-Along = Mapping[str, tuple[Twist, ...]]  # by body, for each speed
+Twists = Mapping[str, Twist]  # by body
 
 LARGEST_BLOCK = 3  # coupled coordinates whose accelerations are always solved for
 LARGEST_TRIED = 6  # up to so many they are where the formulas stay short
@@ -65,56 +65,43 @@ def _partials(state: BodyState, speeds: tuple[str, ...]) -> tuple[Twist, ...]:
 
 def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dict[str, bool]]:
     """(M, f, which forces of constraints are ideal). Raises StatementError if a force needs M q̈ = f to be known."""
-    along = {name: _partials(state, system.speeds) for name, state in system.bodies.items()}
+    partials = {name: _partials(state, system.speeds) for name, state in system.bodies.items()}
+    ways = [{name: own[r] for name, own in partials.items()} for r in range(len(system.speeds))]
     resting = dict.fromkeys(system.accelerations, NOTHING)
-    lower = [[_mass(system, along, r, s) for s in range(r + 1)] for r in range(len(system.speeds))]
+    lower = [[short(_inertia(system, way, other)) for other in ways[: r + 1]] for r, way in enumerate(ways)]
     mass = tuple(tuple(lower[max(r, s)][min(r, s)] for s in range(len(lower))) for r in range(len(lower)))
     forcing, unknown = [], dict.fromkeys((f.name for f in system.forces if f.unknowns), True)
     still = {
         name: (state.acceleration.substitute(resting), substitute(state.alpha, resting))
         for name, state in system.bodies.items()
     }
-    for r in range(len(system.speeds)):
-        forcing.append(short(_known(system, along, r) - _inertial(system, along, still, r)))
+    known = [force for force in system.forces if not force.unknowns]
+    for way in ways:
+        forcing.append(short(_power(system, known, way) - _inertia(system, way, still)))
         for name in unknown:
-            unknown[name] = unknown[name] and is_zero(_power(system, along, r, name))
+            unknown[name] = unknown[name] and is_zero(_power(system, system.named(name), way))
     return mass, tuple(forcing), unknown
 
 
-def _mass(system: System, along: Along, r: int, s: int) -> Scalar:
+def _inertia(system: System, along: Twists, of: Twists) -> Scalar:
+    """Σ m v·a + I ω α."""
     parts = []
     for name, state in system.bodies.items():
-        (v_r, w_r), (v_s, w_s) = along[name][r], along[name][s]
-        if v_r and v_s:
-            parts.append(state.mass * v_r.dot(v_s))
-        if w_r and w_s:
-            parts.append(state.moment * w_r * w_s)
-    return short(total(parts))
+        (direction, turn), (other, spin) = along[name], of[name]
+        if direction and other:
+            parts.append(state.mass * direction.dot(other))
+        if turn and spin:
+            parts.append(state.moment * turn * spin)
+    return total(parts)
 
 
-def _force_along(force: Force, state: BodyState, along: Twist) -> Scalar:
-    direction, turn = along
-    push = direction.dot(force.vector) if direction and force.vector else NOTHING
-    return push + turn * torque_about_center(force, state) if turn else push
-
-
-def _known(system: System, along: Along, r: int) -> Scalar:
-    forces = (f for f in system.forces if not f.unknowns)
-    return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces)
-
-
-def _power(system: System, along: Along, r: int, name: str) -> Scalar:
-    return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in system.named(name))
-
-
-def _inertial(system: System, along: Along, still: Mapping[str, Twist], r: int) -> Scalar:
+def _power(system: System, forces: Iterable[Force], along: Twists) -> Scalar:
+    """Σ F·v + τ ω, the torque about the centre of mass."""
     parts = []
-    for name, state in system.bodies.items():
-        (direction, turn), (acceleration, alpha) = along[name][r], still[name]
-        if direction and acceleration:
-            parts.append(state.mass * direction.dot(acceleration))
-        if turn and alpha:
-            parts.append(state.moment * turn * alpha)
+    for force in forces:
+        state, (direction, turn) = system.bodies[force.on], along[force.on]
+        parts += [direction.dot(force.vector)] if direction and force.vector else []
+        parts += [turn * torque_about_center(force, state)] if turn else []
     return total(parts)
 
 
@@ -139,11 +126,7 @@ def _workless(system: System, ideal: Mapping[str, bool]) -> dict[str, bool]:
         return dict(ideal)
     still = dict.fromkeys(system.speeds, NOTHING)
     carried = {name: (state.velocity.substitute(still), substitute(state.omega, still)) for name, state in system.bodies.items()}
-    return {name: fine and is_zero(_carried_power(system, carried, name)) for name, fine in ideal.items()}
-
-
-def _carried_power(system: System, carried: Mapping[str, Twist], name: str) -> Scalar:
-    return sum((_force_along(f, system.bodies[f.on], carried[f.on]) for f in system.named(name)), NOTHING)
+    return {name: fine and is_zero(_power(system, system.named(name), carried)) for name, fine in ideal.items()}
 
 
 def _solved_block(part: Matrix, forces: list[Scalar]) -> tuple[Scalar, ...] | None:

@@ -155,11 +155,6 @@ def _total(known: Given) -> Scalar | None:
     return short(first / (first - gone) * law.way)
 
 
-def _lasting(known: Given) -> Scalar | None:
-    """1/b: in this time a speed falls to 1/e of what it was over its last value."""
-    return short(1 / known.form.damping) if kind_of(known.form) == "resisted" else None
-
-
 # what is asked of a coordinate -> the letter that it gets, and what finds it
 FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
     "amplitude": ("A", _amplitude),
@@ -167,7 +162,7 @@ FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
     "greatest speed": ("v_max", _fastest),
     "terminal speed": ("v_end", _terminal),
     "total way": ("s_end", _total),
-    "time constant": ("tau", _lasting),
+    "time constant": ("tau", lambda known: short(1 / known.form.damping) if kind_of(known.form) == "resisted" else None),
     "decay rate": ("gamma", lambda known: short(known.form.damping / 2)),
     "undamped frequency": ("vartheta", lambda known: function("sqrt", known.form.stiffness)),
     "damped frequency": ("vartheta_d", lambda known: function("sqrt", known.form.gap)),

@@ -48,10 +48,6 @@ def _unit(world: ProblemWorld, way: str, phrase: str) -> Bound:
     return plane(cartesian(x, y) if way == "along" else cartesian(-y, x))
 
 
-def _component(world: ProblemWorld, axis: str, phrase: str) -> Bound:
-    return number(dict(zip("xyz", world.vector(phrase).components(), strict=True))[axis])
-
-
 def _rate(world: ProblemWorld, phrase: str) -> Bound:
     found, scope = world.bound(phrase), world.motion.scope
     if found.vector is not None:
@@ -327,7 +323,8 @@ PHRASES: tuple[Phrase, ...] = (
     (r"minus (.+)", _minus, "minus work of FORCE"),
     (r"magnitude of (.+)", _magnitude, "magnitude of velocity of BODY.cm"),
     (r"unit vector (along|across) (.+)", _unit, "unit vector along position of BODY.cm"),
-    (r"([xyz]) component of (.+)", _component, "x component of velocity of BODY.cm"),
+    (r"([xyz]) component of (.+)", lambda world, axis, phrase: number(world.vector(phrase).components()["xyz".index(axis)]),
+     "x component of velocity of BODY.cm"),
     (r"rate of (.+)", _rate, "rate of kinetic energy"),
     (r"time integral of (.+)", _gathered, "time integral of force FORCE on BODY"),
     (r"(speed|velocity) of ([\w]+)", _speed_of, "speed of COORDINATE"),

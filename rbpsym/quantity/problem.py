@@ -79,7 +79,8 @@ class ProblemWorld(Frozen):
         study = self.study
         scope = study.system.scope
         coordinates = study.system.independent
-        starts = {name for value in scope.start.values() for name in set(names_of([value]))} - set(_constants(study))
+        stated = {q.name for q in study.problem.parameters} - {*study.problem.implicit}
+        starts = {name for value in scope.start.values() for name in names_of([value])} - stated
         return Motion(
             scope,
             study.assumptions,
@@ -259,7 +260,3 @@ def _held_point(problem: Problem, name: str) -> PointRef | None:
     """The point of a body that a constraint of that name holds, if no body is called so."""
     found = next((element.values.get("point") for element in problem.constraints if element.name == name), None)
     return found if isinstance(found, PointRef) and found.body and name not in problem.body_names else None
-
-
-def _constants(study: Study) -> list[str]:
-    return [q.name for q in study.problem.parameters if q.name not in study.problem.implicit]

@@ -121,7 +121,7 @@ def _part(row: SourceTable) -> CoursePart:
         row.string("limit"),
         row.choice("detail", DETAILS),
         row.flag("plots", True),
-        _heading(row),
+        worded(row, "title") if "title" in row else {},
         _paragraphs(row, "text"),
         _paragraphs(row, "discussion"),
         {key: row.source.value((*row.path, key)) for key in row.names()},
@@ -148,10 +148,6 @@ def _pair(row: SourceTable) -> tuple[str, str]:
     if not isinstance(pair, list) or len(pair) != 2 or not all(isinstance(name, str) for name in pair):
         raise row.value_error("comparison", "a comparison takes two problems", 'write comparison = ["first", "second"]')
     return pair[0], pair[1]
-
-
-def _heading(row: SourceTable) -> Mapping[str, str]:
-    return worded(row, "title") if "title" in row else {}
 
 
 def _paragraphs(row: SourceTable, key: str) -> Mapping[str, tuple[OwnParagraph, ...]]:

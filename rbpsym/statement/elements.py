@@ -122,16 +122,11 @@ def _choice(item: SourceItem, field: Field, what: str, around: Surroundings) -> 
     return item.value
 
 
-def _seen(field: Field, scope: Scope) -> Scope:
-    """The scope with the names that only this field knows."""
-    return scope.with_variables(dict(field.variables)) if field.variables else scope
-
-
 _Reader = Callable[[SourceItem, Field, str, Surroundings], object]
 
 _READERS: dict[str, _Reader] = {
     "expression": lambda item, field, what, around: read_expression(
-        item, _seen(field, around.scope), what, field.dimension, field.may_use, field.sign
+        item, around.scope.with_variables(dict(field.variables)), what, field.dimension, field.may_use, field.sign
     ),
     "pair": lambda item, field, what, around: read_pair(item, around.scope, what, field.dimension, field.may_use),
     "point": lambda item, field, what, around: read_point(item, around.scope, around.bodies, what),

@@ -172,14 +172,9 @@ def load_problem(path_or_text: str | Path) -> Problem:
         what = f"the name of a problem is a text or a path, not {kind_of(path_or_text)}"
         raise ReadError(what, instead='write load_problem("my-problem.toml"), or the name of one that ships.')
     path = Path(path_or_text)
-    if _ships(path):
+    if not path.suffix and len(path.parts) == 1 and not path.exists() and str(path) in problem_files():
         path = problem_files()[str(path_or_text)]
     return load_text(_content(path, MAX_BYTES), file=str(path), name=path.stem)
-
-
-def _ships(path: Path) -> bool:
-    """Whether a bare name is one of the library's, and of no file."""
-    return not path.suffix and len(path.parts) == 1 and not path.exists() and str(path) in problem_files()
 
 
 def load_text(text: str, file: str = "", name: str = "") -> Problem:

@@ -133,10 +133,6 @@ def _form(node: Node) -> _Form:
     return rule(node)
 
 
-def _symbol(node: tree.Sym) -> _Form:
-    return (ONE, ZERO, ZERO) if node.name == "x" else (ZERO, ONE, ZERO)
-
-
 def _sum(forms: list[_Form]) -> _Form:
     a, b, c = (_collected([form[i] for form in forms]) for i in range(3))
     return a, b, c
@@ -176,7 +172,7 @@ def _div(node: tree.Div) -> _Form:
 
 
 _RULES = {
-    tree.Sym: _symbol,
+    tree.Sym: lambda node: (ONE, ZERO, ZERO) if node.name == "x" else (ZERO, ONE, ZERO),
     tree.Add: lambda node: _sum([_form(term) for term in node.terms]),
     tree.Neg: lambda node: _scaled(_form(node.arg), neg(ONE)),
     tree.Group: lambda node: _form(node.arg),

@@ -143,7 +143,8 @@ def _check_dimension(node: Node, scope: Scope, dimension: Dimension, what: str) 
     try:
         require_dimension(node, scope.all, dimension, what)
     except DimensionError as error:
-        bare = [part.name for part in _terms(node) if isinstance(part, Sym) and part.name in scope.coordinates]
+        terms = node.terms if isinstance(node, Add) else (node,)
+        bare = [part.name for part in terms if isinstance(part, Sym) and part.name in scope.coordinates]
         if dimension == LENGTH and bare and scope.coordinates[bare[0]] == NUMBER:
             error.instead = f'if “{bare[0]}” is a length, say so: dimension = "length" in [coordinates.{bare[0]}]'
         elif not error.instead and error.what.endswith("this is an angle or a number"):
@@ -152,10 +153,6 @@ def _check_dimension(node: Node, scope: Scope, dimension: Dimension, what: str) 
 
 
 NUMBERS_ARE_NAMES = "multiply it by a parameter of the dimension that is missing, or write one instead of a number."
-
-
-def _terms(node: Node) -> tuple[Node, ...]:
-    return node.terms if isinstance(node, Add) else (node,)
 
 
 def _check_values(node: Node, scope: Scope, what: str, sign: str, may_use: str) -> None:
