@@ -17,7 +17,7 @@ from rbpsym.ask.seen import AskedPhase, never_told, parameter, parts_seen
 from rbpsym.ask.sliding import of_contact
 from rbpsym.ask.wanted import Wanted
 from rbpsym.errors import RbpsymError, StatementError
-from rbpsym.expr.tree import Node, Sym, walk
+from rbpsym.expr.tree import names as symbols
 from rbpsym.field import Scalar, depends_on, is_zero
 from rbpsym.mechanics.demands import possible
 from rbpsym.mechanics.stability import essential
@@ -93,14 +93,10 @@ def _free(world: AskedPhase, name: str = "") -> list[str]:
 
 def _load(world: AskedPhase, names: Iterable[str]) -> str | None:
     """The only one of them that is an applied force or couple: a book that names none lets that grow."""
-    acting = {part.name for element in world.study.problem.interactions if element.kind in APPLIED
-              for value in element.values.values() for node in (value if isinstance(value, tuple) else (value,))
-              if isinstance(node, Node) for part in walk(node) if isinstance(part, Sym)}  # fmt: skip
+    applied = (element for element in world.study.problem.interactions if element.kind in ("couple", "force", "pull"))
+    acting = {name for element in applied for node in element.nodes for name in symbols(node)}
     loads = [name for name in names if name in acting and world.dimensions[name] in (FORCE, FORCE * LENGTH)]
     return loads[0] if len(loads) == 1 else None
-
-
-APPLIED = ("couple", "force", "pull")
 
 
 def _limit(world: AskedPhase, load: str, text: str, name: str = "") -> tuple[Scalar, Finding]:

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from rbpsym.errors import StatementError, Undecided, there
-from rbpsym.expr.tree import Node
 from rbpsym.field import NOTHING, ONE, UNITY, Scalar, Vector, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.field.evaluate import Meanings, scalar, time_derivative
 from rbpsym.mechanics.conditions import CLOCK, contradiction
@@ -90,15 +89,10 @@ def with_clock(scope: Meanings, problem: Problem, placed: Mapping[str, Pose], ti
     """The time runs where something depends on it explicitly."""
     values = [condition.value for condition in tied]
     values += [v for pose in placed.values() for v in (pose.angle, pose.origin.x, pose.origin.y)]
-    values += [scalar(node) for e in problem.interactions for v in e.values.values() for node in _nodes(v)]
+    values += [scalar(node) for e in problem.interactions for node in e.nodes]
     if not any(depends_on(value, CLOCK) for value in values):
         return scope
     return replace(scope, rates={**scope.rates, CLOCK: UNITY}, start={**scope.start, CLOCK: NOTHING})
-
-
-def _nodes(value: object) -> list[Node]:
-    parts = value if isinstance(value, tuple) else (value,)
-    return [part for part in parts if isinstance(part, Node)]
 
 
 def _check_starts(system: System) -> None:

@@ -16,7 +16,7 @@ from rbpsym.field import ONE, Poly, Scalar, atoms
 from rbpsym.field.elliptic import FUNCTIONS
 from rbpsym.field.evaluate import scalar
 from rbpsym.quantities import ACCELERATION, ENERGY, NUMBER, Dimension, Quantity
-from rbpsym.statement.model import Coordinate, Element, Problem
+from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.units import unit_named, unit_of
 
 Numbers = Mapping[str, float]
@@ -209,7 +209,7 @@ def floating(value: Scalar, numbers: Numbers, none: float = math.nan) -> float:
 def angles(problem: Problem) -> frozenset[str]:
     """Names that stand under a sine, cosine or tangent of the statement, are given in degrees, or are starts of angles."""
     nodes = [node for body in problem.bodies for node in (*(body.placed[1] if body.placed else ()), body.angle) if node]
-    nodes += [node for element in problem.elements for node in _nodes_of(element)]
+    nodes += [node for element in problem.elements for node in element.nodes]
     nodes += [node for point in problem.points.values() for node in point]
     turned = [part.arg for node in nodes for part in walk(node) if isinstance(part, Fn) and part.name in TURNS]
     found = {leaf.name for arg in turned for leaf in walk(arg) if isinstance(leaf, Sym)}
@@ -218,12 +218,6 @@ def angles(problem: Problem) -> frozenset[str]:
 
 
 TURNS = frozenset({"sin", "cos", "tan"})
-
-
-def _nodes_of(element: Element) -> Iterator[Node]:
-    for value in element.values.values():
-        line = (value.a, value.b, value.c) if hasattr(value, "a") and hasattr(value, "c") else ()
-        yield from (part for part in (value if isinstance(value, tuple) else (value, *line)) if isinstance(part, Node))
 
 
 def unit_of_given(name: str, dimension: Dimension, turned: Set[str]) -> str:

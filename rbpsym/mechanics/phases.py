@@ -54,11 +54,9 @@ def shifted(phase: Phase, begins: Scalar | None) -> Problem:
 
 
 def _given(problem: Problem) -> list[Node]:
-    elements = problem.elements
-    found = [value for element in elements for value in element.values.values()]
-    found += [part for body in problem.bodies for part in (body.angle, body.placed and body.placed[1])]
-    parts = [part for value in found for part in (value if isinstance(value, tuple) else (value,))]
-    return [part for part in parts if isinstance(part, Node)]
+    found = [node for element in problem.elements for node in element.nodes]
+    parts = [part for body in problem.bodies for part in (body.angle, *(body.placed[1] if body.placed else ()))]
+    return [*found, *(part for part in parts if part is not None)]
 
 
 class HandOver(Frozen):

@@ -7,7 +7,7 @@ x' axis at the body's `angle`, counter-clockwise from +x.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rbpsym.errors import Place, StatementError
@@ -187,6 +187,13 @@ class Element(Frozen):
     def with_values(self, **values: object) -> Element:
         """The element with some of its values changed."""
         return replace(self, values={**self.values, **values})
+
+    @property
+    def nodes(self) -> Iterator[Node]:
+        """The formulas in its values: sizes, components, what a line is made of."""
+        for value in self.values.values():
+            parts = (value.a, value.b, value.c) if isinstance(value, Line) else value if isinstance(value, tuple) else (value,)
+            yield from (part for part in parts if isinstance(part, Node))
 
     @property
     def normals(self) -> tuple[str, ...]:

@@ -51,7 +51,7 @@ class Declared(Frozen):
         """The same for the algebra; a bound without a value is none."""
         from rbpsym.decide.assumptions import Assumptions
 
-        ranges = {name: (low and _value(low), high and _value(high)) for name, (low, high) in self.bounds.items()}
+        ranges = {name: (_bound(low), _bound(high)) for name, (low, high) in self.bounds.items()}
         return Assumptions(self.signs, ranges)
 
 
@@ -64,6 +64,10 @@ def declared(parameters: Iterable[Quantity], coordinates: Iterable[Coordinate] =
     ranged: tuple[Quantity | Coordinate, ...] = (*parameters, *coordinates)
     bounds = {q.name: (q.lower, q.upper) for q in ranged if (q.lower, q.upper) != (None, None)}
     return Declared({q.name: q.sign for q in parameters}, bounds)
+
+
+def _bound(node: Node | None) -> Scalar | None:
+    return None if node is None else _value(node)
 
 
 def _value(node: Node) -> Scalar | None:
