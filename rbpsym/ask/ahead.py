@@ -132,15 +132,12 @@ def _bounds(world: AskedPhase, superlative: str, phrase: str, text: str) -> Iter
         with suppress(RbpsymError):
             alone = world.afresh()
             phrase, value = optima.sized(alone, phrase)
-            region = critical.which(alone, None, name, text) if depends_on(value, name) else Finding()
-            if len(region.values) != 1 or region.relation not in OPS:
+            region = critical.which(world.afresh(), None, name, text) if depends_on(value, name) else Finding()
+            low, high = world.motion.assumptions.range_of(name)
+            ends = {"b": region.values, "<": (low, *region.values), ">": (*region.values, high)}.get(region.relation[:1], ())
+            if len(ends) != 2 or not region.values:
                 continue
-            given, bound = world.motion.assumptions, region.values[0]
-            low, high = given.range_of(name)
-            given = given.with_range(name, *((low, bound) if OPS[region.relation] > 0 else (bound, high)))
+            given = world.motion.assumptions.with_range(name, *ends)
             best = optima.of_extreme(value, name, given, SUPERLATIVES[superlative], phrase, closed=True, by_place=False)
-            if len(best.values) == 1 and best.relation == "=" and best.place == (name, region.values[0]):
+            if len(best.values) == 1 and best.relation == "=" and best.place and best.place[1] in region.values:
                 yield _resting(world, best, region, text), name
-
-
-OPS = {"<": 1, "<=": 1, ">": -1, ">=": -1}

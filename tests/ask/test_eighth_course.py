@@ -22,6 +22,7 @@ ANSWERS = (
     ("sprung-cart-pendulum", "ratio of x to theta in the lowest mode with M = m, k = m*g/l", "l*(1 + sqrt(5))/2"),
     ("sprung-cart-pendulum", "lowest frequency with M = m, k = m*g/l", "sqrt((3 - sqrt(5))*g/(2*l))"),
     ("swing-on-rope", "largest theta_0 for which T stays below T_max", "acos((3 - T_max/(m*g))/2)"),
+    ("wheel-on-spring", "largest amplitude of x for which it does not slip", "3*mu*m*g/k"),
     ("dryer", "Omega for which N vanishes where theta = 7*pi/18", "sqrt(g*sin(7*pi/18)/R)"),
     ("dryer", "smallest Omega for which N stays positive", "sqrt(g/R)"),
     ("slipping-spool", "smallest beta for which the spool begins to move", "atan(mu*(1 + R/r))"),
