@@ -130,8 +130,7 @@ def _bounds(world: AskedPhase, superlative: str, phrase: str, text: str) -> Iter
     """What a quantity is at most where a parameter that changes it meets a condition, for each that bounds it."""
     for name in _free(world):
         with suppress(RbpsymError):
-            alone = world.afresh()
-            phrase, value = optima.sized(alone, phrase)
+            phrase, value = optima.sized(world.afresh(), phrase)
             region = critical.which(world.afresh(), None, name, text) if depends_on(value, name) else Finding()
             low, high = world.motion.assumptions.range_of(name)
             ends = {"b": region.values, "<": (low, *region.values), ">": (*region.values, high)}.get(region.relation[:1], ())

@@ -86,17 +86,14 @@ def read_numbers(text: str, problem: Problem) -> GivenNumbers:
                 raise ReadError(f"“{name}” is no letter of this problem", instead=did_you_mean(name, list(known), "letters"))
             found[name] = _values(name, str(value), known[name])
             exact = _exact(str(value))
-            digits += [_digits(number) for number in re.findall(_NUMBER, str(value)[:40])[:1] if exact is None]
+            shown = re.findall(_NUMBER, str(value)[:40])[:1] if exact is None else ()
+            digits += [len(re.sub(r"[eE].*|[^\d]", "", number).lstrip("0")) or 1 for number in shown]
     if len({len(values) for values in found.values() if len(values) > 1}) > 1:
         raise ReadError("two ranges have different numbers of places", instead="give both the same number of steps.")
     given = GivenNumbers(found, max(min(digits, default=LEAST), LEAST))
     for row in given.rows():
         _check_declared(problem, row)
     return given
-
-
-def _digits(text: str) -> int:
-    return len(re.sub(r"[eE].*|[^\d]", "", text).lstrip("0")) or 1
 
 
 def _values(name: str, text: str, dimension: Dimension) -> tuple[float, ...]:

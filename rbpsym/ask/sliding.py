@@ -13,7 +13,6 @@ from rbpsym.errors import StatementError
 from rbpsym.field import NOTHING, depends_on, derivative, is_zero, symbol
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.mechanics.friction import slips
-from rbpsym.statement.model import Element
 
 DOES = r"(?: (?:does not|never|begins to|starts to|just))?"
 VERBS = "slip|leave|lift|tip|move|lose|let go|hold|stick|roll|keep|stay|remain"
@@ -29,13 +28,10 @@ def of_contact(world: AskedPhase, text: str) -> str:
     if said is None or STEADY.fullmatch(text) or RISES.fullmatch(text) or said[1] not in (body.name for body in problem.bodies):
         return text
     held = {need.constraint for need in world.study.friction_needs} or {*slips(world.study.system)}
-    own = {name for name in held if _is_of(world.study.system.element(name), said[1])}
+    values = {name: world.study.system.element(name).values.values() for name in held}
+    own = {name for name in held if any(getattr(value, "body", value) == said[1] for value in values[name])}
     names = {"it"} if own == held else own
     return names.pop() + text[said.end() :] if len(names) == 1 else text
-
-
-def _is_of(element: Element, body: str) -> bool:
-    return any(getattr(value, "body", value) == body for value in element.values.values())
 
 
 def begins_to_slip(world: AskedPhase, contact: str) -> Wanted | None:

@@ -275,7 +275,7 @@ def _search(
 ) -> None:
     values = [value for value in values if not is_zero(value)]
     if not values:
-        if at and not any(_are_same(at, old) for old in places.found):
+        if at and not any(at.keys() == old.keys() and all(is_zero(at[n] - old[n]) for n in at) for old in places.found):
             places.found.append(dict(at))
         return
     for value in sorted(values, key=lambda v: (sum(depends_on(v, n) for n in names), len(v.num))):
@@ -289,10 +289,6 @@ def _search(
             places.open_.extend(left)
             return
     places.open_.append(values[0])
-
-
-def _are_same(first: At, second: At) -> bool:
-    return first.keys() == second.keys() and all(is_zero(first[name] - second[name]) for name in first)
 
 
 def _ways(

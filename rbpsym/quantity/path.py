@@ -74,16 +74,12 @@ def with_energy(values: tuple[Scalar, ...], motion: Motion) -> Iterator[Branch]:
         return
     speed = min((n for n in speeds if n in moving), key=lambda n: any(depends_on(value, n) for value in values))
     gap = energy - substitute(energy, motion.scope.start)
-    rest, slope, half = (substitute(f, {speed: NOTHING}) for f in (gap, *_derivatives(gap, speed)))
+    first = derivative(gap, speed)
+    rest, slope, half = (substitute(f, {speed: NOTHING}) for f in (gap, first, derivative(first, speed)))
     spread = slope * slope - half * rest * 2
     for way in (1, -1):
         image = {speed: (root(spread) * way - slope) / half}
         yield tuple(even(substitute(value, image)) for value in values), [Condition(t.Sym(speed), ">=", spread)]
-
-
-def _derivatives(value: Scalar, name: str) -> tuple[Scalar, Scalar]:
-    first = derivative(value, name)
-    return first, derivative(first, name)
 
 
 def even(value: Scalar) -> Scalar:
