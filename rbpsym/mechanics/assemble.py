@@ -170,8 +170,9 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
     start |= _tied_starts(names, tied, problem, start)
     led = sorted((c for c in problem.coordinates if c.name in tied.solved and c.speed is not None), key=_moves)
     leads = [(n, c) for c in led for n in independent if names_in(tied.solved[c.name]) & {*names} == {n}]
-    slopes = {n: substitute(derivative(tied.solved[c.name], n), start) for n, c in leads}
-    start |= {f"{n}_dot": scalar(there(c.speed)) / slopes[n] for n, c in leads if slopes[n]}
+    at = {**start, CLOCK: NOTHING}
+    slopes = {n: [substitute(derivative(tied.solved[c.name], by), at) for by in (n, CLOCK)] for n, c in leads}
+    start |= {f"{n}_dot": (scalar(there(c.speed)) - slopes[n][1]) / slopes[n][0] for n, c in leads if slopes[n][0]}
     told = {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent}
     start |= {speed: value for speed, value in told.items() if value or speed not in start}  # 0 where nothing is said
     return Meanings(rates=rates, start=start), independent

@@ -9,8 +9,9 @@ from rbpsym.ask.telling import valid_for
 from rbpsym.errors import StatementError
 
 GIVEN = Path(__file__).with_name("given")
-WHEEL, COLLAR, FOUR_BAR, ROD, LADDER, PLANET, SPOOL, LINKS = (
-    (GIVEN / f"{name}.toml").read_text() for name in ("wheel", "collar", "four-bar", "rod", "ladder", "planet", "spool", "links")
+WHEEL, COLLAR, FOUR_BAR, ROD, LADDER, PLANET, SPOOL, LINKS, ROD_ON_WHEEL = (
+    (GIVEN / f"{name}.toml").read_text()
+    for name in ("wheel", "collar", "four-bar", "rod", "ladder", "planet", "spool", "links", "rod-on-wheel")
 )
 STEADY = WHEEL.replace('\nacceleration = "a"', "")
 
@@ -23,6 +24,8 @@ STEADY = WHEEL.replace('\nacceleration = "a"', "")
         (STEADY, "angular velocity of wheel", "-v/R"),
         (WHEEL, "acceleration of wheel.P at the start", "(2*a, -v**2/R)"),
         (WHEEL, "speed of wheel.P where x = R*pi", "0"),
+        (ROD_ON_WHEEL, "velocity of slider at the start", "(2*v, 0)"),
+        (ROD_ON_WHEEL, "angular velocity of rod where phi = pi/2", "v/l"),
         (COLLAR, "acceleration of collar at the start", "(a - b*omega**2, b*alpha + 2*u*omega)"),
         (FOUR_BAR, "angular velocity of coupler at the start", "-a*Omega/d"),
         (FOUR_BAR, "angular acceleration of rocker at the start", "Omega**2*(1 + a/d)"),
