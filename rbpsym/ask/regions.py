@@ -191,7 +191,8 @@ def alone(found: Region, regions: Sequence[Region | None], given: Assumptions, s
     idle = [one for one in regions if one and one.otherwise == 1 and getattr(one, side) != getattr(found, side)]
     firm = dict.fromkeys(demand for one in regions if one and one not in idle for demand in one.asked)
     left = dict.fromkeys(demand for demand in found.asked if demand in firm or not any(demand in one.asked for one in idle))
-    return settle({**left, **firm}, given) or tuple(left)
+    whole = settle({**left, **firm}, given)
+    return tuple(left) if whole is None else whole
 
 
 def _outermost(found: list[Region], side: str, sense: int, given: Assumptions) -> Region | None:

@@ -79,9 +79,7 @@ def from_integral(system: System, integral: Scalar, name: str, known: Mapping[st
         return None
     now: Scalar | None = integral
     for other, square in known.items():
-        if now is not None:  # at rest it has no speed
-            speed = f"{other}_dot"
-            now = _without_speed(now if square else substitute(now, {speed: NOTHING}), speed, square)
+        now = now if now is None else _without_speed(_at_rest(now, other, square), f"{other}_dot", square)
     if now is None:
         return None
     half_mass = derivative(derivative(now, speed), speed) / 2
@@ -90,6 +88,11 @@ def from_integral(system: System, integral: Scalar, name: str, known: Mapping[st
         return None
     start = substitute(integral, system.scope.start)
     return short(without_even_roots((start - rest) / half_mass))
+
+
+def _at_rest(value: Scalar, name: str, square: Scalar) -> Scalar:
+    """The value with a speed that is known to stay zero."""
+    return value if square else substitute(value, {f"{name}_dot": NOTHING})
 
 
 def _decoupled(system: System, dynamics: Dynamics) -> dict[str, Scalar]:
