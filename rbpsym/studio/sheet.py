@@ -18,7 +18,7 @@ from rbpsym.document.notes import notation_of
 from rbpsym.errors import LimitError, RbpsymError, ReadError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
-from rbpsym.expr.infix import read_relation
+from rbpsym.expr.infix import Ways, read_relation
 from rbpsym.expr.latex.reader import read_latex
 from rbpsym.expr.symbol_table import symbol_table
 from rbpsym.field import NOTHING, Scalar, Value, is_zero, names_in, symbol
@@ -30,7 +30,7 @@ from rbpsym.studio.refuting import Refuter
 from rbpsym.studio.slips import LineSlip, slip
 from rbpsym.studio.untold import Untold
 from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
-from rbpsym.teaching.grading.reading import meanings, read_formula
+from rbpsym.teaching.grading.reading import meanings, read_all, read_formula
 from rbpsym.typeset.latex import to_latex
 
 CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
@@ -142,26 +142,29 @@ class PhaseSheet(Frozen):
         """The LaTeX of a formula without spaces."""
         return "".join(to_latex(node, self.notation).split())
 
-    def read(self, line: str) -> t.Node:
-        """The tree of a line, typed plainly or LaTeX. Raises ReadError."""
+    def ways(self, line: str) -> Ways:
+        """The trees of a line, typed plainly or LaTeX: several where a factor is above or below a slash. Raises ReadError."""
         if not PRINTED.search(line):
-            return read_relation(line, self.names) if INEQUALITY.search(line) else self._typed(line)
+            return _one(read_relation(line, self.names)) if INEQUALITY.search(line) else self._typed(line)
         with suppress(ReadError):
-            return read_latex(line, symbol_table(sorted(self.own), self.notation))
+            return _one(read_latex(line, symbol_table(sorted(self.own), self.notation)))
         try:
-            return read_latex(line, symbol_table(sorted(self.names), self.notation))
+            return _one(read_latex(line, symbol_table(sorted(self.names), self.notation)))
         except ReadError as error:
             with suppress(ReadError):  # in letters that students use untold
                 return self._typed(line)
             raise error
 
-    def readings(self, line: str) -> Iterator[t.Node]:
-        """What a line may mean. Raises ReadError."""
-        letters = meanings(self.read(line), self.own, self.named)
-        return (way for read in letters for way in self._untold.readings(read))
+    def readings(self, tree: t.Node) -> Iterator[t.Node]:
+        """What its letters may mean."""
+        return (way for read in meanings(tree, self.own, self.named) for way in self._untold.readings(read))
 
-    def _typed(self, line: str) -> t.Node:
-        return self._with_rates(read_formula(line, self._book, labels=False))
+    def _typed(self, line: str) -> Ways:
+        try:
+            ways = _one(read_formula(line, self._book, labels=False))
+        except ReadError:
+            ways = read_all(line, self._book, labels=False)
+        return replace(ways, trees=tuple(map(self._with_rates, ways.trees)))
 
     def _with_rates(self, node: t.Node) -> t.Node:
         rate = self._rates.get(node.name) if isinstance(node, t.Sym) else None
@@ -251,16 +254,28 @@ class PhaseSheet(Frozen):
         return Refuter(self.context, tuple(self.steps.values()), self.begins)
 
     def slip(self, read: t.Node) -> LineSlip:
-        """How a wrong line differs from a step."""
-        rows = [row for row in relations(read) if row.ops == ("=",)]
-        steps = [row for _, row in self._rows]
-        found = (slip(row, steps, valued) for row in rows for valued in (self.value, self.rate))
-        best = LineSlip()
-        for one in found:
-            if one.kind:
-                return one
-            best = max(best, one, key=lambda each: each.right)
+        """How a wrong line differs from a step; of a root, how its square does."""
+        steps, best = [row for _, row in self._rows], LineSlip()
+        for row in (row for row in relations(read) if row.ops == ("=",)):
+            ends = row.items[0], row.items[-1]
+            squared = t.equation(*map(_squared, ends)) if any(isinstance(_bare(end), t.Sqrt) for end in ends) else row
+            if squared is not row and self._equal_row(squared):
+                return LineSlip("root")
+            for valued in (self.value, self.rate):
+                own = [t.equation(end, end) for end in squared.items if isinstance(end, t.Sym)]  # as it is
+                if (one := slip(squared, [*steps, *own], valued)).kind:
+                    return one
+                best = max(best, one, key=lambda each: each.right)
         return best
+
+
+def _bare(node: t.Node) -> t.Node:
+    return node.arg if isinstance(node, t.Neg) else node
+
+
+def _squared(node: t.Node) -> t.Node:
+    bare = _bare(node)
+    return bare.arg if isinstance(bare, t.Sqrt) else t.Pow(bare, t.Num(2))
 
 
 def proof(context: Context, read: t.Node) -> Verdict:
@@ -273,6 +288,10 @@ def proof(context: Context, read: t.Node) -> Verdict:
         if found.is_proved:
             break
     return found
+
+
+def _one(tree: t.Node) -> Ways:
+    return Ways((tree,), None, ((),))
 
 
 def _ends(statement: t.Node) -> list[t.Chain]:
