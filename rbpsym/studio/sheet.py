@@ -12,6 +12,8 @@ from contextlib import suppress
 from functools import cached_property, partial
 from types import MappingProxyType
 
+from rbpsym.ask.asking import answered_all, letters
+from rbpsym.ask.found import Answer
 from rbpsym.claims.conditions import relations
 from rbpsym.decide.verdict import Verdict, undecided
 from rbpsym.document.notes import notation_of
@@ -83,8 +85,9 @@ class PhaseSheet(Frozen):
     @cached_property
     def context(self) -> Context:
         """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
-        letters: Context = self.derivation.letters
-        return replace(letters, scalars={**self._untold.values, **self._ground.scope.scalars, **letters.scalars})
+        own: Context = self.derivation.letters
+        asked = {name: value for name in self.asked if (value := self._answer(name)) is not None}
+        return replace(own, scalars={**asked, **self._untold.values, **self._ground.scope.scalars, **own.scalars})
 
     @cached_property
     def _book(self) -> Book:
@@ -95,16 +98,26 @@ class PhaseSheet(Frozen):
         stems = [name.partition("_")[0] for name in self.named]
         alone = {stem: name for stem, name in zip(stems, self.named, strict=True) if stems.count(stem) == 1}
         typed = {**alone, **free, **found.typed}
-        wide = book(found.names | self._untold.names - typed.keys(), problem.notation, self.language)
+        asked = {name.partition(".")[0] for name in self.asked}
+        wide = book(found.names | (self._untold.names | asked) - typed.keys(), problem.notation, self.language)
         return replace(wide, typed=MappingProxyType({**wide.typed, **typed}))
+
+    @cached_property
+    def asked(self) -> Mapping[str, str]:
+        """The questions of the problem whose answer is one value, each under what its letter is called in `readings`."""
+        study = self.derivation.study
+        return {f"{letter}.{number}.asked": text for number, (text, letter) in enumerate(letters(study).items())}
+
+    def _answer(self, name: str) -> Scalar | None:
+        [found] = answered_all(self.derivation.study, {self.asked[name]: name.partition(".")[0]})
+        values = found.values if isinstance(found, Answer) and found.verdict.is_proved else ()
+        return values[0] if len(values) == 1 else None
 
     @cached_property
     def _untold(self) -> Untold:
         """What else students type; a letter that only vectors have here is free."""
-        letters: Context = self.derivation.letters
-        return Untold(
-            self.derivation.study, self.names - (letters.vectors.keys() - letters.scalars.keys() - self.statement_names)
-        )
+        own: Context = self.derivation.letters
+        return Untold(self.derivation.study, self.names - (own.vectors.keys() - own.scalars.keys() - self.statement_names))
 
     @cached_property
     def named(self) -> tuple[str, ...]:
@@ -156,8 +169,14 @@ class PhaseSheet(Frozen):
             raise error
 
     def readings(self, tree: t.Node) -> Iterator[t.Node]:
-        """What its letters may mean."""
-        return (way for read in meanings(tree, self.own, self.named) for way in self._untold.readings(read))
+        """What its letters may mean; one may be what is asked, and is that if it is nothing else."""
+        asked = {sym: t.Sym(name) for name in self.asked if t.Sym(sym := name.partition(".")[0]) in t.walk(tree)}
+        asked = {sym: to for sym, to in asked.items() if to.name in self.context.scalars}
+        known = t.renamed(tree, {sym: to for sym, to in asked.items() if sym not in self.names | self._untold.names})
+        for read in meanings(known, self.own, self.named):
+            yield from self._untold.readings(read)
+        if (also := t.renamed(known, asked)) != known:
+            yield also
 
     def _typed(self, line: str) -> Ways:
         try:
@@ -257,25 +276,25 @@ class PhaseSheet(Frozen):
         """How a wrong line differs from a step; of a root, how its square does."""
         steps, best = [row for _, row in self._rows], LineSlip()
         for row in (row for row in relations(read) if row.ops == ("=",)):
-            ends = row.items[0], row.items[-1]
-            squared = t.equation(*map(_squared, ends)) if any(isinstance(_bare(end), t.Sqrt) for end in ends) else row
+            has_root = any(isinstance(part, t.Sqrt) for end in row.items for part in _factors(end))
+            squared = t.equation(*map(_squared, row.items)) if has_root else row
             if squared is not row and self._equal_row(squared):
                 return LineSlip("root")
             for valued in (self.value, self.rate):
-                own = [t.equation(end, end) for end in squared.items if isinstance(end, t.Sym)]  # as it is
+                own = [t.equation(end, end) for end in squared.items if isinstance(getattr(end, "base", end), t.Sym)]
                 if (one := slip(squared, [*steps, *own], valued)).kind:
                     return one
                 best = max(best, one, key=lambda each: each.right)
         return best
 
 
-def _bare(node: t.Node) -> t.Node:
-    return node.arg if isinstance(node, t.Neg) else node
+def _factors(node: t.Node) -> tuple[t.Node, ...]:
+    bare = node.arg if isinstance(node, t.Neg) else node
+    return bare.factors if isinstance(bare, t.Mul) else (bare,)
 
 
 def _squared(node: t.Node) -> t.Node:
-    bare = _bare(node)
-    return bare.arg if isinstance(bare, t.Sqrt) else t.Pow(bare, t.Num(2))
+    return t.mul(*(part.arg if isinstance(part, t.Sqrt) else t.Pow(part, t.Num(2)) for part in _factors(node)))
 
 
 def proof(context: Context, read: t.Node) -> Verdict:

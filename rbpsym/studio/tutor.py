@@ -26,7 +26,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, field
-from rbpsym.proof.step import STANDARD, Derivation, Step
+from rbpsym.proof.step import STANDARD, Derivation, QuestionRef, Step
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import PhaseSheet, sheets
@@ -44,7 +44,8 @@ LIKELY = frozenset({"root", "times", "sign", "factor", "function", "exponent", "
 MOST_TOLD = 120  # characters of a hint
 ACCEPTED = frozenset({TRUE, UNUSED, UNJUSTIFIED})
 TELLS: Mapping[str, frozenset[str]] = {  # what a sentence asserts of a line: the verdicts with which alone it is said
-    "true": frozenset({TRUE}), "unused": frozenset({UNUSED}), "unjustified": frozenset({UNJUSTIFIED}),
+    **dict.fromkeys(("true", "answer"), frozenset({TRUE})),
+    "unused": frozenset({UNUSED}), "unjustified": frozenset({UNJUSTIFIED}),
     **dict.fromkeys(("wrong", "right_terms"), frozenset({WRONG})), "slip": frozenset({WRONG, UNDECIDED}),
     **dict.fromkeys(("undecided", "why", "seems"), frozenset({UNDECIDED})),
     **dict.fromkeys(("no_equation", "letters"), frozenset({UNREAD})),
@@ -200,6 +201,10 @@ class Tutor(Frozen):
         """For what letters are taken that nobody told."""
         said, where = Words(self.language, self.derivation.study.problem), dict[str, str]()
         for letter, body, of in told(read):
+            if of == "asked":
+                asked = said.word(QuestionRef(self.sheets[""].asked[f"{letter}.{body}.{of}"]))
+                where[letter] = plain_text(asked, self.notation, self.language)
+                continue
             point = of.rstrip("-")
             place = (
                 self._say(f"of.{of}") if of in WAYS else self._say(f"of.{'clockwise' if of != point else 'about'}", point=point)
@@ -216,6 +221,8 @@ class Tutor(Frozen):
             return TRUE, self._told(TRUE, "true") + where, id
         found = sheet.holds(read)
         if found.is_proved or (not found.is_refuted and is_first and self._is_proved_by_check(read, sheet)):
+            if any(name.endswith(".asked") for name in t.names(read)):
+                return TRUE, self._told(TRUE, "answer") + where, ""
             return UNUSED, self._told(UNUSED, "unused") + where, ""
         verdict, says, id = self._refused(read, sheet, found)
         return verdict, says + (self._meant(read) if verdict == WRONG else ""), id

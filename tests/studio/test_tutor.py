@@ -263,6 +263,19 @@ def test_what_students_write_of_a_pendulum(line: str, verdict: str, says: str) -
     assert judged.verdict == verdict and says in judged.says
 
 
+@pytest.mark.parametrize(
+    ("name", "line", "verdict", "says"),
+    [("rod-pendulum", "T = 2 pi sqrt(2 ell/(3 g))", TRUE, "of θ"), ("rod-pendulum", "T = 2 pi sqrt(ell/g)", WRONG, "not hold"),
+     ("ball-slipping-to-rolling", "t = 2 v_0/(7 mu g)", TRUE, "an answer"),
+     ("ball-slipping-to-rolling", "t = 2 v_0/(5 mu g)", WRONG, "7/5"), ("ball-slipping-to-rolling", "f = -mu N", TRUE, "along x"),
+     ("ball-slipping-to-rolling", "f = mu M g", UNUSED, "its magnitude"),
+     ("ball-slipping-to-rolling", "f = mu^2 N", WRONG, "not hold")],
+)  # fmt: skip
+def test_letters_of_what_is_asked_and_of_friction_are_read(name: str, line: str, verdict: str, says: str) -> None:
+    judged = tutor(name).judge(line)
+    assert judged.verdict == verdict and says in judged.says
+
+
 @pytest.mark.parametrize("name", ["brake-drum", *SLICE])
 def test_hints_lead_to_the_end(name: str) -> None:
     """What a hint tells is done when it is written, although another phase or step is printed so; a hint is no fragment."""
