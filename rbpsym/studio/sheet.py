@@ -15,7 +15,7 @@ from types import MappingProxyType
 from rbpsym.ask.asking import answered_all, letters
 from rbpsym.ask.found import Answer
 from rbpsym.claims.conditions import relations
-from rbpsym.decide.verdict import Verdict, undecided
+from rbpsym.decide.verdict import PROVED, Verdict, undecided
 from rbpsym.document.notes import notation_of
 from rbpsym.errors import LimitError, RbpsymError, ReadError
 from rbpsym.expr import tree as t
@@ -28,6 +28,8 @@ from rbpsym.frozen import Frozen, field, replace
 from rbpsym.proof.checks import of_steps as checks
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Derivation, Step
+from rbpsym.quantity.path import on_path
+from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import Refuter
 from rbpsym.studio.slips import LineSlip, slip
 from rbpsym.studio.untold import Untold
@@ -261,8 +263,17 @@ class PhaseSheet(Frozen):
     def holds(self, read: t.Node) -> Verdict:
         """REFUTED with a state of the motion; else what the checks of steps find: the first proof, or UNDECIDED."""
         found = self.refutation(read)
-        is_proved = not found.is_refuted and (shown := proof(self.context, read)).is_proved
-        return shown if is_proved else found
+        if not found.is_refuted and (shown := proof(self.context, read)).is_proved:
+            return shown
+        rows = relations(read) if not found.is_refuted else ()
+        return Verdict(PROVED, "the speeds along the way put in") if rows and all(map(self._is_so_on_way, rows)) else found
+
+    def _is_so_on_way(self, row: t.Chain) -> bool:
+        """Does what holds a root, the speeds being what they are from the start until the first rest, in each possible sense?"""
+        has_root = any(isinstance(part, t.Sqrt) for part in t.walk(row))
+        gap = self._gap(row) if has_root and set(row.ops) == {"="} and not self.prefix else None
+        motion = ProblemWorld(self.derivation.study).motion
+        return gap is not None and all(is_zero(value) for (value,), _ in on_path((gap,), motion))
 
     def refutation(self, read: t.Node) -> Verdict:
         """REFUTED with a state of the motion, or UNDECIDED with the reason."""

@@ -12,9 +12,6 @@ from contextlib import suppress
 from functools import cached_property
 from typing import Any
 
-from rbpsym.claims.check import Checker
-from rbpsym.claims.diagnosis import FACT, diagnosis
-from rbpsym.claims.model import Claim, Outcome, Printed, Result, Setting
 from rbpsym.decide.verdict import Verdict
 from rbpsym.document.model import Paragraph
 from rbpsym.document.notes import words_of
@@ -27,7 +24,6 @@ from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, field
 from rbpsym.proof.step import STANDARD, Derivation, QuestionRef, Step
-from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import PhaseSheet, sheets
 from rbpsym.studio.untold import WAYS, told, typed
@@ -76,7 +72,6 @@ class Tutor(Frozen):
     derivation: Derivation
     language: str = "en"
     known: dict[str, tuple[str, str, str]] = field(default_factory=dict)
-    checked: dict[t.Node, Result] = field(default_factory=dict)
 
     @cached_property
     def sheets(self) -> Mapping[str, PhaseSheet]:
@@ -177,7 +172,7 @@ class Tutor(Frozen):
             return UNREAD, self._unread(error), ""
         if not isinstance(ways.trees[0], (t.Chain, t.Relations)):
             return UNREAD, self._told(UNREAD, "no_equation"), ""
-        found = [self._best(tree, sheet, where, is_first=not phase) for tree in ways.trees]
+        found = [self._best(tree, sheet, where) for tree in ways.trees]
         best = next((place for place, one in enumerate(found) if one[0] in ACCEPTED), 0)  # else the usual one is meant
         verdict, says, id = found[best]
         if ways.error is None:
@@ -186,9 +181,9 @@ class Tutor(Frozen):
             return UNREAD, self._unread(ways.error), ""
         return verdict, f"{says} {self._say('meant', letters=to_text(ways.trees[best], self.notation))}", id
 
-    def _best(self, tree: t.Node, sheet: PhaseSheet, where: str, *, is_first: bool) -> tuple[str, str, str]:
+    def _best(self, tree: t.Node, sheet: PhaseSheet, where: str) -> tuple[str, str, str]:
         """What a line is in that meaning of its letters in which it fits best."""
-        found = [(self._decided(read, sheet, where, is_first=is_first), read) for read in sheet.readings(tree)]
+        found = [(self._decided(read, sheet, where), read) for read in sheet.readings(tree)]
         if len(found) > 1 and all(one[0] == WRONG for one, _ in found):
             return min(found, key=lambda one: sheet.slip(one[1]).kind not in LIKELY)[0]
         return min((one for one, _ in found), key=self._weight)
@@ -214,13 +209,13 @@ class Tutor(Frozen):
             f" {self._say('meant', letters=', '.join(f'{letter} ({words})' for letter, words in where.items()))}" if where else ""
         )
 
-    def _decided(self, read: t.Node, sheet: PhaseSheet, where: str, *, is_first: bool) -> tuple[str, str, str]:
+    def _decided(self, read: t.Node, sheet: PhaseSheet, where: str) -> tuple[str, str, str]:
         """What a line is in one of its meanings."""
         where += self._meant(read)
         if id := sheet.step_of(read):
             return TRUE, self._told(TRUE, "true") + where, id
         found = sheet.holds(read)
-        if found.is_proved or (not found.is_refuted and is_first and self._is_proved_by_check(read, sheet)):
+        if found.is_proved:
             if any(name.endswith(".asked") for name in t.names(read)):
                 return TRUE, self._told(TRUE, "answer") + where, ""
             return UNUSED, self._told(UNUSED, "unused") + where, ""
@@ -239,7 +234,6 @@ class Tutor(Frozen):
         part = to_text(typed(slip.part), self.notation) if slip.part is not None else ""
         verdict = WRONG if found.is_refuted else UNDECIDED
         told = self._told(verdict, f"slip.{slip.kind}", part=part, by=slip.by) if slip.kind else ""
-        told = told or self._repaired(read)
         if verdict == UNDECIDED:
             seems = (self._told(verdict, "seems"), told) if told else ()
             why = self._told(verdict, f"why.{found.reason}") if found.reason in REASONS else self._sentence(found.reason)
@@ -248,27 +242,10 @@ class Tutor(Frozen):
             told = " ".join(filter(None, (told, self._told(verdict, "right_terms", count=slip.right, of=slip.terms))))
         return verdict, told or self._told(verdict, "wrong"), ""
 
-    def _repaired(self, read: t.Node) -> str:
-        """What the judge of `check` would mend, in English alone; what a letter is in fact is not given away."""
-        found = "" if self.language != "en" else self._checked(read).diagnosis
-        return "" if found.startswith(FACT) else self._sentence(found)
-
     def _sentence(self, words: str) -> str:
         """What the readers and checks say, as a sentence of the student's language."""
         told = translated(words, self.language)
         return sentence(f"{told[:1].upper()}{told[1:]}") if told else ""
-
-    def _checked(self, read: t.Node) -> Result:
-        """What the judge of `check` says: of the motion from its start until it first comes to rest."""
-        if read not in self.checked:
-            name, world = self.derivation.study.problem.name, ProblemWorld(self.derivation.study)
-            claim = Claim("line", Setting(name, problem=name), Printed(to_latex(read, self.notation)))
-            self.checked[read] = Checker(lambda _: world, diagnosis).check_safely(claim)
-        return self.checked[read]
-
-    def _is_proved_by_check(self, read: t.Node, sheet: PhaseSheet) -> bool:
-        """Is it proved there, in letters that mean the same there?"""
-        return t.names(read) <= sheet.statement_names and self._checked(read).outcome is Outcome.PROVED
 
     def principles(self) -> list[dict[str, str]]:
         """[{key, words}]: the principles of this derivation, among which one is asked for."""
