@@ -88,7 +88,9 @@ class PhaseSheet(Frozen):
     def context(self) -> Context:
         """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
         own: Context = self.derivation.letters
-        asked = {name: value for name in self.asked if (value := self._answer(name)) is not None}
+        answers = zip(self.asked, answered_all(own.study, letters(own.study)), strict=True)
+        told = {name: one.values for name, one in answers if isinstance(one, Answer) and one.verdict.is_proved}
+        asked = {name: values[0] for name, values in told.items() if len(values) == 1}
         return replace(own, scalars={**asked, **self._untold.values, **self._ground.scope.scalars, **own.scalars})
 
     @cached_property
@@ -106,14 +108,8 @@ class PhaseSheet(Frozen):
 
     @cached_property
     def asked(self) -> Mapping[str, str]:
-        """The questions of the problem whose answer is one value, each under what its letter is called in `readings`."""
-        study = self.derivation.study
-        return {f"{letter}.{number}.asked": text for number, (text, letter) in enumerate(letters(study).items())}
-
-    def _answer(self, name: str) -> Scalar | None:
-        [found] = answered_all(self.derivation.study, {self.asked[name]: name.partition(".")[0]})
-        values = found.values if isinstance(found, Answer) and found.verdict.is_proved else ()
-        return values[0] if len(values) == 1 else None
+        """The questions of the problem, each under what the letter of its answer is called in `readings`."""
+        return {f"{letter}.{number}.asked": text for number, (text, letter) in enumerate(letters(self.derivation.study).items())}
 
     @cached_property
     def _untold(self) -> Untold:

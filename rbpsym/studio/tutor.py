@@ -111,7 +111,8 @@ class Tutor(Frozen):
         if line not in self.known:
             self.known[line] = self._judged(line)
         verdict, says, id = self.known[line]
-        if id and self._lacks_reasons(id, before):
+        reasons = self._reasons(id) if id and self.steps[id].is_result else set()
+        if reasons and not reasons & self.written(before):  # a result that rests on other steps, of which none stands above
             verdict, says = UNJUSTIFIED, self._told(UNJUSTIFIED, "unjustified")
         return Judged(line, verdict, says, id, PRINCIPLES.get(self.steps[id].rule, "") if id else "")
 
@@ -128,11 +129,6 @@ class Tutor(Frozen):
         """The steps on which one rests."""
         head = id[: id.index(".") + 1] if id.startswith("phase") else ""
         return {found for one in self.steps[id].reasons for found in (one, head + one) if found in self.steps}
-
-    def _lacks_reasons(self, id: str, before: Iterable[str]) -> bool:
-        """Is it a result that rests on other steps, of which none stands above?"""
-        reasons = self._reasons(id) if self.steps[id].is_result else set()
-        return bool(reasons) and not reasons & self.written(before)
 
     def written(self, lines: Iterable[str]) -> set[str]:
         """The ids of the steps that these lines are, and of what these rest on."""
