@@ -220,8 +220,8 @@ class Tutor(Frozen):
 
     def _unread(self, error: RbpsymError) -> str:
         """What could not be read; of many letters those of the statement."""
-        is_long = len(error.instead) > MOST_TOLD
-        instead = self._told(UNREAD, "letters", letters=", ".join(self.letters)) if is_long else self._sentence(error.instead)
+        names = ", ".join(self.letters) if len(error.instead) > MOST_TOLD else ""
+        instead = self._told(UNREAD, "letters", letters=names) if names else self._sentence(error.instead)
         return f"{self._sentence(error.what)} {instead}".strip()
 
     def _refused(self, read: t.Node, sheet: PhaseSheet, found: Verdict) -> tuple[str, str, str]:
@@ -269,8 +269,8 @@ class Tutor(Frozen):
         rows = step.statement.rows if isinstance(step.statement, t.Relations) else (step.statement,)
         left = ", ".join(f"{to_text(row.items[0], self.notation)} {row.ops[0]} …" for row in rows if isinstance(row, t.Chain))
         shown = to_text(step.statement, self.notation) if depth >= 3 else left if depth == 2 or not said.endswith(".") else ""
-        told = f"{said[:1].upper()}{said[1:]} {shown}".strip()  # a sentence that the formula ends has its left side at once
-        return told, to_latex(step.statement, self.notation) if depth >= 3 else ""
+        # a sentence that the formula ends has its left side at once
+        return f"{said[:1].upper()}{said[1:]} {shown}".strip(), to_latex(step.statement, self.notation) if depth >= 3 else ""
 
     def record(self, lines: Iterable[str]) -> dict[str, Any]:
         """What is handed in: the problem, each line with its verdict, how many of all steps of standard notes stand."""
