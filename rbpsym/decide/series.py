@@ -1,7 +1,7 @@
 """Power series in one variable, as far as some order, with coefficients that are enclosed by fractions.
 
 A series is a tuple of coefficients; every function rounds outwards as `enclosure` does. Two series of which one coefficient
-surely differs belong to different functions.
+surely differs belong to different functions. Of two that are known to different orders the result is known to the lower one.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def constant(value: Number, length: int) -> Series:
 
 def added(a: Series, b: Series) -> Series:
     """a + b."""
-    return tuple(x + y for x, y in zip(a, b, strict=True))
+    return tuple(x + y for x, y in zip(a, b, strict=False))
 
 
 def scaled(a: Series, by: Number) -> Series:
@@ -33,7 +33,7 @@ def scaled(a: Series, by: Number) -> Series:
 
 def product(a: Series, b: Series) -> Series:
     """a b."""
-    return tuple(_mixed(a, b, k, range(k + 1)) for k in range(len(a)))
+    return tuple(_mixed(a, b, k, range(k + 1)) for k in range(min(len(a), len(b))))
 
 
 def _mixed(a: Series, b: Series, k: int, places: range) -> Number:
@@ -61,9 +61,11 @@ def power(a: Series, exponent: int) -> Series:
 
 
 def root(a: Series) -> Series:
-    """√a. Raises Outside where it may begin with zero and is not zero at all."""
+    """√a, where the variable grows from 0. Raises Outside where it may begin with an odd power and is not zero at all."""
     if all(x == 0 for x in a):
         return a
+    if len(a) > 2 and a[0] == a[1] == 0:  # √(t² b) = t √b
+        return (ZERO, *root(a[2:]))
     found: Series = (e.root(a[0]),)
     half = e.reciprocal(2 * found[0])
     for k in range(1, len(a)):

@@ -21,7 +21,6 @@ from rbpsym.statement.model import PointRef
 
 
 TOO_WIDE = 51.0  # em: a table that is wider could not be read
-PARTIES = ("earth", "ground", "agent", "medium", "string", "link", "spring", "damper")
 
 
 def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Table:
@@ -89,12 +88,12 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
     every = list(pose.study.origins)
     torques = rows[-1 - len(every) :]
     yield (Math(rows[0]),) if len(rows) > len(torques) else (Math(step.slots["force"]),)
-    kind = "couple" if len(rows) == len(torques) else "acts"
+    kind = "turns" if len(rows) == len(torques) else "acts"
     variant = "many" if len(pose.study.system.bodies) > 1 else "one"
     yield said.say(
         f"forces.{kind}",
         body=said.body(step.slots["body"].name),
-        by=said.say(f"forces.{by}") if by in PARTIES else said.say("plain", text=BodyRef(by)),
+        by=said.say(f"party.{by}") if said.has(f"party.{by}") else said.say("plain", text=BodyRef(by)),
         at=_at(step.slots["where"], step.slots["body"].name, pose, said),
         variant=variant,
     )

@@ -16,13 +16,12 @@ from rbpsym.mechanics.friction import geometry_of, slip_senses, spare
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.impulse import impulsive, restitutions
 from rbpsym.mechanics.phases import HandOver, Stage
-from rbpsym.mechanics.strings import segments
+from rbpsym.mechanics.strings import pieces
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
 from rbpsym.pictures.sketches import force_node
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Coordinate, Phase
-from rbpsym.statement.paths import runs
 from rbpsym.typeset.accents import accented
 from rbpsym.typeset.mathml import to_mathml
 from rbpsym.typeset.speech import to_speech
@@ -33,9 +32,7 @@ Event = dict[str, Any]
 
 def events(study: Study, goal: tuple[str, Scalar] | None) -> Iterator[Event]:
     """What ends the phase, with the scalar that is positive until then (one that reaches zero from either side)."""
-    if goal is not None:
-        name, left = goal
-        yield {"kind": "reaches", "name": name, "value": left}
+    yield from [{"kind": "reaches", "name": goal[0], "value": goal[1]}] if goal is not None else ()
     for element in study.problem.constraints:
         for name in pushes(element):
             kind = "slack" if element.kind == "string" else "lost"
@@ -61,12 +58,9 @@ def _used_up(study: Study) -> Iterator[Event]:
     """The straight pieces of a string between a pulley and something else, as long as there is any."""
     geometry = geometry_of(study.system)
     for element in study.problem.constraints:
-        if element.kind != "string":
-            continue
-        for piece in (piece for run in runs(element["path"]) for piece in segments(run, geometry)):
-            if (piece.first.sense or piece.second.sense) and any(
-                depends_on(piece.length, n) for n in study.system.coordinates
-            ):
+        for piece in pieces(element, geometry):
+            moves = any(depends_on(piece.length, name) for name in study.system.coordinates)
+            if moves and (piece.first.sense or piece.second.sense):
                 yield {"kind": "short", "name": element.name, "value": piece.length}
 
 
@@ -94,24 +88,17 @@ def _edges(coordinate: Coordinate) -> Iterator[Event]:
 
 def label(node: t.Node, notation: Notation) -> dict[str, str]:
     """A formula as MathML, as text, and as it is spoken."""
-    return {
-        "math": accented(to_mathml(node, notation)),
-        "text": to_text(node, notation),
-        "spoken": to_speech(node, notation),
-    }
+    return {"math": accented(to_mathml(node, notation)), "text": to_text(node, notation), "spoken": to_speech(node, notation)}
 
 
 def force_labels(system: System, notation: Notation, said: Words) -> dict[str, dict[str, Any]]:
     """By “force@body”: the name of the force, and of the body if there are several."""
-    several = len(system.bodies) > 1
     found: dict[str, dict[str, Any]] = {}
     for force in system.forces:
-        is_told = force_node(system, force) == t.Vec(f"{force.name}_{force.on}")
-        body = said.body(force.on) if several and not is_told else ""
-        key = f"{force.name}@{force.on}"
-        found.setdefault(key, {**label(force_node(system, force), notation), "on": body})
-        if force.couple:
-            found[key] |= {"couple": label(couple_node(force), notation)["math"]}
+        node, key = force_node(system, force), f"{force.name}@{force.on}"
+        is_told = len(system.bodies) == 1 or node == t.Vec(f"{force.name}_{force.on}")
+        found.setdefault(key, {**label(node, notation), "on": "" if is_told else said.body(force.on)})
+        found[key] |= {"couple": label(couple_node(force), notation)["math"]} if force.couple else {}
     return found
 
 
@@ -148,13 +135,12 @@ def arrows(began: HandOver, stage: Stage, begins: Phase, put: Put, notation: Not
         vector, point, couple = (put_in(began, value) for value in (force.vector, force.point, force.couple))
         unknown = any(depends_on(part, n) for part in (vector.x, vector.y, couple) for n in force.unknowns)
         if not unknown and not all(map(is_zero, (vector.x, vector.y, couple))):
-            yield {
-                **label(letter(force, stage, begins), notation),
-                "on": force.on,
-                "at": [put(point.x), put(point.y)],
-                "vector": [put(vector.x), put(vector.y)],
-                "couple": put(couple),
-            }
+            yield {**label(letter(force, stage, begins), notation), "on": force.on, **acting(put, point, vector, couple)}
+
+
+def acting(put: Put, point: Vector, vector: Vector, couple: Scalar) -> dict[str, Any]:
+    """What acts on a body, as places in the list."""
+    return {"at": [put(point.x), put(point.y)], "vector": [put(vector.x), put(vector.y)], "couple": put(couple)}
 
 
 def put_in(began: HandOver, value: Vector | Scalar) -> Any:

@@ -87,15 +87,10 @@ def model(problem: Problem, language: str) -> Model:
         "numbers": [_number(slider, notation, said) for slider in numbers],
         "coordinates": {c.name: _coordinate(c, notation, said) for c in problem.coordinates},
         "unknowns": {name: label(t.Sym(name), notation) for part in parts for name in part.study.system.unknowns},
-        "forces": {
-            k: v for part in reversed(parts) for k, v in force_labels(part.study.system, notation, said).items()
-        },
+        "forces": {k: v for part in parts[::-1] for k, v in force_labels(part.study.system, notation, said).items()},
         "bodies": {name: said.body(name) for name in problem.body_names},
         "origins": {name: label(t.Sym(name), notation) for name in study.origins},
-        "phases": [
-            {**found.data, "name": said.named(part.name) if k else ""}
-            for k, (part, found) in enumerate(zip(parts, phases, strict=True))
-        ],
+        "phases": [{**one.data, "name": said.named(parts[k].name) if k else ""} for k, one in enumerate(phases)],
     }
     ends = (parts[0], *parts[1:][-1:])
     free = () if problem.unstated else tuple(filter(None, (loose(part.study, names, _ground(parts)) for part in ends)))
@@ -124,9 +119,7 @@ def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
     """The fixed lines that are touched in some phase: the floor is there also when nothing stands on it."""
     struck = (e for part in parts if part.began for e in part.began.phase.impulses)
     found = chain((e for part in parts for e in part.study.problem.constraints), struck)
-    return tuple(
-        e for e in found if e.values.get("line") is not None and e.values.get("of") is None and not is_slot(e)
-    )
+    return tuple(e for e in found if e.values.get("line") is not None and e.values.get("of") is None and not is_slot(e))
 
 
 def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:
@@ -235,11 +228,9 @@ def sliders(study: Study, parts: tuple[Stage, ...]) -> tuple[Slider, ...]:
     numbers = sample(problem, problem.example) if problem.example else begun_numbers(study, followable(parts), far=True)
     starts = {c.start.name: c for c in problem.coordinates if isinstance(c.start, t.Sym) and c.start.name in problem.implicit}
     turned = angles(problem)
-    found = [
-        _start(q.name, starts[q.name], numbers) if q.name in starts else _parameter(q, numbers, turned)
-        for q in problem.parameters
-    ]
-    return tuple(found) + tuple(_open_starts(study, numbers))
+    given = ((q, starts.get(q.name)) for q in problem.parameters)
+    found = (_start(q.name, start, numbers) if start else _parameter(q, numbers, turned) for q, start in given)
+    return (*found, *_open_starts(study, numbers))
 
 
 def _parameter(quantity: Quantity, numbers: Mapping[str, float], turned: frozenset[str]) -> Slider:

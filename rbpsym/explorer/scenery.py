@@ -17,12 +17,11 @@ from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry, pair
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.strings import segments
+from rbpsym.mechanics.strings import pieces
 from rbpsym.mechanics.study import Study
 from rbpsym.pictures.pose import touched_radii
 from rbpsym.statement.curves import is_slot
 from rbpsym.statement.model import Element, PlacedShape, Shape, Turn
-from rbpsym.statement.paths import runs
 from rbpsym.statement.slots import drawn_as
 from rbpsym.statement.solids import copies, leaves
 
@@ -61,13 +60,9 @@ def bodies(seen: SeenStudy) -> Iterator[Part]:
             "name": body.name,
             **shape(seen, body.shape),
             "rims": list(dict.fromkeys(seen.node(radius) for name, radius in radii if name == body.name)),
-            "at": seen.at(state.pose.origin),
+            "at": seen.at(state.pose.origin), "cm": seen.at(state.center), "v": seen.at(state.velocity),
+            **{key: seen.put(getattr(state, key)) for key in ("omega", "mass", "moment")},
             "angle": seen.put(state.pose.angle),
-            "cm": seen.at(state.center),
-            "v": seen.at(state.velocity),
-            "omega": seen.put(state.omega),
-            "mass": seen.put(state.mass),
-            "moment": seen.put(state.moment),
         }
 
 
@@ -143,9 +138,7 @@ def circles(seen: SeenStudy) -> Iterator[Part]:
             normal = None if is_slot(element) else seen.at(meeting(element, seen.geometry).normal)
             yield {"at": at, "r": radius, "through": touched(seen, element), "normal": normal}
     for element in seen.study.problem.of_kind("string"):
-        for turn in element["path"]:
-            if turn.body is None and turn.sense:
-                yield {"at": seen.at(seen.geometry.where(turn.center)), "r": seen.node(turn.radius)}
+        yield from filter(None, (turn(seen, one) for one in element["path"] if one.body is None))
 
 
 def links(seen: SeenStudy) -> Iterator[Part]:
@@ -160,12 +153,10 @@ def cords(seen: SeenStudy) -> Iterator[Part]:
     for element in seen.study.problem.constraints:
         if element.values.get("curve") is not None:
             yield from bent(seen, element)
+        for piece in pieces(element, seen.geometry):
+            yield {"ends": [seen.at(piece.start), seen.at(piece.end)], "turn": turn(seen, piece.second)}
     for element in drawn_as(seen.study.problem, "cord"):
         yield {"ends": [seen.at(seen.geometry.where(ref)) for ref in element["between"]], "turn": None}
-    for element in seen.study.problem.of_kind("string"):
-        for run in runs(element["path"]):
-            for piece in segments(run, seen.geometry):
-                yield {"ends": [seen.at(piece.start), seen.at(piece.end)], "turn": turn(seen, piece.second)}
 
 
 def bent(seen: SeenStudy, element: Element) -> Iterator[Part]:

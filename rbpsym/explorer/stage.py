@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.errors import LimitError, NotApplicable, StatementError
-from rbpsym.explorer.events import events
+from rbpsym.explorer.events import acting, events
 from rbpsym.explorer.javascript import Program, function
 from rbpsym.explorer.scenery import scenery
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, symbol, time_derivative
@@ -27,7 +27,7 @@ from rbpsym.mechanics.numbers import sample
 from rbpsym.mechanics.placing import open_name
 from rbpsym.mechanics.released import AXES, released
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import Force, System
+from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
 
 
@@ -162,10 +162,8 @@ def _rates(study: Study, names: tuple[str, ...], solved: bool) -> str:
 def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
     """Conditions that stay as equations, with their slopes along each coordinate; which coordinates are held."""
     program, system = _program(study, names), study.system
-    rows = []
-    for condition in system.implicit:
-        slopes = [program.output_again(derivative(condition.value, name)) for name in system.coordinates]
-        rows.append([program.output_again(condition.value), slopes])
+    put, gaps = program.output_again, [condition.value for condition in system.implicit]
+    rows = [[put(gap), [put(derivative(gap, name)) for name in system.coordinates]] for gap in gaps]
     held = [k for k, name in enumerate(system.coordinates) if name in system.scope.start or name in system.independent]
     return program.text, {"rows": rows, "held": held}
 
@@ -183,24 +181,15 @@ def seen(
         "accelerations": {name: put(symbol(f"{name}_ddot")) for name in shown if program.knows(f"{name}_ddot")},
         "unknowns": {name: put(symbol(name)) for name in system.unknowns},
         "couples": [name for name in system.unknowns if any(depends_on(f.couple, name) for f in system.forces)],
-        "forces": [_force(force, put) for force in system.forces],
+        "forces": [
+            {"name": f.name, "on": f.on, "law": f.law, "unknown": bool(f.unknowns), **acting(put, f.point, f.vector, f.couple)}
+            for f in system.forces
+        ],
         "potential": _potential(study, put),
         "origins": {name: [put(place.x), put(place.y)] for name, place in study.origins.items()},
         "events": [{**event, "value": put(event["value"])} for event in events(study, ending.goal)],
     }
     return {**data, **scenery(study, put, elsewhere)}
-
-
-def _force(force: Force, put: Callable[[Scalar], int]) -> dict[str, Any]:
-    return {
-        "name": force.name,
-        "on": force.on,
-        "law": force.law,
-        "unknown": bool(force.unknowns),
-        "at": [put(force.point.x), put(force.point.y)],
-        "vector": [put(force.vector.x), put(force.vector.y)],
-        "couple": put(force.couple),
-    }
 
 
 def _potential(study: Study, put: Callable[[Scalar], int]) -> int | None:
@@ -250,9 +239,8 @@ def _balance(system: System, program: Program) -> dict[str, Any]:
         second = row(time_derivative(rate, system.scope))
         told = {"of": condition.constraint, "turns": condition.what == "angle", "gap": gap, "rate": program.output_again(rate)}
         conditions.append(told | second)
-    forces = []
-    for name, owner in {n: system.element(force.name) for force in system.forces for n in force.unknowns}.items():
-        forces.append({"name": name, "of": owner.name, "turns": name in couples, "pushes": name in pushes(owner)})
+    owners = {name: system.element(force.name) for force in system.forces for name in force.unknowns}
+    forces = [{"name": n, "of": of.name, "turns": n in couples, "pushes": n in pushes(of)} for n, of in owners.items()]
     return {
         "places": [[bodies.index(body), AXES.index(axis)] for body, _, axis in (n.rpartition(".") for n in system.coordinates)],
         "rows": [row(value) for body, axis, value in newton_euler_rows(system) if axis != "rotation" or body in turning],

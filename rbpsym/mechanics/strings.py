@@ -82,10 +82,16 @@ def segments(run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
     return [segment(a, b, geometry) for a, b in zip(run, run[1:], strict=False)]
 
 
+def pieces(element: Element, geometry: Geometry) -> list[Segment]:
+    """Those of all runs of a string; none of what is none. Raises Crossing."""
+    found = runs(element["path"]) if element.kind == "string" else ()
+    return [piece for run in found for piece in segments(run, geometry)]
+
+
 def spans(element: Element, geometry: Geometry) -> tuple[Scalar, ...]:
     """The lengths of its straight pieces, positive where each runs the way that is taken; none of what ends on a rim."""
-    pieces = (piece for run in runs(element["path"]) for piece in _pieces(element, run, geometry))
-    return tuple(piece.length for piece in pieces if not is_zero(piece.length))
+    found = (piece for run in runs(element["path"]) for piece in _pieces(element, run, geometry))
+    return tuple(piece.length for piece in found if not is_zero(piece.length))
 
 
 def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:

@@ -11,7 +11,7 @@ from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import floating, number
-from rbpsym.mechanics.strings import segments
+from rbpsym.mechanics.strings import pieces
 from rbpsym.mechanics.system import rotated
 from rbpsym.pictures.figures import sketch as sk
 from rbpsym.pictures.figures.scene import Point
@@ -20,7 +20,6 @@ from rbpsym.pictures.pose import DrawnPose
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.curves import is_slot
 from rbpsym.statement.model import Element, PointRef, Problem, Turn
-from rbpsym.statement.paths import runs
 from rbpsym.statement.slots import ALL, drawn_as
 
 NEAR = 1e-9
@@ -175,13 +174,12 @@ def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
     for element in drawn_as(pose.study.problem, "cord"):
         yield sk.SketchCord(tuple(pose.ref(ref) for ref in element["between"]), element["size"], "string")
     for element in pose.study.problem.of_kind("string"):
-        pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
-        found: list[Point] = []
-        for place, piece in enumerate(pieces):
+        found, every = list[Point](), pieces(element, geometry)
+        for place, piece in enumerate(every):
             found += [pose.point(piece.start), pose.point(piece.end)]
-            if piece.second.sense and place + 1 < len(pieces):
+            if piece.second.sense and place + 1 < len(every):
                 middle, turn = pose.ref(piece.second.center), piece.second.sense
-                found += _round(found[-1], pose.point(pieces[place + 1].start), middle, turn)
+                found += _round(found[-1], pose.point(every[place + 1].start), middle, turn)
         kind = "link" if element.values.get("rigid") else "string"
         yield sk.SketchCord(tuple(found), element.values.get("length"), kind)
     for element in met_later(pose.study.problem):

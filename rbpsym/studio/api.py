@@ -191,11 +191,12 @@ def _told(found: Any) -> Answer:
     named = [t.equation(t.Sym(found.symbol), node) if found.symbol else node for node in found.nodes]
     plain = "" if found.holds_so is None else ("yes" if found.holds_so else "no")
     reason, nearly = "" if found.verdict.is_proved else found.verdict.reason, valid_for(found)
+    taken = f"read as “{found.read_as}”" if found.read_as else ""
     return {
         "question": found.question.text,
         "shown": [to_mathml(node, notation) for node in named],
         "verdict": str(found.verdict.kind),
-        "says": "; ".join(filter(None, (plain, found.says, nearly and f"for {nearly}", reason))),
+        "says": "; ".join(filter(None, (plain, found.says, nearly and f"for {nearly}", reason, taken))),
         "where": [to_mathml(node, notation) for node in found.valid],
     }
 

@@ -110,11 +110,11 @@ class FollowedPoint(Frozen):
 
 
 def followed(course: Following, point: Point) -> FollowedPoint:
-    """The course at a point. Raises Outside, or a KeyError for a name that the point does not have."""
+    """The course at a point. Raises Outside, or a LookupError for a name or an order that is not known."""
     now = FollowedPoint(course, point, {}, 1)
     now = FollowedPoint(course, point, {name: now.value(value) for name, value in course.begins.items()}, 1)
     for length in range(2, course.length + 1):
-        grown = {n: now.value(course.rates.get(n, NOTHING))[-1] * Fraction(1, length - 1) for n in now.state}
+        grown = {n: now.value(course.rates.get(n, NOTHING))[length - 2] * Fraction(1, length - 1) for n in now.state}
         now = FollowedPoint(course, point, {name: (*known, grown[name]) for name, known in now.state.items()}, length)
     return now
 
@@ -176,7 +176,7 @@ def looks(course: Following, study: Study, path: Path | None = None) -> Iterator
     told = [value for value in told if names_in(value)]
     halves = [cosine(Scalar(symbol(name).num) * Fraction(1, 2 * parts)) for name, parts in angle_parts(told).items()]
     for point in points([*told, *halves], study.assumptions, MOST):
-        with suppress(Outside, KeyError, ZeroDivisionError):
+        with suppress(Outside, LookupError, ZeroDivisionError):
             seen = followed(course, point)
             met = path is None or path.holds(point)
             if met and all(_stays(name, seen, study) for name in course.begins):
@@ -201,7 +201,7 @@ def failing(pairs: Iterable[Gap], seen: list[FollowedPoint]) -> Verdict:
             except (Outside, RbpsymError, ZeroDivisionError) as error:
                 reason = "no_state" if isinstance(error, ZeroDivisionError) else str(error)
                 continue
-            order = next((k for k, (x, y) in enumerate(zip(left, right, strict=True)) if e.are_disjoint(x, y)), None)
+            order = next((k for k, (x, y) in enumerate(zip(left, right, strict=False)) if e.are_disjoint(x, y)), None)
             if order is not None:
                 return refuted("the sides differ on the motion", _witness(look.point, left[order], right[order], order))
     return undecided(reason)

@@ -6,7 +6,7 @@ An inequality is wrong if its contrary is proved.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from functools import cached_property, partial
 
@@ -53,7 +53,7 @@ class Refuter(Frozen):
             value = self._value(node) if name not in self._own and not t.names(node) & self._moving else None
             if isinstance(value, Scalar) and name not in names_in(value):
                 found.setdefault(name, []).append(value)
-        return {name: values[-1] for name, values in found.items() if len({*map(self._final, values)}) == 1}
+        return {name: values[-1] for name, values in found.items() if len({substitute(value, {}) for value in values}) == 1}
 
     @cached_property
     def _passing(self) -> frozenset[str]:
@@ -62,9 +62,6 @@ class Refuter(Frozen):
         known = {name for name, value in self.letters.items() if names_in(value) <= given}
         own = {name for name, _ in _solved(tuple(step for step in self.steps if step not in self.begins))}
         return frozenset(name for step in self.begins for name in t.names(step.statement)) - self._own - known - own
-
-    def _final(self, value: Scalar) -> Scalar:
-        return substitute(value, {})
 
     def _value(self, node: t.Node) -> Value | None:
         with suppress(RbpsymError, ZeroDivisionError):
@@ -180,7 +177,8 @@ class Refuter(Frozen):
         else:
             rates = [self.context.rate(side) for side in sides]
             with suppress(RbpsymError):
-                yield _pairs(*(begin(self.context, side) for side in sides)) if not has_vectors(rates) else []
+                is_vector = any(isinstance(rate, Space) for rate in rates)
+                yield [] if is_vector else _pairs(*(begin(self.context, side) for side in sides))
             yield _pairs(*rates)
 
     def _is_summed_up(self, sides: tuple[t.Node, ...]) -> bool:
@@ -195,11 +193,6 @@ class Refuter(Frozen):
     def _rate(self, side: t.Node) -> Value:
         """The value of d(…)/dt of what is summed up along the motion, or of what is not."""
         return self.context.rate(side.of) if isinstance(side, t.Deriv) and side.order == 1 else self.context.value(side)
-
-
-def has_vectors(values: Iterable[Value]) -> bool:
-    """Is one of them a vector?"""
-    return any(isinstance(value, Space) for value in values)
 
 
 def _pairs(a: Value, b: Value) -> list[f.Gap]:

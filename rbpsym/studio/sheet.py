@@ -12,13 +12,15 @@ from contextlib import suppress
 from functools import cached_property, partial
 from types import MappingProxyType
 
+from rbpsym.ask.asking import answered_all, letters
+from rbpsym.ask.found import Answer
 from rbpsym.claims.conditions import relations
-from rbpsym.decide.verdict import Verdict, undecided
+from rbpsym.decide.verdict import PROVED, Verdict, undecided
 from rbpsym.document.notes import notation_of
 from rbpsym.errors import LimitError, RbpsymError, ReadError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
-from rbpsym.expr.infix import read_relation
+from rbpsym.expr.infix import Ways, read_relation
 from rbpsym.expr.latex.reader import read_latex
 from rbpsym.expr.symbol_table import symbol_table
 from rbpsym.field import NOTHING, Scalar, Value, is_zero, names_in, symbol
@@ -26,11 +28,13 @@ from rbpsym.frozen import Frozen, field, replace
 from rbpsym.proof.checks import of_steps as checks
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Derivation, Step
+from rbpsym.quantity.path import on_path
+from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.studio.refuting import Refuter
 from rbpsym.studio.slips import LineSlip, slip
 from rbpsym.studio.untold import Untold
 from rbpsym.teaching.grading.ground import Book, GradingGround, book, ground_of
-from rbpsym.teaching.grading.reading import meanings, read_formula
+from rbpsym.teaching.grading.reading import meanings, read_all, read_formula
 from rbpsym.typeset.latex import to_latex
 
 CHECKS = (checks.identity, checks.on_motion, checks.rates, checks.rates_on_motion, checks.along_motion)
@@ -83,8 +87,11 @@ class PhaseSheet(Frozen):
     @cached_property
     def context(self) -> Context:
         """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
-        letters: Context = self.derivation.letters
-        return replace(letters, scalars={**self._untold.values, **self._ground.scope.scalars, **letters.scalars})
+        own: Context = self.derivation.letters
+        answers = zip(self.asked, answered_all(own.study, letters(own.study)), strict=True)
+        told = {name: one.values for name, one in answers if isinstance(one, Answer) and one.verdict.is_proved}
+        asked = {name: values[0] for name, values in told.items() if len(values) == 1}
+        return replace(own, scalars={**asked, **self._untold.values, **self._ground.scope.scalars, **own.scalars})
 
     @cached_property
     def _book(self) -> Book:
@@ -95,16 +102,20 @@ class PhaseSheet(Frozen):
         stems = [name.partition("_")[0] for name in self.named]
         alone = {stem: name for stem, name in zip(stems, self.named, strict=True) if stems.count(stem) == 1}
         typed = {**alone, **free, **found.typed}
-        wide = book(found.names | self._untold.names - typed.keys(), problem.notation, self.language)
+        asked = {name.partition(".")[0] for name in self.asked}
+        wide = book(found.names | (self._untold.names | asked) - typed.keys(), problem.notation, self.language)
         return replace(wide, typed=MappingProxyType({**wide.typed, **typed}))
+
+    @cached_property
+    def asked(self) -> Mapping[str, str]:
+        """The questions of the problem, each under what the letter of its answer is called in `readings`."""
+        return {f"{letter}.{number}.asked": text for number, (text, letter) in enumerate(letters(self.derivation.study).items())}
 
     @cached_property
     def _untold(self) -> Untold:
         """What else students type; a letter that only vectors have here is free."""
-        letters: Context = self.derivation.letters
-        return Untold(
-            self.derivation.study, self.names - (letters.vectors.keys() - letters.scalars.keys() - self.statement_names)
-        )
+        own: Context = self.derivation.letters
+        return Untold(self.derivation.study, self.names - (own.vectors.keys() - own.scalars.keys() - self.statement_names))
 
     @cached_property
     def named(self) -> tuple[str, ...]:
@@ -142,26 +153,35 @@ class PhaseSheet(Frozen):
         """The LaTeX of a formula without spaces."""
         return "".join(to_latex(node, self.notation).split())
 
-    def read(self, line: str) -> t.Node:
-        """The tree of a line, typed plainly or LaTeX. Raises ReadError."""
+    def ways(self, line: str) -> Ways:
+        """The trees of a line, typed plainly or LaTeX: several where a factor is above or below a slash. Raises ReadError."""
         if not PRINTED.search(line):
-            return read_relation(line, self.names) if INEQUALITY.search(line) else self._typed(line)
+            return _one(read_relation(line, self.names)) if INEQUALITY.search(line) else self._typed(line)
         with suppress(ReadError):
-            return read_latex(line, symbol_table(sorted(self.own), self.notation))
+            return _one(read_latex(line, symbol_table(sorted(self.own), self.notation)))
         try:
-            return read_latex(line, symbol_table(sorted(self.names), self.notation))
+            return _one(read_latex(line, symbol_table(sorted(self.names), self.notation)))
         except ReadError as error:
             with suppress(ReadError):  # in letters that students use untold
                 return self._typed(line)
             raise error
 
-    def readings(self, line: str) -> Iterator[t.Node]:
-        """What a line may mean. Raises ReadError."""
-        letters = meanings(self.read(line), self.own, self.named)
-        return (way for read in letters for way in self._untold.readings(read))
+    def readings(self, tree: t.Node) -> Iterator[t.Node]:
+        """What its letters may mean; one may be what is asked, and is that if it is nothing else."""
+        asked = {sym: t.Sym(name) for name in self.asked if t.Sym(sym := name.partition(".")[0]) in t.walk(tree)}
+        asked = {sym: to for sym, to in asked.items() if to.name in self.context.scalars}
+        known = t.renamed(tree, {sym: to for sym, to in asked.items() if sym not in self.names | self._untold.names})
+        for read in meanings(known, self.own, self.named):
+            yield from self._untold.readings(read)
+        if (also := t.renamed(known, asked)) != known:
+            yield also
 
-    def _typed(self, line: str) -> t.Node:
-        return self._with_rates(read_formula(line, self._book, labels=False))
+    def _typed(self, line: str) -> Ways:
+        try:
+            ways = _one(read_formula(line, self._book, labels=False))
+        except ReadError:
+            ways = read_all(line, self._book, labels=False)
+        return replace(ways, trees=tuple(map(self._with_rates, ways.trees)))
 
     def _with_rates(self, node: t.Node) -> t.Node:
         rate = self._rates.get(node.name) if isinstance(node, t.Sym) else None
@@ -239,8 +259,17 @@ class PhaseSheet(Frozen):
     def holds(self, read: t.Node) -> Verdict:
         """REFUTED with a state of the motion; else what the checks of steps find: the first proof, or UNDECIDED."""
         found = self.refutation(read)
-        is_proved = not found.is_refuted and (shown := proof(self.context, read)).is_proved
-        return shown if is_proved else found
+        if not found.is_refuted and (shown := proof(self.context, read)).is_proved:
+            return shown
+        rows = relations(read) if not found.is_refuted else ()
+        return Verdict(PROVED, "the speeds along the way put in") if rows and all(map(self._is_so_on_way, rows)) else found
+
+    def _is_so_on_way(self, row: t.Chain) -> bool:
+        """Does what holds a root, the speeds being what they are from the start until the first rest, in each possible sense?"""
+        has_root = any(isinstance(part, t.Sqrt) for part in t.walk(row))
+        gap = self._gap(row) if has_root and set(row.ops) == {"="} and not self.prefix else None
+        motion = ProblemWorld(self.derivation.study).motion
+        return gap is not None and all(is_zero(value) for (value,), _ in on_path((gap,), motion))
 
     def refutation(self, read: t.Node) -> Verdict:
         """REFUTED with a state of the motion, or UNDECIDED with the reason."""
@@ -251,16 +280,28 @@ class PhaseSheet(Frozen):
         return Refuter(self.context, tuple(self.steps.values()), self.begins)
 
     def slip(self, read: t.Node) -> LineSlip:
-        """How a wrong line differs from a step."""
-        rows = [row for row in relations(read) if row.ops == ("=",)]
-        steps = [row for _, row in self._rows]
-        found = (slip(row, steps, valued) for row in rows for valued in (self.value, self.rate))
-        best = LineSlip()
-        for one in found:
-            if one.kind:
-                return one
-            best = max(best, one, key=lambda each: each.right)
+        """How a wrong line differs from a step; of a root, how its square does."""
+        steps, best = [row for _, row in self._rows], LineSlip()
+        for row in (row for row in relations(read) if row.ops == ("=",)):
+            has_root = any(isinstance(part, t.Sqrt) for end in row.items for part in _factors(end))
+            squared = t.equation(*map(_squared, row.items)) if has_root else row
+            if squared is not row and self._equal_row(squared):
+                return LineSlip("root")
+            for valued in (self.value, self.rate):
+                own = [t.equation(end, end) for end in squared.items if isinstance(getattr(end, "base", end), t.Sym)]
+                if (one := slip(squared, [*steps, *own], valued)).kind:
+                    return one
+                best = max(best, one, key=lambda each: each.right)
         return best
+
+
+def _factors(node: t.Node) -> tuple[t.Node, ...]:
+    bare = node.arg if isinstance(node, t.Neg) else node
+    return bare.factors if isinstance(bare, t.Mul) else (bare,)
+
+
+def _squared(node: t.Node) -> t.Node:
+    return t.mul(*(part.arg if isinstance(part, t.Sqrt) else t.Pow(part, t.Num(2)) for part in _factors(node)))
 
 
 def proof(context: Context, read: t.Node) -> Verdict:
@@ -273,6 +314,10 @@ def proof(context: Context, read: t.Node) -> Verdict:
         if found.is_proved:
             break
     return found
+
+
+def _one(tree: t.Node) -> Ways:
+    return Ways((tree,), None, ((),))
 
 
 def _ends(statement: t.Node) -> list[t.Chain]:

@@ -7,14 +7,11 @@ the reason. A hint tells the next step that can be made: its sentence, then its 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from functools import cached_property
 from typing import Any
 
-from rbpsym.claims.check import Checker
-from rbpsym.claims.diagnosis import diagnosis
-from rbpsym.claims.model import Claim, Outcome, Printed, Result, Setting
 from rbpsym.decide.verdict import Verdict
 from rbpsym.document.model import Paragraph
 from rbpsym.document.notes import words_of
@@ -26,11 +23,12 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.glyphs import Notation
 from rbpsym.frozen import Frozen, field
-from rbpsym.proof.step import STANDARD, Derivation, Step
-from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.proof.step import STANDARD, Derivation, QuestionRef, Step
 from rbpsym.studio.refuting import REASONS
 from rbpsym.studio.sheet import PhaseSheet, sheets
 from rbpsym.studio.untold import WAYS, told, typed
+from rbpsym.teaching.grading.feedback import translated
+from rbpsym.teaching.grading.judgement import sentence
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.mathml import to_mathml
 from rbpsym.typeset.text import to_text
@@ -38,10 +36,12 @@ from rbpsym.typeset.text import to_text
 TRUE, UNUSED, UNJUSTIFIED = "true", "true, not used", "true, not yet justified"
 WRONG, UNDECIDED, UNREAD = "wrong", "undecided", "unread"
 RANK = {TRUE: 0, UNUSED: 1, UNDECIDED: 2, WRONG: 3, UNREAD: 4}  # what a line is, that is each of these in a phase of its own
+LIKELY = frozenset({"root", "times", "sign", "factor", "function", "exponent", "missing"})  # kinds of slips
 MOST_TOLD = 120  # characters of a hint
 ACCEPTED = frozenset({TRUE, UNUSED, UNJUSTIFIED})
 TELLS: Mapping[str, frozenset[str]] = {  # what a sentence asserts of a line: the verdicts with which alone it is said
-    "true": frozenset({TRUE}), "unused": frozenset({UNUSED}), "unjustified": frozenset({UNJUSTIFIED}),
+    **dict.fromkeys(("true", "answer"), frozenset({TRUE})),
+    "unused": frozenset({UNUSED}), "unjustified": frozenset({UNJUSTIFIED}),
     **dict.fromkeys(("wrong", "right_terms"), frozenset({WRONG})), "slip": frozenset({WRONG, UNDECIDED}),
     **dict.fromkeys(("undecided", "why", "seems"), frozenset({UNDECIDED})),
     **dict.fromkeys(("no_equation", "letters"), frozenset({UNREAD})),
@@ -72,7 +72,6 @@ class Tutor(Frozen):
     derivation: Derivation
     language: str = "en"
     known: dict[str, tuple[str, str, str]] = field(default_factory=dict)
-    checked: dict[t.Node, Result] = field(default_factory=dict)
 
     @cached_property
     def sheets(self) -> Mapping[str, PhaseSheet]:
@@ -101,7 +100,7 @@ class Tutor(Frozen):
         """A line as it is printed (MathML); "" where it can't be read."""
         for sheet in self.sheets.values():
             with suppress(RbpsymError):
-                return to_mathml(sheet.read(line), self.notation)
+                return to_mathml(sheet.ways(line).trees[0], self.notation)
         return ""
 
     # --- judging
@@ -112,7 +111,8 @@ class Tutor(Frozen):
         if line not in self.known:
             self.known[line] = self._judged(line)
         verdict, says, id = self.known[line]
-        if id and self._lacks_reasons(id, before):
+        reasons = self._reasons(id) if id and self.steps[id].is_result else set()
+        if reasons and not reasons & self.written(before):  # a result that rests on other steps, of which none stands above
             verdict, says = UNJUSTIFIED, self._told(UNJUSTIFIED, "unjustified")
         return Judged(line, verdict, says, id, PRINCIPLES.get(self.steps[id].rule, "") if id else "")
 
@@ -130,24 +130,20 @@ class Tutor(Frozen):
         head = id[: id.index(".") + 1] if id.startswith("phase") else ""
         return {found for one in self.steps[id].reasons for found in (one, head + one) if found in self.steps}
 
-    def _lacks_reasons(self, id: str, before: Iterable[str]) -> bool:
-        """Is it a result that rests on other steps, of which none stands above?"""
-        reasons = self._reasons(id) if self.steps[id].is_result else set()
-        return bool(reasons) and not reasons & self.written(before)
-
     def written(self, lines: Iterable[str]) -> set[str]:
         """The ids of the steps that these lines are, and of what these rest on."""
-        done, found = [self.judge(line).step for line in lines], set[str]()
+        shown, found = tuple(lines), set[str]()
+        done = [id for line in shown for id in (self.judge(line).step, *self._printed(line))]
         while done:
             if (id := done.pop()) and id not in found and id in self.steps:
                 found.add(id)
-                done += (*self._reasons(id), *self._alike(id))
+                done += (*self._reasons(id), *self._printed(self.sheets[""].line(self.steps[id].statement)))
         return found
 
-    def _alike(self, id: str) -> tuple[str, ...]:
-        """The steps that are printed as this one."""
-        sheet = next(one for one in self.sheets.values() if id in one.steps)
-        return sheet.printed[sheet.line(self.steps[id].statement)]
+    def _printed(self, line: str) -> Iterator[str]:
+        """The steps that are printed so, or hold it as a row, in whatever phase."""
+        text = "".join(line.split())
+        return (id for sheet in self.sheets.values() for id in sheet.printed.get(text, ()))
 
     def _judged(self, line: str) -> tuple[str, str, str]:
         """(verdict, what is said, the step) without regard to the lines above, of the phase in which it fits best.
@@ -167,14 +163,25 @@ class Tutor(Frozen):
         if ids := sheet.printed.get("".join(line.split())):
             return TRUE, self._told(TRUE, "true") + where, ids[0]
         try:
-            readings = tuple(sheet.readings(line))
+            ways = sheet.ways(line)
         except RbpsymError as error:
             return UNREAD, self._unread(error), ""
-        if not isinstance(readings[0], (t.Chain, t.Relations)):
+        if not isinstance(ways.trees[0], (t.Chain, t.Relations)):
             return UNREAD, self._told(UNREAD, "no_equation"), ""
-        found = [(self._decided(read, sheet, where, is_first=not phase), read) for read in readings]
+        found = [self._best(tree, sheet, where) for tree in ways.trees]
+        best = next((place for place, one in enumerate(found) if one[0] in ACCEPTED), 0)  # else the usual one is meant
+        verdict, says, id = found[best]
+        if ways.error is None:
+            return verdict, says, id
+        if verdict == UNDECIDED:
+            return UNREAD, self._unread(ways.error), ""
+        return verdict, f"{says} {self._say('meant', letters=to_text(ways.trees[best], self.notation))}", id
+
+    def _best(self, tree: t.Node, sheet: PhaseSheet, where: str) -> tuple[str, str, str]:
+        """What a line is in that meaning of its letters in which it fits best."""
+        found = [(self._decided(read, sheet, where), read) for read in sheet.readings(tree)]
         if len(found) > 1 and all(one[0] == WRONG for one, _ in found):
-            return min(found, key=lambda one: sheet.slip(one[1]).kind in ("", "part"))[0]
+            return min(found, key=lambda one: sheet.slip(one[1]).kind not in LIKELY)[0]
         return min((one for one, _ in found), key=self._weight)
 
     def _weight(self, one: tuple[str, str, str]) -> tuple[int, bool]:
@@ -185,6 +192,10 @@ class Tutor(Frozen):
         """For what letters are taken that nobody told."""
         said, where = Words(self.language, self.derivation.study.problem), dict[str, str]()
         for letter, body, of in told(read):
+            if of == "asked":
+                asked = said.word(QuestionRef(self.sheets[""].asked[f"{letter}.{body}.{of}"]))
+                where[letter] = plain_text(asked, self.notation, self.language)
+                continue
             point = of.rstrip("-")
             place = (
                 self._say(f"of.{of}") if of in WAYS else self._say(f"of.{'clockwise' if of != point else 'about'}", point=point)
@@ -194,22 +205,24 @@ class Tutor(Frozen):
             f" {self._say('meant', letters=', '.join(f'{letter} ({words})' for letter, words in where.items()))}" if where else ""
         )
 
-    def _decided(self, read: t.Node, sheet: PhaseSheet, where: str, *, is_first: bool) -> tuple[str, str, str]:
+    def _decided(self, read: t.Node, sheet: PhaseSheet, where: str) -> tuple[str, str, str]:
         """What a line is in one of its meanings."""
         where += self._meant(read)
         if id := sheet.step_of(read):
             return TRUE, self._told(TRUE, "true") + where, id
         found = sheet.holds(read)
-        if found.is_proved or (not found.is_refuted and is_first and self._is_proved_by_check(read, sheet)):
+        if found.is_proved:
+            if any(name.endswith(".asked") for name in t.names(read)):
+                return TRUE, self._told(TRUE, "answer") + where, ""
             return UNUSED, self._told(UNUSED, "unused") + where, ""
         verdict, says, id = self._refused(read, sheet, found)
         return verdict, says + (self._meant(read) if verdict == WRONG else ""), id
 
     def _unread(self, error: RbpsymError) -> str:
         """What could not be read; of many letters those of the statement."""
-        is_long = len(error.instead) > MOST_TOLD
-        instead = self._told(UNREAD, "letters", letters=", ".join(self.letters)) if is_long else error.instead
-        return f"{_sentence(error.what)} {instead}".strip()
+        names = ", ".join(self.letters) if len(error.instead) > MOST_TOLD else ""
+        instead = self._told(UNREAD, "letters", letters=names) if names else self._sentence(error.instead)
+        return f"{self._sentence(error.what)} {instead}".strip()
 
     def _refused(self, read: t.Node, sheet: PhaseSheet, found: Verdict) -> tuple[str, str, str]:
         """What a line that was not proved seems to mean: it is wrong if a state of the motion refutes it."""
@@ -217,26 +230,18 @@ class Tutor(Frozen):
         part = to_text(typed(slip.part), self.notation) if slip.part is not None else ""
         verdict = WRONG if found.is_refuted else UNDECIDED
         told = self._told(verdict, f"slip.{slip.kind}", part=part, by=slip.by) if slip.kind else ""
-        told = told or self._checked(read).diagnosis
         if verdict == UNDECIDED:
-            seems = (self._told(verdict, "seems"), f"{told.rstrip('.')}.") if told else ()
-            why = self._told(verdict, f"why.{found.reason}") if found.reason in REASONS else _sentence(found.reason)
+            seems = (self._told(verdict, "seems"), told) if told else ()
+            why = self._told(verdict, f"why.{found.reason}") if found.reason in REASONS else self._sentence(found.reason)
             return verdict, " ".join((*seems, self._told(verdict, "undecided"), why)), ""
         if slip.right and not slip.kind:
             told = " ".join(filter(None, (told, self._told(verdict, "right_terms", count=slip.right, of=slip.terms))))
         return verdict, told or self._told(verdict, "wrong"), ""
 
-    def _checked(self, read: t.Node) -> Result:
-        """What the judge of `check` says: of the motion from its start until it first comes to rest."""
-        if read not in self.checked:
-            name, world = self.derivation.study.problem.name, ProblemWorld(self.derivation.study)
-            claim = Claim("line", Setting(name, problem=name), Printed(to_latex(read, self.notation)))
-            self.checked[read] = Checker(lambda _: world, diagnosis).check_safely(claim)
-        return self.checked[read]
-
-    def _is_proved_by_check(self, read: t.Node, sheet: PhaseSheet) -> bool:
-        """Is it proved there, in letters that mean the same there?"""
-        return t.names(read) <= sheet.statement_names and self._checked(read).outcome is Outcome.PROVED
+    def _sentence(self, words: str) -> str:
+        """What the readers and checks say, as a sentence of the student's language."""
+        told = translated(words, self.language)
+        return sentence(f"{told[:1].upper()}{told[1:]}") if told else ""
 
     def principles(self) -> list[dict[str, str]]:
         """[{key, words}]: the principles of this derivation, among which one is asked for."""
@@ -258,13 +263,14 @@ class Tutor(Frozen):
         if step is None:
             return self._say("all_written"), ""
         own = next(one.derivation for one in self.sheets.values() if step in one.steps.values())
-        said = words_of(own, frozenset(step.id for step in own.steps), self.language)
-        blocks = [block for block in Teller(said).step(step) if isinstance(block, Paragraph)]
-        told = [plain_text(block.inlines, self.notation, self.language) for block in blocks]
-        ends = step.statement.items if isinstance(step.statement, t.Chain) else (step.statement,)
-        more = {2: [f"{to_text(ends[0], self.notation)} = …"], 3: [to_text(step.statement, self.notation)]}
-        shown = more.get(min(depth, 3), [] if told else more[2])
-        return " ".join([*told, *shown]), to_latex(step.statement, self.notation) if depth >= 3 else ""
+        words = words_of(own, frozenset(step.id for step in own.steps), self.language)
+        blocks = [block for block in Teller(words).step(step) if isinstance(block, Paragraph)]
+        said = " ".join(" ".join(plain_text(one.inlines, self.notation, self.language) for one in blocks).split())
+        rows = step.statement.rows if isinstance(step.statement, t.Relations) else (step.statement,)
+        left = ", ".join(f"{to_text(row.items[0], self.notation)} {row.ops[0]} …" for row in rows if isinstance(row, t.Chain))
+        shown = to_text(step.statement, self.notation) if depth >= 3 else left if depth == 2 or not said.endswith(".") else ""
+        # a sentence that the formula ends has its left side at once
+        return f"{said[:1].upper()}{said[1:]} {shown}".strip(), to_latex(step.statement, self.notation) if depth >= 3 else ""
 
     def record(self, lines: Iterable[str]) -> dict[str, Any]:
         """What is handed in: the problem, each line with its verdict, how many of all steps of standard notes stand."""
@@ -276,7 +282,3 @@ class Tutor(Frozen):
         problem = self.derivation.study.problem
         title = problem.title.get(self.language) or problem.name
         return {"problem": problem.name, "title": title, "lines": rows, "steps": steps, "all": shown}
-
-
-def _sentence(words: str) -> str:
-    return f"{words[:1].upper()}{words[1:]}." if words else ""

@@ -1,4 +1,5 @@
 """Letters that students use untold: F, a, v, p, x, y of a body along a direction; τ, I, L about a point, ω, α, m of a body.
+A force that is known but as a vector (the friction of what slips) is so, too, its component or its magnitude.
 
 What such a letter stands for is what makes the line true; all letters of a line are of the same body, direction and point, as
 far as nothing else stands behind a dash (`a_x`, `tau_cm`, `v_disk`). F and τ are the sums of those on the body.
@@ -20,7 +21,7 @@ from rbpsym.mechanics.system import BodyState
 ALONG, ABOUT, BARE = frozenset("Favp"), frozenset(("tau", "I", "L")), frozenset(("x", "y", "m", "M", "omega", "alpha"))
 SUM = ("net", "res", "tot")  # may stand behind a sum
 AXES: Mapping[str, Vector] = {"x": EX, "y": EY}
-WAYS = ("way", "across", *AXES, "speed")
+WAYS = ("way", "across", *AXES, "size")
 MOST = 48  # readings of a line
 
 
@@ -34,8 +35,12 @@ class Untold(Frozen):
     def names(self) -> frozenset[str]:
         """How they may be typed."""
         tails = (*self.study.system.bodies, *AXES, *self._points, *SUM)
-        stems = ALONG | ABOUT | BARE
+        stems = ALONG | ABOUT | BARE | self._forces
         return frozenset((*stems, *(f"{stem}_{tail}" for stem in stems for tail in tails))) - self.taken
+
+    @cached_property
+    def _forces(self) -> frozenset[str]:
+        return frozenset(force.name for force in self.study.system.forces if force.vector) - self.taken
 
     @cached_property
     def _points(self) -> tuple[str, ...]:
@@ -56,11 +61,13 @@ class Untold(Frozen):
                     "a": [body.acceleration],
                     "v": [body.velocity],
                     "p": [body.velocity * body.mass],
+                    **{force.name: [force.vector] for force in own if force.name in self._forces},
                 }
                 found |= {
                     f"{letter}.{name}.{way}": sum((one.dot(along) for one in all), NOTHING) for letter, all in vectors.items()
                 }
-            found[f"v.{name}.speed"] = neat(root(body.velocity.dot(body.velocity)), self.study.assumptions)
+            sized = {"v": body.velocity, **{force.name: force.vector for force in own if force.name in self._forces}}
+            found |= {f"{a}.{name}.size": neat(root(one.dot(one)), self.study.assumptions) for a, one in sized.items()}
             for point in self._points:
                 place = self.study.origins.get(point, body.center)
                 away = body.center - place
@@ -103,10 +110,11 @@ class Untold(Frozen):
             yield read
 
     def _called(self, name: str, body: str, way: str, point: str) -> str:
-        stem, _, tail = name.partition("_")
+        force = next((one for one in self._forces if f"{name}_".startswith(f"{one}_")), name.partition("_")[0])
+        stem, tail = force, name[len(force) + 1 :]
         body, way = (tail if tail in known else own for known, own in ((self.study.system.bodies, body), (AXES, way)))
         point = tail + point[len(point.rstrip("-")) :] if tail in self._points else point
-        of = way if stem in ALONG else point.rstrip("-") if stem == "I" else point if stem in ABOUT else ""
+        of = way if stem in ALONG | self._forces else point.rstrip("-") if stem == "I" else point if stem in ABOUT else ""
         return f"{stem}.{body}.{of}"
 
 

@@ -138,6 +138,7 @@ const FILL = {
     const figure = el("div", { className: "scenes", role: "img", ariaLabel: glance.alt, innerHTML: glance.figure }), list = found.map(answered);
     $("questions").replaceChildren(...questionsIn(text, tables).map((value) => el("option", { value })));
     $("answers").replaceChildren(...(glance.figure ? [figure] : []), ...(list.length ? list : [el("p", { textContent: say("asksnothing") })]));
+    if ($("told").firstChild) await ask(); // the answer to what was asked of the statement before
   },
   async explorer() {
     const none = $("explorer-none");
@@ -167,7 +168,7 @@ const answered = (one) => el("section", {}, el("h2", { textContent: one.question
 
 /** A question that is asked beside the statement; it may be put into it. */
 async function ask(event) {
-  event.preventDefault();
+  event?.preventDefault();
   const question = $("asked").value.trim();
   if (!question) return;
   $("told").textContent = say("deriving");

@@ -72,6 +72,19 @@ export function questionsIn(text, tables) {
   return [...new Set((tables?.quantities ?? []).filter((one) => /[A-Z]{4}/.test(one)).flatMap(filled))].filter((one) => !/[A-Z]{4}/.test(one));
 }
 
+const PROSE = /^(title|source|level|topic|meaning|name|said|glyph)$/;
+
+/** The text with a letter called otherwise wherever a formula or a key holds it: not in what is told to people. */
+export function renamed(text, from, to) {
+  const lines = text.split("\n"), word = new RegExp(`\\b${from}\\b`, "g");
+  for (const { name, rows } of read(text)) for (const row of rows) {
+    const [value, remark] = parted(row.value), isTold = PROSE.test(row.key) || /^(parameters|meanings|names)\b/.test(name);
+    const now = isTold ? value : value.replace(STRING, (one) => one.replace(word, to)), before = row.key === from ? row.before.replace(word, to) : row.before;
+    lines.splice(row.line, row.last - row.line + 1, ...Array(row.last - row.line).fill(null), before + now + remark);
+  }
+  return lines.filter((line) => line !== null).join("\n");
+}
+
 export class Form {
   constructor(holder, el, tables, changed) { Object.assign(this, { holder, el, tables, changed, text: "" }); }
 
@@ -116,7 +129,11 @@ export class Form {
       return input;
     });
     const meaning = this.known(section)[row.key] ?? "", help = remark.replace(/^\s*#\s*/, "") || (inputs.some((one) => !one.value) ? meaning : "");
-    const line = el("div", { className: "row" }, el("label", { htmlFor: `${id}-0`, textContent: row.key, title: meaning }), el("span", { className: "inputs" }, ...inputs), ...(help ? [el("small", { textContent: help })] : []));
+    const letter = el("input", { id: `${id}-key`, value: row.key, ariaLabel: `${row.key}: ${say("form.name")}`, autocomplete: "off", spellcheck: false });
+    letter.onchange = () => /^[A-Za-z]\w*$/.test(letter.value) ? this.changed(renamed(this.text, row.key, letter.value)) : (letter.value = row.key);
+    const called = section.name === "parameters" ? letter : el("label", { htmlFor: `${id}-0`, textContent: row.key, title: meaning });
+    if (called === letter) inputs[0].ariaLabel = row.key;
+    const line = el("div", { className: "row" }, called, el("span", { className: "inputs" }, ...inputs), ...(help ? [el("small", { textContent: help })] : []));
     Object.assign(line.dataset, { line: row.line, last: row.last });
     return line;
   }

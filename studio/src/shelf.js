@@ -32,7 +32,7 @@ point = "rod.start"
 question = "period of theta"
 `;
 const $ = (id) => document.getElementById(id);
-const plain = (text) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
+const plain = (text) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase().replace(/[^\p{L}\d]+/gu, " ");
 
 /** Cards are chosen by started(name), or began(text) for a new one; picture(name) gives {figure, alt}. */
 export function shelf(el, picture, started, began) {
@@ -46,15 +46,15 @@ export function shelf(el, picture, started, began) {
   const card = (name, title, about, chosen) => {
     const one = el("button", { type: "button", onclick: () => { $("shelf").close(); chosen(); } }, el("span", { className: "scenes", ariaHidden: "true", textContent: name ? "" : "+" }), el("strong", { textContent: title }), el("small", { textContent: about }));
     one.dataset.name = name;
-    one.dataset.words = plain(`${title} ${about} ${name}`);
+    one.dataset.words = plain(` ${title} ${about} ${name}`);
     if (name) seen.observe(one);
     return one;
   };
   $("gallery").onclick = () => { $("shelf").showModal(); $("wanted").focus(); };
   $("close").onclick = () => $("shelf").close();
   $("wanted").oninput = () => {
-    const words = plain($("wanted").value).split(/\s+/);
-    for (const one of $("cards").children) one.hidden = !words.every((word) => one.dataset.words.includes(word));
+    const words = plain($("wanted").value).split(" "); // each begins a word
+    for (const one of $("cards").children) one.hidden = !words.every((word) => one.dataset.words.includes(" " + word));
     $("found").textContent = say("found", { count: [...$("cards").children].filter((one) => !one.hidden).length });
   };
   return (problems) => {

@@ -27,7 +27,7 @@ export class Tutor {
   task(figure, page) {
     const told = [];
     for (let one = page.querySelector("h2")?.nextElementSibling; one && one.localName !== "h2"; one = one.nextElementSibling) if (one.localName !== "figure") told.push(one);
-    for (const link of told.flatMap((one) => [...one.querySelectorAll("a")])) link.replaceWith(...link.childNodes); // they lead to places in the notes
+    for (const link of told.flatMap((one) => [...one.querySelectorAll("a")])) link.replaceWith(...(/^\(\d+\)$/.test(link.textContent) ? [] : link.childNodes)); // they lead to places in the notes: no equation of these is told here
     $("task").replaceChildren(this.el("div", { className: "scenes", innerHTML: figure }), ...told);
   }
 

@@ -59,6 +59,16 @@ def test_nothing_is_guessed(module: Module) -> None:
         assert name not in GUESSES, f"{module.path}:{node.lineno}: {name}"
 
 
+@of_every_module
+def test_an_assertion_changes_nothing(module: Module) -> None:
+    """In the page the program runs without assertions: one that took a mark from a list took the grammar of questions with it."""
+    for node in ast.walk(module.tree):
+        inner = ast.walk(node.test) if isinstance(node, ast.Assert) else ()
+        called = {part.func.attr for part in inner if isinstance(part, ast.Call) and isinstance(part.func, ast.Attribute)}
+        changed = called & {"pop", "append", "add", "remove", "discard", "update", "setdefault", "popleft", "extend", "__next__"}
+        assert not changed, f"{module.path}:{node.lineno}: {changed}"
+
+
 def public(module: Module) -> Iterator[ast.FunctionDef | ast.ClassDef]:
     """Its public functions and classes, and the public methods of those."""
     kinds = (ast.FunctionDef, ast.ClassDef)

@@ -42,7 +42,7 @@ const ACTS = {
     const after = await Promise.all(["trace", "velocity", "acceleration"].map(count)), start = (await readings(page))["p.theta_0"];
     const tip = await page.evaluate(() => document.querySelector("#picture-0 path.velocity-head").getBoundingClientRect().x - document.querySelector("#picture-0 path.trace").getBoundingClientRect().x);
     await page.click("#restart");
-    const dot = await page.locator("#picture-0 circle.dot").last().boundingBox();
+    const dot = await page.locator("#picture-0 path.band-edge").first().boundingBox(); // taken at its upper end, not at its middle
     await page.mouse.move(dot.x + 2, dot.y + 2);
     await page.mouse.down();
     await page.mouse.move(dot.x + 30, dot.y + 50, { steps: 4 });

@@ -73,7 +73,8 @@ def _sequence(marks: list[str]) -> Node:
         mark = marks.pop()
         if mark in "([":
             inner = _either(marks)
-            assert marks.pop() == {"(": ")", "[": "]"}[mark]
+            closing = marks.pop()
+            assert closing == {"(": ")", "[": "]"}[mark]
             if marks and marks[-1][0] == ":":
                 inner = ("caught", (inner, marks.pop()[1:]))
             parts.append(inner if mark == "(" else ("either", [inner, ("all", [])]))

@@ -74,8 +74,9 @@ function startNumbers(model) {
   });
 }
 
-function drag(model, body, goal) {
-  const away = () => { const at = pick(body.cm, startOf(model, numbersOf(model)).out); return Math.hypot(at[0] - goal[0], at[1] - goal[1]); };
+/** The point of a body that was taken hold of comes as near to the goal as the start lets it. */
+function drag(model, body, own, goal) {
+  const away = () => { const { out } = startOf(model, numbersOf(model)), at = carried(own, pick(body.at, out), out[body.angle]); return Math.hypot(at[0] - goal[0], at[1] - goal[1]); };
   for (const one of [...startNumbers(model), ...startNumbers(model)]) {
     let best = state.numbers[one.name], least = away();
     for (const share of [1, 1 / TRIED]) {  // first the whole range, then around the best of it
@@ -90,6 +91,12 @@ function drag(model, body, goal) {
   }
 }
 
+/** The point between two that is nearest to a third. */
+function along([a, b], [c, d], [x, y]) {
+  const [u, v] = [c - a, d - b], share = Math.min(Math.max(((x - a) * u + (y - b) * v) / (u * u + v * v || 1), 0), 1);
+  return [a + share * u, b + share * v];
+}
+
 /** What lies under a finger or the pointer: the point for torques, or a body that can be dragged; the handle takes a place in metres. */
 function handleAt(place, goal, reach) {
   const model = MODELS[place], { scale, out } = state.drawings[place];
@@ -97,9 +104,12 @@ function handleAt(place, goal, reach) {
   if (layers.has("moment") && away(about.at) < REACH) return (point) => moveAbout(point, place);
   const line = state.change.force && lineHandle(place, away);
   if (line) return line;
-  const far = (body) => away(pick(body.cm, out)), body = model.data.phases[0].bodies.reduce((a, b) => (far(b) < far(a) ? b : a));
-  if (far(body) > reach || !startNumbers(model).length) return null;
-  return (point) => { pause(); if (state.time) seek(0); drag(model, body, point); sliders(); soon(); };
+  const outer = (body) => [pick(body.cm, out), ...outlineOf(body, out).flatMap((piece) => piece.points)];
+  const far = (body) => Math.min(...outer(body).map((point, _, [from]) => away(along(from, point, goal)))); // anywhere on it, not only at its middle
+  const body = model.data.phases[0].bodies.map((one) => [far(one), one]).reduce((a, b) => (b[0] < a[0] ? b : a));
+  if (body[0] > reach || !startNumbers(model).length) return null;
+  const [x, y] = pick(body[1].at, out), own = carried([goal[0] - x, goal[1] - y], [0, 0], -out[body[1].angle]);
+  return (point) => { pause(); if (state.time) seek(0); drag(model, body[1], own, point); sliders(); soon(); };
 }
 
 function draggable(svg, place) {

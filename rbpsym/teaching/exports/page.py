@@ -67,7 +67,8 @@ def table(formula: SetFormula, picture: Callable[[d.FigureBlock], str], marks: M
         d.Ref: lambda inline, page: str(escape(marks.get(inline.label) or inline.mark or word("elsewhere", page.language))),
         d.Display: lambda block, page: _display(block, page, formula),
         d.Table: _table_html,
-        d.Callout: lambda block, page: f"<div>{_titled(block, page)}{page.blocks(block.blocks, '')}</div>",
+        d.Callout: lambda block, page: f"<div>{f'<p><strong>{page.inlines(block.title)}</strong></p>' if block.title else ''}"
+        f"{page.blocks(block.blocks, '')}</div>",
         d.FigureBlock: lambda block, page: _figure(block, page, picture(block), marks.get(block.label)),
     }
 
@@ -75,10 +76,6 @@ def table(formula: SetFormula, picture: Callable[[d.FigureBlock], str], marks: M
 def _display(block: d.Display, page: Page, formula: SetFormula) -> str:
     reason = f" &#160; {page.inlines(block.reason)}" if block.reason else ""
     return f"<p>{formula(block.node, page.notation, True)}{reason}</p>"
-
-
-def _titled(block: d.Callout, page: Page) -> str:
-    return f"<p><strong>{page.inlines(block.title)}</strong></p>" if block.title else ""
 
 
 def _row(cells: tuple[d.Inlines, ...], tag: str, page: Page) -> str:

@@ -198,9 +198,9 @@ def read_formula(text: str, book: Book, *, labels: bool = True) -> t.Node:
     return with_integral(told, book, partial(read_formula, labels=False)) or _made(_typed(told, book), told, book)
 
 
-def read_all(text: str, book: Book) -> Ways:
+def read_all(text: str, book: Book, *, labels: bool = True) -> Ways:
     """Every way to read an answer that can be read in several. Raises as `read_formula`."""
-    told = _told(text, book, labels=True)
+    told = _told(text, book, labels)
     if not is_latex(told) and (whole := with_integral(told, book, partial(read_formula, labels=False))):
         return Ways((whole,), None, ((),))
     if is_latex(told):

@@ -55,7 +55,9 @@ def are_equal(answer: Node, key: Node, ground: GradingGround) -> Verdict:
     first = ground.sampling.differ(answer, key, most=1)
     if first.is_refuted:
         return first
-    found = _by_algebra(answer, key, ground) if is_small(answer, ground, key) else TOO_LARGE
+    found = TOO_LARGE
+    if is_small(answer, ground, key):
+        found = _tried(lambda: equal(with_logarithms(answer), with_logarithms(key), ground.assumptions, ground.scope))
     if found.is_proved and found.open_obligations and has_other_domain(answer, key, ground):
         return undecided("equal where both have a value, but they have one at different places")
     if found.is_proved and _open_powers(answer, ground) != _open_powers(key, ground):
@@ -82,10 +84,6 @@ def _equal_along(answer: Node, key: Node, ground: GradingGround) -> Verdict:
         return scalars_equal(*both(lambda side: at_start(ground.on_motion(scalar(side, scope)), scope)), assumptions)
 
     return _tried(decided)
-
-
-def _by_algebra(answer: Node, key: Node, ground: GradingGround) -> Verdict:
-    return _tried(lambda: equal(with_logarithms(answer), with_logarithms(key), ground.assumptions, ground.scope))
 
 
 def _tried(decide: Callable[[], Verdict]) -> Verdict:

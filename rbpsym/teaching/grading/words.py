@@ -34,16 +34,13 @@ def _log10(node: t.Node) -> t.Node:
     return t.Div(t.Fn("ln", node), t.Fn("ln", t.Num(10)))
 
 
-def _cbrt(node: t.Node) -> t.Node:
-    return t.Pow(node, t.Div(t.ONE, t.Num(3)))
-
-
 def _of_reciprocal(name: str) -> Made:
     return lambda node: t.Fn(name, t.Div(t.ONE, node))
 
 
 MADE: Mapping[str, Made] = MappingProxyType({
-    **FUNCTIONS, **HYPERBOLIC, "log10": _log10, "lg": _log10, "log_10": _log10, "cbrt": _cbrt, "root": t.Sqrt,
+    **FUNCTIONS, **HYPERBOLIC, "log10": _log10, "lg": _log10, "log_10": _log10, "root": t.Sqrt,
+    "cbrt": lambda node: t.Pow(node, t.Div(t.ONE, t.Num(3))),
     "cotan": FUNCTIONS["cot"], "tangent": FUNCTIONS["tan"], "sine": FUNCTIONS["sin"], "cosine": FUNCTIONS["cos"],
     **dict.fromkeys(("asec", "arcsec"), _of_reciprocal("acos")), **dict.fromkeys(("acsc", "arccsc"), _of_reciprocal("asin")),
 })  # fmt: skip

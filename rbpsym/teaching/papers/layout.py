@@ -119,10 +119,6 @@ def _sign_header(language: str) -> tuple[d.Inlines, ...]:
     return tuple(say(f"signs.{key}", language) for key in ("force", "translational", "rotational", "cancels"))
 
 
-def _blank_rules(key: m.BlanksKey, item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield WritingRules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in key.blanks))
-
-
 Area = Callable[[Any, m.Item, m.Worksheet], Iterator[d.Block]]
 
 AREAS: Mapping[type, Area] = {
@@ -133,7 +129,9 @@ AREAS: Mapping[type, Area] = {
     m.OrderKey: _pieces,
     m.SlipKey: _lines,
     m.SignsKey: _sign_table,
-    m.BlanksKey: _blank_rules,
+    m.BlanksKey: lambda key, item, worksheet: iter(
+        [WritingRules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in key.blanks))]
+    ),
     m.ExplanationKey: lambda key, item, worksheet: iter([EmptySpace(float(item.space))]),
 }
 
