@@ -15,7 +15,7 @@ from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.ask.senses import moving_in, of_one, resisted_in
 from rbpsym.decide.dimensions import dimension_of
 from rbpsym.decide.signs import sign
-from rbpsym.errors import NotApplicable, RbpsymError, ReadError, StatementError, Undecided
+from rbpsym.errors import Ambiguous, NotApplicable, RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, root, short, substitute, symbol, time_derivative
 from rbpsym.field.exponentials import with_squares
@@ -78,13 +78,22 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
         try:
             return each, _meant(world, question)
         except RbpsymError as error:
+            if type(error) is Ambiguous:  # it is so in whatever phase
+                raise
             refused[each] = error
     raise refused[0]
+
+
+OF_BODY = re.compile(r"(?:magnitude of )?(speed|velocity|acceleration) of (\w+)")
 
 
 def _meant(world: ProblemWorld, question: Question) -> Bound:
     """What the words mean; the direction of a force is that of its vector, where its name alone is its magnitude."""
     found = world.bound(question.quantity)
+    if (said := OF_BODY.fullmatch(question.quantity)) and said[2] in world.study.system.bodies and not any(parts(found)):
+        if world.body(said[2]).omega:
+            what = f"the centre of “{said[2]}” stays where it is, so that “{question.quantity}” may mean its turning"
+            raise Ambiguous(what, instead=f"ask for the angular {said[1]} of {said[2]}, or for the {said[1]} of {said[2]}.cm.")
     with suppress(ReadError):  # a formula in the names of the problem
         dimension_of(read_infix(question.quantity, world.names), world.dimensions)
     return plane(world.vector(question.quantity)) if question.is_direction and len(parts(found)) == 1 else found

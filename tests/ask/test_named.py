@@ -60,6 +60,9 @@ REFUSED = (
     ("braking-car", "angular velocity of the wheel", "there is no body"),
     ("rod-hits-ball-at-bottom", "speed of the ball when it reaches the top", "is not understood"),
     ("rod-dropped-on-rough-floor", "speed with which the rod strikes the wall", "means nothing"),
+    ("brake-drum", "speed of the drum", "may mean its turning"),
+    ("disk-with-spring", "speed of the disk in equilibrium", "nothing moves"),
+    ("ball-on-incline", "smallest mu for which it does not slip", "no parameter"),
 )
 
 
