@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from itertools import product
+from pathlib import Path
 
 import pytest
 
@@ -39,7 +40,10 @@ MEANT = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "said", "meant"), MEANT)
+READ = [tuple(line.split("\t")) for line in Path(__file__).with_name("read_as.tsv").read_text("utf-8").splitlines()[1:]]
+
+
+@pytest.mark.parametrize(("name", "said", "meant"), [*MEANT, *READ])
 def test_words_are_read(name: str, said: str, meant: str | None) -> None:
     assert (meant in read(problem(name), said)) if meant else read(problem(name), said) == []
 
@@ -90,6 +94,13 @@ NOWHERE = [  # refused as it was read: no other meaning is looked for
     ("rod-pendulum", "angular velocity right after the rod is released from theta = pi/3"),
     ("rod-pendulum", "time until it stops again"),
     ("rod-pendulum", "x " * 5000),
+    ("rod-caught-at-end", "energy lost when it hits the ground"),
+    ("falling-stick", "angular velocity of the stick if it is released from rest when it is horizontal"),
+    ("rod-pendulum", "angular velocity of the rod in its equilibrium"),
+    ("cylinder-on-belt", "heat produced"),
+    ("crate-on-truck", "A required to move"),
+    ("ring-on-incline", "velocity at the bottom of an incline of length L"),
+    ("spring-coupled-pendulums", "ratio of the amplitudes"),
     ("rod-pendulum", "speed of rod.end if the rod were twice as long"),
 ]
 
@@ -116,6 +127,32 @@ def test_what_was_read_is_told() -> None:
     [found] = ask(load_problem("rod-pendulum"), "how fast is the rod turning when theta has reached pi/2")
     assert found.read_as == "angular velocity of rod where theta = pi/2" and found.question.text.startswith("how fast")
     assert not ask(load_problem("rod-pendulum"), "F_y at the start")[0].read_as
+
+
+LETTERS = [  # a letter that the question brings with it, and what tells what it is
+    ("yo-yo", "speed after falling h", "2*b*sqrt(g*h/(R**2 + 2*b**2))"),
+    ("ball-on-incline", "time to roll down a length L", "sqrt(14*L/(5*g*sin(beta)))"),
+    ("torsion-pendulum", "kappa for which the period is T", "2*pi**2*M*R**2/T**2"),
+    ("planet-wheel", "angular velocity of the arm after n revolutions", "2*sqrt(6*pi*n*T/((R + r)**2*(9*m + 2*M)))"),
+    ("boat-coasting", "speed after it has gone a distance d", "v_0 - c*d/m"),
+]
+
+
+@pytest.mark.parametrize(("name", "said", "value"), LETTERS)
+def test_a_letter_may_come_with_the_question(name: str, said: str, value: str) -> None:
+    [found] = ask(load_problem(name), said)
+    assert found.text == value and found.verdict.is_proved
+
+
+def test_a_question_in_the_plural_is_asked_of_each() -> None:
+    found = ask(load_problem("atwood-with-massive-pulley"), "tensions on both sides")
+    assert [one.question.text for one in found] == ["T_1", "T_2"]
+
+
+def test_a_refusal_says_what_is_not_understood() -> None:
+    with pytest.raises(StatementError, match="“when it rains” is not understood behind “normal force at front wheel”") as told:
+        ask(load_problem("rear-wheel-drive"), "normal force at the front wheel when it rains")
+    assert "at the start" in (told.value.instead or "")
 
 
 def test_several_meanings_are_refused_by_name() -> None:
