@@ -157,11 +157,14 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
         raise
     except (StatementError, ReadError) as error:
         refused = error
-    from rbpsym.ask.words.reader import read
+    from rbpsym.ask.words.reader import PLURAL, read
 
     found: dict[str, Answer] = {}
     errors: dict[str, RbpsymError] = {}
-    for text in read(asked.problem, plain):
+    readings = read(asked.problem, plain)
+    if len(readings) > 1 and PLURAL.match(plain):
+        raise Ambiguous(f"“{plain}” asks several things", instead=f"ask {' and '.join(f'“{text}”' for text in readings)}.")
+    for text in readings:
         try:
             one = _stated(asked, text, letter)
             if one.verdict.is_proved and not any(_is_one(one, other) for other in found.values()):

@@ -124,6 +124,8 @@ Must
 Unwanted
   (slipping|sliding|skidding|slip) -> it does not slip
   (tipping|overturning|toppling) -> it does not tip
+  (slipping|sliding) (or|and) (tipping|toppling|overturning) -> it does not slip
+  (slipping|sliding) (or|and) (tipping|toppling|overturning) -> it does not tip
   (losing contact|leaving Ground|lifting off) -> it stays in contact
   (lifting|lifting of|lift-off of) Contact -> {Contact} does not lift
 
@@ -192,6 +194,8 @@ Cond
       to rest at {Coord} = {Value}
   Subj Full -> @full
   Resting [of Thing] (is|be) (stable|unstable):x -> @stable
+  Subj neither (slips|slides|slip|slide) nor (tips|topples|overturns|tip|tips over|topple) -> {Subj} does not slip
+  Subj neither (slips|slides|slip|slide) nor (tips|topples|overturns|tip|tips over|topple) -> {Subj} does not tip
   Subj (stops dead|is stopped dead|is at rest after it|is stopped by Unknown) -> velocity of {Subj} right after impact
       vanishes
   Subj (stops|is stopped|comes to rest) (in|after|within):w Value (turns|revolutions|rotations) -> @stops_in
