@@ -90,10 +90,10 @@ OF_BODY = re.compile(r"(?:magnitude of )?(speed|velocity|acceleration) of (\w+)"
 def _meant(world: ProblemWorld, question: Question) -> Bound:
     """What the words mean; the direction of a force is that of its vector, where its name alone is its magnitude."""
     found = world.bound(question.quantity)
-    if (said := OF_BODY.fullmatch(question.quantity)) and said[2] in world.study.system.bodies and not any(parts(found)):
-        if world.body(said[2]).omega:
-            what = f"the centre of “{said[2]}” stays where it is, so that “{question.quantity}” may mean its turning"
-            raise Ambiguous(what, instead=f"ask for the angular {said[1]} of {said[2]}, or for the {said[1]} of {said[2]}.cm.")
+    said = OF_BODY.fullmatch(question.quantity)
+    if said and not any(parts(found)) and said[2] in world.study.system.bodies and world.body(said[2]).omega:
+        what = f"the centre of “{said[2]}” stays where it is, so that “{question.quantity}” may mean its turning"
+        raise Ambiguous(what, instead=f"ask for the angular {said[1]} of {said[2]}, or for the {said[1]} of {said[2]}.cm.")
     with suppress(ReadError):  # a formula in the names of the problem
         dimension_of(read_infix(question.quantity, world.names), world.dimensions)
     return plane(world.vector(question.quantity)) if question.is_direction and len(parts(found)) == 1 else found
