@@ -47,8 +47,9 @@ Moment
   [JustAfter|when|as soon as|once|at instant|at moment|instant|moment] (Subj|system|mechanism|assembly|everything) (is|
       are|has been|was) (released|let go|set free) [from rest] -> at start
   (at|in) its (initial|starting) position -> at start
-  (at|in|for) [this|given|shown|that] (instant|position|moment|configuration) [shown|given|considered] -> @now
-  (at|in|for) (this|given|shown) (instant|position|moment|configuration) -> @now
+  (at|in|for) (instant|position|moment|configuration) (shown|given|considered) -> @now
+  (at|in|for) (given|shown) (instant|position|moment|configuration) -> @now
+  (afterwards|then|after that) -> @after_blow
   (on|upon) Event -> where {Event}
   When Event -> where {Event}
   When Begin -> when {Begin} begins
@@ -267,6 +268,7 @@ Span
   while it (slips|slides|skids) -> <2>until it stops slipping
   (at|on) Unknown -> @in_blow
   Until BlowClause -> @until_blow
+  while Passing -> <2>until {Passing}
   (in|during|over|for) (one|a|each) [full|complete|whole] (turn|revolution|rotation) [of Body:b] -> @one_turn
   Reached ->
   (as [a] function of|in terms of) Arg -> <3>as a function of {Arg}

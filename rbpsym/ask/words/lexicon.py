@@ -60,7 +60,7 @@ SLOPES = (
     "angle of plane",
     "steepness",
 )
-FEET = ("end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
+FEET = ("axle", "axles", "end", "foot", "wheel", "wheels", "edge", "corner", "roller", "support", "leg", "hinge", "pad")
 GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
 GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
 

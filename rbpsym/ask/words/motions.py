@@ -50,7 +50,8 @@ def _lone_noun(lexicon: Lexicon, caps: Caps) -> str:
 
 def _leaves(lexicon: Lexicon, caps: Caps) -> str:
     """That the contact with what is named vanishes, where a body has several."""
-    sides = [e for e in lexicon.elements if e.kind in TOUCHING and caps["Subj"] in (*joined(e), "it")]
+    is_body = caps["Subj"] in lexicon.problem.body_names
+    sides = [e for e in lexicon.elements if e.kind in TOUCHING and (caps["Subj"] in joined(e) or not is_body)]
     found = [e.name for e in sides if caps["g"] in (*lexicon.grounds(e), *joined(e))]
     return f"{found[0]} vanishes" if len(found) == 1 < len(sides) else f"{caps['Subj']} leaves {caps['g']}"
 
@@ -174,9 +175,11 @@ MOTIONS: Mapping[str, Of] = {
     "extreme": lambda lexicon, caps: f"{caps['Subj']} is at its {'lowest' if 'lowest' in caps['x'] else 'highest'} point",
     "turned": lambda lexicon, caps: f"where {caps['Body'] or 'it'} has turned 2*pi*({caps['Value'] or 1})",
     "best_of": lambda lexicon, caps: f"{caps['Par']} for which {caps['State']} is {EXTREMES.get(caps['Best'], caps['Best'])}",
-    "where": lambda lexicon, caps: f"{lone(lexicon)} where {caps['Event']}" if lone(lexicon) else None,
+    "where": lambda lexicon, caps: f"{who} where {caps['Event']}"
+                                   if (who := lone(lexicon) or coordinate(lexicon, {**caps, "x": "angle"})) else None,
     "cut": _cut,
     "slid_until": lambda lexicon, caps: f"{MEANINGS['slid'](lexicon, caps)} until {caps['e'] or 'it stops slipping'}",
+    "critically": lambda lexicon, caps: f"{lone(lexicon)} is critically damped" if lone(lexicon) else None,
     "forced": lambda lexicon, caps: f"{'phase' if caps['x'] else 'amplitude'} of {who}"
                                     if (who := caps["Thing"] or lone(lexicon)) else None,
     "resonance": _resonance("{} for which amplitude of {} is largest"),

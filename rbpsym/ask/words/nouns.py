@@ -21,6 +21,7 @@ Subj
   Coord -> {Coord}
   Point -> {Point} !1
   It -> {It}
+  End -> {End} !1
 
 Holder
   Body -> {Body}
@@ -42,16 +43,16 @@ State
   its Noun -> @its
   Noun -> @lone_noun !2
   Turns of Holder:a relative to Holder:b -> angular velocity of {a} relative to {b}
-  (terminal|limiting|steady|final|ultimate|maximum attainable) (speed|velocity|Turns):n [of Thing] -> @terminal
+  [its] (terminal|limiting|steady|final|ultimate|maximum attainable) (speed|velocity|Turns):n [of Thing] -> @terminal
   common (speed|velocity|Turns):n of Each [(after|When|JustAfter) BlowClause] -> {n} of {Each} <2>right after impact
   (speeds|velocities|accelerations|angular velocities|angular accelerations):n of Each -> @each
   (Noun|kinetic energy):n of Each -> {n} of {Each}
   Several [on both sides|on each side|on either side|on both sides of Body] -> {Several}
-  fraction of [initial|original] [kinetic|mechanical] energy [that is|which is] (lost|dissipated) [(in|during|by|at|on)
+  fraction of [initial|original] [kinetic|mechanical] energy [that is|which is|is] (lost|dissipated) [(in|during|by|at|on)
       [each] BlowNoun|in slipping|while slipping|to friction] -> @fraction
-  fraction of [total] kinetic energy (that is|which is|that is in|in) (rotational|rotation) -> ratio of rotational kinetic
-      energy to kinetic energy
-  fraction of [total] kinetic energy (that is|which is|that is in|in) (translational|translation) -> ratio of
+  fraction of [its] [total] kinetic energy (is|that is|which is|that is in|in) (rotational|rotation) -> ratio of
+      rotational kinetic energy to kinetic energy
+  fraction of [its] [total] kinetic energy (is|that is|which is|that is in|in) (translational|translation) -> ratio of
       translational kinetic energy to kinetic energy
   (speed|velocity|acceleration):n (down|up|along) [the] (incline|slope|plane|ramp|hill) -> @lone_noun
   (acceleration|velocity|speed):n of Thing (down|up|along) (incline|slope|plane|ramp|hill) -> magnitude of {n} of {Thing}
@@ -126,6 +127,7 @@ State
   compression [of|in] Spring -> compression of {Spring}
   force (in|of|exerted by|from) Spring -> force {Spring}
   spring force -> spring force
+  power (of|delivered by|supplied by|developed by|exerted by) Element -> power of {Element}
   power (of|delivered by|supplied by|developed by|exerted by) Force -> power of {Force}
   weight -> @weight
   weight of Holder -> weight of {Holder}

@@ -36,6 +36,7 @@ Question
   Condition -> {Condition}
 
 Ask
+  what -> !1
   what (is|are|was|were|will be|must be|should be|would be) ->
   (find|determine|calculate|compute|give|express|evaluate|obtain|derive|state) ->
   how (large|big|great|strong|high|long|fast) (is|are|was|will be) ->
@@ -64,6 +65,15 @@ Asking
   how many (turns|revolutions|rotations) (does|will|has) Body (make|makes|made|complete|Turn) [Spans] -> number of turns
       of {Body} {Spans}
   how long (does|will|did) Subj (slip|slide|skid) -> time until {Subj} stops slipping
+  how much (Heat|heat is produced|heat is generated) [to friction|by friction|in slipping] -> @heat
+  how much (energy|heat) is (lost|produced|generated|dissipated) [to friction|by friction|in slipping] -> @heat
+  how (large|great|big|strong|small) must Par be to (stop|bring):v [Body:b] [to rest] (in|within|after):w Value (turns|
+      revolutions| rotations) -> @stopping
+  how (large|great|big|strong|small|fast) must (Par|Chosen) be (to|for) Must -> {Par}{Chosen} for which {Must}
+  what (Par|Chosen) (makes|causes|will make|lets) Cond -> {Par}{Chosen} for which {Cond}
+  what fraction of [its|initial] [kinetic|mechanical] energy is lost [in BlowNoun] -> @fraction
+  how fast (does|do) Each (turn|rotate|spin) [Tails] -> angular velocity of {Each} {Tails}
+  how fast (does|do) Each (move|go) [Tails] -> speed of {Each} {Tails}
   how much (energy|kinetic energy|mechanical energy) (is|was) lost [Spans] -> energy lost {Spans}
   how much work (does|did|is done by) Force [do] [Spans] -> work of {Force} {Spans}
   how much work is done by Force [Spans] -> work of {Force} {Spans}
@@ -119,6 +129,7 @@ Must
   (tip|topple|overturn|tip over|tipping) -> it tips
   (slip|slide|start sliding|start slipping|begin to slide) -> it slips
   (Full) -> @full
+  (critical damping|be critically damped) -> @critically
   (rolling without slipping|roll without slipping|pure rolling|rolling|prevent slipping|no slipping) -> it does not slip
 
 Unwanted
@@ -173,6 +184,7 @@ Cond
   Subj Leave [Ground:g] (at|when|where) Place -> @leaves_at
   (Body|Contact) Not (lift|lift off|leave|rise|bounce|come off) [from|off] [Ground] [Spans] -> {Body}{Contact} does not lift
   State (doubles|is doubled) -> @doubled
+  Contact (lifts|lift|lifts off|lift off|leave|leaves) [off] [Ground] -> {Contact} vanishes
   Subj Not (leave|lose contact with|lift off|lift from|fly off) [Ground] [Spans] -> {Subj} stays in contact {Spans}
   Subj (stays|stay|remains|remain|keeps) [in] contact [with Ground] [Spans] -> {Subj} stays in contact {Spans}
   Subj (stays|stay|remains|remain|keeps) on Ground [Spans] -> {Subj} stays in contact {Spans}
