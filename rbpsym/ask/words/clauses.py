@@ -144,6 +144,8 @@ BlowClause
   (Subj|Stranger) [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
   (Unknown|Body) (catches|grabs|seizes|engages|strikes|hits|captures|hooks) [(its|one|free|other|right|left|lower|upper)]
       (end|Body| Point|it|corner|edge) -> impact
+  (they|Body and Body|bodies|two) (collide|meet|stick together|join|become joined|strike each other|hit each other) ->
+      impact
   (embedding|catching|landing|hooking|capture) -> impact
 
 Unknown
@@ -186,11 +188,16 @@ Passing
       becomes|has fallen to|has dropped to|falls to|drops to|has risen to|is reduced to|is equal to| has decreased to|has
       increased to) Value -> {State} = {Value}
   State:a (=|is|reaches|equals|becomes|is equal to) State:b -> {a} = {b}
+  (speed|velocity|Turns):n [of (Coord|Holder)] Sinks [to] half [of] [its] [initial|original|first] [value] -> @halved
   Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|is moving at|is moving with|moves with|moves
       at| to reach|to attain|reaching|to have|moves with a|travels at) [a|its] [speed|velocity] [of] SpeedValue -> @speed
   Subj (has|have|with|reaches|attains|acquires|gets|have reached|has reached|to reach|to attain|reaching|to have|rotates
       at| turns at|turns with) [its] (angular velocity|angular speed|speed) [of] TurnValue -> angular velocity of {Subj} =
       {TurnValue}
+
+Sinks
+  (has fallen|falls|to fall|fall|drops|to drop|drop|has dropped|is reduced|to be reduced|decreases|to decrease|sinks|
+      becomes|is) ->
 
 Happening
   State (is|becomes|reaches its) Top -> {State} is {Top}

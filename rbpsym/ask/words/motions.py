@@ -90,6 +90,15 @@ def _critical(lexicon: Lexicon, caps: Caps) -> str | None:
     return f"{found[0]} for which {lone(lexicon)} is critically damped" if len(found) == 1 and lone(lexicon) else None
 
 
+def _halved(lexicon: Lexicon, caps: Caps) -> str | None:
+    """Half of the speed with which the only coordinate starts: of itself, or of a body's turning that goes with it."""
+    coordinates = lexicon.problem.coordinates
+    own = caps["Coord"] or not caps["Holder"] or "angular" in caps["n"]
+    if len(coordinates) != 1 or coordinates[0].speed is None or not own:
+        return None
+    return f"speed of {coordinates[0].name} = ({to_machine(coordinates[0].speed)})/2"
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -180,6 +189,7 @@ MOTIONS: Mapping[str, Of] = {
     "cut": _cut,
     "slid_until": lambda lexicon, caps: f"{MEANINGS['slid'](lexicon, caps)} until {caps['e'] or 'it stops slipping'}",
     "critically": lambda lexicon, caps: f"{lone(lexicon)} is critically damped" if lone(lexicon) else None,
+    "halved": _halved,
     "forced": lambda lexicon, caps: f"{'phase' if caps['x'] else 'amplitude'} of {who}"
                                     if (who := caps["Thing"] or lone(lexicon)) else None,
     "resonance": _resonance("{} for which amplitude of {} is largest"),

@@ -208,7 +208,7 @@ Gone
   angle [turned|rotated|swept] [through] [by Holder] -> @angle
   angular displacement [of Holder] -> @angle
   angle (through|by) which Holder (turns|rotates|swings|has turned|has rotated) -> angle turned by {Holder}
-  number of (turns|revolutions|rotations) [of|made by|it makes] [Holder] -> @turns
+  [total] number of (turns|revolutions|rotations) [of|made by|it makes] [Holder] -> @turns
   work [done] (of|by) Force [on Holder] -> @work
   work Force (does|do|has done) [on Holder] -> @work
   work [done] on Holder by Force -> @work

@@ -49,6 +49,8 @@ Asking
   (with|at) (what|which) (speed|velocity) (does|will|do) Event -> @with_which
   what (speed|velocity|acceleration):x (does|will|has) Thing [have] [Tails] -> {x} of {Thing} {Tails}
   what (angular velocity|angular speed|angular acceleration):x (does|will) Thing [have] [Tails] -> {x} of {Thing} {Tails}
+  how far has Thing (moved|gone|travelled|slid|rolled|turned aside|shifted) Moment [Tails] -> magnitude of displacement of
+      {Thing} <2>{Moment} {Tails}
   how far [up|down|along] [Ground] (does|will|can|has|do|is) Thing FarVerb [Along] [Spans] -> @far
   how high (does|will|can) Thing (Rise|Go|Turn|swing|go|get|jump|bounce|fly|climb|rise|rebound) [up|above ground] [After]
       -> how high does {Thing} rise {After}
