@@ -37,6 +37,9 @@ def _equilibria(world: ProblemWorld, name: str, kind: str | None = "stable") -> 
     found = unstable if kind == "unstable" else stable or (unstable if kind is None else [])
     if not found:
         raise StatementError(f"no {kind or 'stable'} equilibrium of “{name}” is known")
+    if kind is None and found is unstable and not world.study.rest.complete:  # a stable one may be where no formula tells it
+        what = f"no stable equilibrium of “{name}” was found in closed form, and others than the unstable one are not excluded"
+        raise StatementError(what, instead=f"ask for the “unstable equilibria of {name}”.")
     return found
 
 

@@ -37,6 +37,7 @@ WRONG = [
     ("rod-pendulum", "F_y when F_y stops slipping", "there is no contact"),
     ("rod-pendulum", "component of mass of rod along rod", "is no vector"),
     ("rod-pendulum", "frequency of g", "is no coordinate"),
+    ("weak-torsion-spring", "equilibrium of theta", "others than the unstable one are not excluded"),
     ("rod-pendulum", "impulse of F when struck begins", "no phase “struck”"),
     ("rod-pendulum", "direction of mass of rod", "is no vector"),
     ("elastic-pendulum", "angular velocity of bob", "“bob” is a particle, which does not turn"),
