@@ -90,9 +90,13 @@ def certified(
     is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))
     says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
     says = _behind(draft, last) if found.told.endswith("phase lag") else says
+    says = OTHERS if "equilibri" in question.quantity and found.told == "oscillations" and not found.study.rest.complete else says
     asked_ = tuple(dict.fromkeys((*held, *valid)))
     return Answer(question, found.study, values, nodes, verdict, found.of, asked_, (*earlier, *steps), says=says,
                   derivations=tuple(each))  # fmt: skip
+
+
+OTHERS = "others are not excluded"
 
 
 def _behind(draft: Draft, last: Step) -> str:
