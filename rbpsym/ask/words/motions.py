@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from rbpsym.ask.named import begun_without, joined, may_be
 from rbpsym.ask.words.chart import Caps
-from rbpsym.ask.words.lexicon import TOUCHING, Lexicon
+from rbpsym.ask.words.lexicon import RESTING, TOUCHING, Lexicon
 from rbpsym.ask.words.means import MEANINGS, Of, coordinate, gone, lone, of_it, of_thing
 from rbpsym.expr import tree as t
 from rbpsym.quantities import LENGTH, NUMBER, TIME
@@ -97,6 +97,18 @@ def _halved(lexicon: Lexicon, caps: Caps) -> str | None:
     if len(coordinates) != 1 or coordinates[0].speed is None or not own:
         return None
     return f"speed of {coordinates[0].name} = ({to_machine(coordinates[0].speed)})/2"
+
+
+def _along(lexicon: Lexicon, caps: Caps) -> str | None:
+    """The size of what has one direction; that it is down a slope is known where weights and contacts alone act."""
+    drives = [e for e in lexicon.elements if e.kind not in (*TOUCHING, *RESTING, "gravity", "link", "resisting-couple")]
+    who = caps["Thing"] or lexicon.it
+    return f"magnitude of {caps['n']} of {who}" if who and (caps["x"] == "along" or not drives) else None
+
+
+def _begins_at_zero(lexicon: Lexicon) -> bool:
+    """Whether heights are counted from where the motion begins."""
+    return all(c.start is None or to_machine(c.start) == "0" for c in lexicon.problem.coordinates)
 
 
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
@@ -190,6 +202,8 @@ MOTIONS: Mapping[str, Of] = {
     "slid_until": lambda lexicon, caps: f"{MEANINGS['slid'](lexicon, caps)} until {caps['e'] or 'it stops slipping'}",
     "critically": lambda lexicon, caps: f"{lone(lexicon)} is critically damped" if lone(lexicon) else None,
     "halved": _halved,
+    "along": _along,
+    "max_height": lambda lexicon, caps: "how high does it rise" if _begins_at_zero(lexicon) else None,
     "forced": lambda lexicon, caps: f"{'phase' if caps['x'] else 'amplitude'} of {who}"
                                     if (who := caps["Thing"] or lone(lexicon)) else None,
     "resonance": _resonance("{} for which amplitude of {} is largest"),

@@ -54,8 +54,7 @@ State
       rotational kinetic energy to kinetic energy
   fraction of [its] [total] kinetic energy (is|that is|which is|that is in|in) (translational|translation) -> ratio of
       translational kinetic energy to kinetic energy
-  (speed|velocity|acceleration):n (down|up|along) [the] (incline|slope|plane|ramp|hill) -> @lone_noun
-  (acceleration|velocity|speed):n of Thing (down|up|along) (incline|slope|plane|ramp|hill) -> magnitude of {n} of {Thing}
+  (speed|velocity|acceleration):n [of Thing] (down|along):x (incline|slope|plane|ramp|hill) -> @along
   RelNoun of Thing (relative to|with respect to) (ground|floor|earth) -> {RelNoun} of {Thing}
   RelNoun of Thing:a (relative to|with respect to|as seen from|seen from) Thing:b -> @relative
   relative RelNoun of Thing:a (and|to) Thing:b -> @relative
@@ -221,7 +220,7 @@ Gone
       [JustAfter|during impact] -> @impulsive
   [total] time (during which|that|for which) Subj (slips|slides|skids|is slipping|is sliding) -> time until {Subj} stops
       slipping
-  (maximum|greatest) height [reached|attained] [by Body|it reaches|Body reaches] -> how high does it rise
+  (maximum|greatest) height [reached|attained] [by Body|it reaches|Body reaches] -> @max_height
   (distance|way) Thing:a (slides|moves|travels|slips|walks|rolls|slid|moved) (on|along|relative to|over|across) Thing:b ->
       @slid
   (maximum|greatest|largest):x angle (of swing|of deflection|of rotation|of oscillation) -> @largest_angle
