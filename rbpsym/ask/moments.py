@@ -36,6 +36,8 @@ from rbpsym.typeset.machine import to_machine
 def moment_of(asked: Asked, when: When, question: Question) -> Moment:
     """The moment that the words mean. Raises StatementError where the motion never comes there."""
     place = asked.named(question.phase) if question.phase else None
+    if when.kind == "rests" and when.words:
+        when = replace(when, words=(coordinate_of(asked, when.words[0]),))
     if question.manner and when.kind in ("reaches", "rests"):
         if found := in_time.by_time(asked, when, place, question.manner):
             return found
@@ -170,7 +172,7 @@ def _rests(asked: Asked, when: When, place: int | None) -> Moment:
         said = f"write “at the turning point of {names[0]}”." if names else "nothing can move."
         raise StatementError("which coordinate turns round?", instead=said)
     name = when.words[0] if when.words else names[0]
-    return _ahead(asked, "rests", coordinate_of(asked, name), place)
+    return _ahead(asked, "rests", name, place)
 
 
 def _of_contact(event: str) -> Callable[[Asked, When, int | None], Moment]:

@@ -26,6 +26,9 @@ ANSWERS = (
     ("dryer", "Omega for which N vanishes where theta = 7*pi/18", "sqrt(g*sin(7*pi/18)/R)"),
     ("dryer", "smallest Omega for which N stays positive", "sqrt(g/R)"),
     ("slipping-spool", "smallest beta for which the spool begins to move", "atan(mu*(1 + R/r))"),
+    ("block-on-sprung-slope", "time until the block stops", "pi*sqrt(m/k)"),
+    ("grinding-wheel", "time until the wheel stops", "I/c*ln(1 + c*omega_0/M_f)"),
+    ("grinding-wheel", "angle turned by wheel until the wheel stops", "-(I*M_f/c**2*ln(1 + c*omega_0/M_f) - I*omega_0/c)"),
     ("hoop-with-body", "smallest v_0 for which phi reaches pi", "sqrt(2*m*g*R/M)"),
 )  # fmt: skip
 
