@@ -101,7 +101,7 @@ def _filled(problem: Problem, numbers: dict[str, float], example: Mapping[str, s
     numbers |= {name: value for name, text in (example or {}).items() if (value := _read(text)) is not None}
     for coordinate in problem.coordinates:
         numbers[coordinate.name] = _middle(coordinate, numbers)
-        numbers[f"{coordinate.name}_dot"] = bound(coordinate.speed, numbers) or 0.0
+        numbers[f"{coordinate.name}_dot"] = _speed(coordinate, numbers)
     numbers["t"] = 0.0
     return numbers
 
@@ -190,6 +190,10 @@ def _middle(coordinate: Coordinate, numbers: Numbers) -> float:
         start = bound(coordinate.start, numbers)
         return start if start is not None else 0.45
     return _within(coordinate, numbers, 0.55)
+
+
+def _speed(coordinate: Coordinate, numbers: Numbers) -> float:
+    return bound(coordinate.speed, numbers) or 0.0
 
 
 def floating(value: Scalar, numbers: Numbers, none: float = math.nan) -> float:
