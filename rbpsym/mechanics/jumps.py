@@ -82,7 +82,7 @@ def _jumps(moment: BeforeAndAfter, impulses: tuple[Element, ...]) -> Iterator[Ju
         acting = [force for force in forces if force.on in bodies]
         outer = [force for force in acting if not any(_is_undone(moment, force, other) for other in acting)]
         for label, where, is_turning in (*_places(moment, outer), *_directions(outer)):
-            given = sum((_part(force, where, is_turning=is_turning) for force in acting), NOTHING)
+            given = sum((force.torque(where) if is_turning else where.dot(force.vector) for force in acting), NOTHING)
             if any(depends_on(moment.new(given), name) for name in unknown):
                 continue
             given = NOTHING if is_zero(moment.new(given)) else given
@@ -103,10 +103,6 @@ def _is_undone(moment: BeforeAndAfter, force: Force, other: Force) -> bool:
         return False
     total, turn = moment.there(force.vector + other.vector), force.torque(ORIGIN) + other.torque(ORIGIN)
     return all(is_zero(moment.new(value)) for value in (total.x, total.y, turn))
-
-
-def _part(force: Force, where: Vector, *, is_turning: bool) -> Scalar:
-    return force.torque(where) if is_turning else where.dot(force.vector)
 
 
 def _momentum(system: System, bodies: tuple[str, ...], where: Vector, *, is_turning: bool) -> Scalar:

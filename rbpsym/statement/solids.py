@@ -192,13 +192,10 @@ def spread_of(elements: tuple[MassElement, ...], mass: Node) -> tuple[MassElemen
 
 def compose(parts: tuple[PlacedShape, ...]) -> Shape:
     """The composite of parts that are placed in its frame."""
-    elements = tuple(_moved(element, one) for part in parts for one in _opposite(part) for element in part.shape.elements)
+    # of a repeated part two halves opposite to each other: they have the mass, the centre and ∫ r² dm of all of them
+    elements = tuple(_moved(element, one) for part in parts for one in ((part,) if part.count is None else copies(part, 2))
+                     for element in part.shape.elements)
     return Shape("composite", {}, elements, {"origin": (ZERO, ZERO)}, parts=parts)
-
-
-def _opposite(part: PlacedShape) -> tuple[PlacedShape, ...]:
-    """Of a repeated part two halves opposite to each other: they have the mass, the centre and ∫ r² dm of all of them."""
-    return (part,) if part.count is None else tuple(copies(part, 2))
 
 
 def copies(part: PlacedShape, number: int) -> Iterator[PlacedShape]:
