@@ -92,6 +92,8 @@ class Lexicon:
         for body in self.problem.bodies:
             own = {body.name, body.name.replace("-", " "), body.name.replace("_", " ")}
             own |= {body.name.capitalize()} if len(body.name) > 2 else set()
+            meaning = without_articles(body.meaning)
+            own |= {meaning} if meaning and meaning not in TOO_PLAIN else set()
             kinds = [word for words, shapes in KINDS.items() if body.shape.kind in shapes for word in words.split("|")]
             lone = [word for words, shapes in KINDS.items() for word in words.split("|")
                     if body.shape.kind in shapes and sum(b.shape.kind in shapes for b in self.problem.bodies) == 1]  # fmt: skip
