@@ -88,7 +88,8 @@ class PhaseSheet(Frozen):
     def context(self) -> Context:
         """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
         own: Context = self.derivation.letters
-        answers = zip(self.asked, answered_all(own.study, letters(own.study)), strict=True)
+        study = self.derivation.study  # under the words of the last edit, which `own` has not
+        answers = zip(self.asked, answered_all(study, letters(study)), strict=True)
         told = {name: one.values for name, one in answers if isinstance(one, Answer) and one.verdict.is_proved}
         asked = {name: values[0] for name, values in told.items() if len(values) == 1}
         return replace(own, scalars={**asked, **self._untold.values, **self._ground.scope.scalars, **own.scalars})
