@@ -88,9 +88,10 @@ class PhaseSheet(Frozen):
     def context(self) -> Context:
         """What the letters mean: those of the derivation, and those that students may use untold (I, ω, α of the only body)."""
         own: Context = self.derivation.letters
-        answers = zip(self.asked, answered_all(own.study, letters(own.study)), strict=True)
-        told = {name: one.values for name, one in answers if isinstance(one, Answer) and one.verdict.is_proved}
-        asked = {name: values[0] for name, values in told.items() if len(values) == 1}
+        study = self.derivation.study  # under the words of the last edit, which `own` has not
+        found = answered_all(study, letters(study))
+        values = (one.values if isinstance(one, Answer) and one.verdict.is_proved else () for one in found)
+        asked = {name: one[0] for name, one in zip(self.asked, values, strict=True) if len(one) == 1}
         return replace(own, scalars={**asked, **self._untold.values, **self._ground.scope.scalars, **own.scalars})
 
     @cached_property
@@ -168,12 +169,11 @@ class PhaseSheet(Frozen):
 
     def readings(self, tree: t.Node) -> Iterator[t.Node]:
         """What its letters may mean; one may be what is asked, and is that if it is nothing else."""
-        asked = {sym: t.Sym(name) for name in self.asked if t.Sym(sym := name.partition(".")[0]) in t.walk(tree)}
-        asked = {sym: to for sym, to in asked.items() if to.name in self.context.scalars}
-        known = t.renamed(tree, {sym: to for sym, to in asked.items() if sym not in self.names | self._untold.names})
+        found = {name.partition(".")[0]: t.Sym(name) for name in self.asked if name in self.context.scalars}
+        known = t.renamed(tree, {sym: to for sym, to in found.items() if sym not in self.names | self._untold.names})
         for read in meanings(known, self.own, self.named):
             yield from self._untold.readings(read)
-        if (also := t.renamed(known, asked)) != known:
+        if (also := t.renamed(known, found)) != known:
             yield also
 
     def _typed(self, line: str) -> Ways:

@@ -53,6 +53,12 @@ seen.glance = await page.evaluate(() => [document.querySelectorAll("#figure svg"
 // the same as a form: a value that is changed there is changed in the text
 await page.click("#asform");
 seen.axeForm = await axe("form");
+for (const [from, to] of [["ell", "L"], ["L", "ell"]]) { // a letter is called otherwise wherever it stands, and again as it was
+  await page.getByLabel(new RegExp(`^${from}: `)).fill(to);
+  await page.keyboard.press("Tab");
+  await page.getByLabel(new RegExp(`^${to}: `)).waitFor({ timeout: 10000 });
+  seen.renamed = [...(seen.renamed ?? []), await page.locator("#form").getByLabel("length", { exact: true }).inputValue()];
+}
 await page.locator("#form").getByLabel("question").last().fill("N_w at the start");
 await page.keyboard.press("Tab");
 await page.locator("#answers").getByText("N_w at the start").waitFor({ timeout: 30000 });

@@ -96,6 +96,13 @@ def test_a_line_is_seen_as_it_is_printed_while_it_is_typed(ladder: str) -> None:
     assert all(one.startswith("<math") for one in found["shown"]) and len(found["shown"]) == len(found["letters"])
 
 
+def test_a_question_that_an_edit_adds_is_known_to_the_tutor(ladder: str) -> None:
+    """The derivation is kept from the statement before, its words are not."""
+    asked(do="letters", text=ladder)
+    more = f'{ladder}\n[[ask]]\nquestion = "time until N_w = 0"\n\n[[ask]]\nquestion = "N_f at the start"\n'
+    assert asked(do="judge", text=more, line="N = M*g*(4 - 3*cos(theta_0)^2)/4")["ok"]["verdict"] != "undecided"
+
+
 def test_the_schema_tells_every_operation() -> None:
     found = asked(do="schema")["ok"]
     assert set(found) == set(api.OPERATIONS)

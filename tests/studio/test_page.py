@@ -143,6 +143,7 @@ def test_the_page_does_all_it_is_for() -> None:
     assert "wrong" in seen["tutor"] and "2 times what it should be" in seen["tutor"]
     assert seen["glance"] == [1, 3]
     assert seen["formed"] and seen["axeForm"] == seen["axeTutor"] == []
+    assert seen["renamed"] == ["2*L", "2*ell"]
     assert seen["offline"] == "Sliding ladder"
     assert seen["boot"] == "snapshot"
     assert seen["wider"] <= 0

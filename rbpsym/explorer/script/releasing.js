@@ -5,7 +5,7 @@ const isChanged = () => state.change.off.size > 0 || state.change.aside !== 0;
 /** [name, words] of what holds the bodies of the models, and of the forces whose line can be moved. */
 function held() {
   const found = new Map();
-  for (const { data, loose } of MODELS) for (const one of loose.length ? loose[0].data.loose.conditions : []) if (!found.has(keyed(one))) found.set(keyed(one), told(one.turns ? "turns" : "holds", { name: (data.unknowns[one.of] || { text: one.of }).text }));
+  for (const { data, loose } of MODELS) for (const one of loose.length ? loose[0].data.loose.conditions : []) if (!found.has(keyed(one))) found.set(keyed(one), told(one.turns ? "turns" : "holds", { name: (data.unknowns[one.of] || { math: one.of }).math }));
   return [...found];
 }
 
@@ -18,7 +18,7 @@ function releaseBoxes() {
     const box = element("input", { type: "checkbox", "data-holds": name });
     box.checked = !state.change.off.has(name);
     box.addEventListener("change", () => { state.change.off[box.checked ? "delete" : "add"](name); changed(); });
-    return element("label", { class: "layer" }, [box, " " + words]);
+    return element("label", { class: "layer" }, [box, " ", Object.assign(element("span", {}), { innerHTML: words })]);
   }));
   byId("line-of").replaceChildren(element("option", { value: "" }, WORDS.line_none), ...[...forces].map(([key, of]) => element("option", { value: key }, of.text + (of.on ? " · " + of.on : ""))));
   byId("line-of").value = state.change.force;
