@@ -88,18 +88,13 @@ def _moment(draft: Draft, ending: Ending, time: Scalar) -> None:
         "event_time",
         t.equation(letter, draft.show(time, factor=True, met=ending.state.valid or None)),
         f"phases.moment.{EVENTS[event].moment if event in EVENTS else event}",
-        premises=draft.those("slip.speed", "slip.rate") or _laws(draft),
+        premises=draft.those("slip.speed", "slip.rate") or [f"motion.{name}" for name in draft.study.system.independent],
         letter=letter,
         coordinate=t.Sym(ending.phase.subject),
         is_result=True,
         obligations=draft.asked(ending.state.valid),
         data={"ending": ending},
     )
-
-
-def _laws(draft: Draft) -> tuple[str, ...]:
-    """By what the motion goes on, as far as that was told."""
-    return draft.those(*(f"motion.{name}" for name in draft.study.system.independent))
 
 
 # --- where

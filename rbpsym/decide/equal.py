@@ -206,9 +206,6 @@ def _sides(point: Point, a: Scalar, b: Scalar) -> tuple[Number, Number] | None:
 
 def witness_at(point: Point, left: Number, right: Number) -> Witness:
     """A point with the values of two sides there."""
-    circle = tuple((_angle(name, point.parts[name]), *pair) for name, pair in point.angles.items())
+    circle = tuple((f"{name}/{n}" if (n := point.parts[name]) > 1 else name, *pair) for name, pair in point.angles.items())
     return Witness(tuple(point.numbers.items()), circle, left, right)
 
-
-def _angle(name: str, parts: int) -> str:
-    return name if parts == 1 else f"{name}/{parts}"

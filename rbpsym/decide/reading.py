@@ -188,7 +188,8 @@ def _of_logarithm(reading: CaseReading, arg: Scalar) -> Poly:
 
 def _logarithm(factor: Poly) -> Poly:
     """ln |factor|; of a root half that of the radicand, of an exponential its argument."""
-    found = atoms.atom(next(iter(factor.atoms()))) if _is_generator(factor) else None
+    is_generator = factor.is_monomial() and len(next(iter(factor.terms))) == 1
+    found = atoms.atom(next(iter(factor.atoms()))) if is_generator else None
     if found is not None and found.kind in ("exp", "root"):
         inside: Scalar = found.arg
         if found.kind == "exp" and inside.den is ONE:
@@ -197,10 +198,6 @@ def _logarithm(factor: Poly) -> Poly:
             number = inside.number()
             return _logarithm(inside.num if number is None else constant(number)).scaled(Fraction(1, 2))
     return generator(atoms.intern("ln", Scalar(factor)))
-
-
-def _is_generator(factor: Poly) -> bool:
-    return factor.is_monomial() and len(next(iter(factor.terms))) == 1
 
 
 def _wave(place: int) -> Callable[[CaseReading, Poly], Poly]:

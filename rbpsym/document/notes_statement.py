@@ -63,14 +63,10 @@ def _starts(problem: Problem, said: Words) -> Iterator[Row]:
     """The constants at which the coordinates and speeds start."""
     for coordinate in problem.coordinates:
         pairs = ((coordinate.start, coordinate.name), (coordinate.speed, f"{coordinate.name}_dot"))
-        found = [(start, t.Sym(of)) for start, of in pairs if _is_constant(start, problem)]
+        found = [(start, t.Sym(of)) for start, of in pairs if isinstance(start, t.Sym) and start.name in problem.implicit]
         if found:
             letters = said.say("plain", text=[start for start, _ in found])
             yield letters, said.say("symbols.start", of=[of for _, of in found], count=len(found)), ()
-
-
-def _is_constant(start: t.Node | None, problem: Problem) -> bool:
-    return isinstance(start, t.Sym) and start.name in problem.implicit
 
 
 def dimension_words(quantity: Quantity, said: Words) -> Inlines:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
+from itertools import takewhile
 
 from rbpsym.decide.assumptions import Assumptions, behind
 from rbpsym.decide.domain import IMPLIED
@@ -55,6 +56,14 @@ def possible(demands: Iterable[Demand], given: Assumptions, never: RbpsymError) 
     if left is None:
         raise never
     return left
+
+
+def turned(root: Scalar, turn: Scalar, ends: tuple[Scalar | None, Scalar | None], given: Assumptions, most: int) -> list[Scalar]:
+    """The places that lie whole turns from one, in order, up to the first that is beyond an end."""
+    lower, upper = ends
+    down, up = ([root + turn * k for k in turns] for turns in (range(-1, -most - 1, -1), range(most + 1)))
+    kept = takewhile(lambda place: lower is None or sign(place - lower, given).kind != "negative", down)
+    return [*reversed([*kept]), *takewhile(lambda place: upper is None or sign(upper - place, given).kind != "negative", up)]
 
 
 def _parted(item: Demand, given: Assumptions) -> list[Demand]:

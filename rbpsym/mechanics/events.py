@@ -15,7 +15,7 @@ from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, short, substitute
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.constraints import JOINTS
-from rbpsym.mechanics.demands import Demand, assuming, existence, settle
+from rbpsym.mechanics.demands import Demand, assuming, existence, settle, turned
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
@@ -23,7 +23,7 @@ from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
 from rbpsym.statement.paths import tensions
 
-TURNS = range(-4, 5)
+TURNS = 4  # so many to each side
 
 
 class Loss(Frozen):
@@ -232,7 +232,7 @@ def places_ahead(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
     turn = period(factor, way.name)
     lower, upper = given.range_of(way.name)
     for root in factor_zeros(factor, way.name, given):
-        for place in [root] if turn is None else sorted((root + turn * k for k in TURNS), key=_turns):
+        for place in [root] if turn is None else sorted(turned(root, turn, (lower, upper), given, TURNS), key=_turns):
             asked = [Demand(way.ahead(place))]
             asked += [] if lower is None else [Demand(place - lower, ">=")]
             asked += [] if upper is None else [Demand(upper - place, ">=")]

@@ -12,7 +12,7 @@ from rbpsym.errors import there
 from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
-from rbpsym.mechanics.demands import Demand, existence, settle
+from rbpsym.mechanics.demands import Demand, existence, settle, turned
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant
 from rbpsym.mechanics.events import pushes
@@ -171,7 +171,7 @@ def turns_within(given: Assumptions, name: str, root: Scalar, period: Scalar | N
         lower = there(upper) - half * 2 if lower is None else lower
         upper = lower + half * 2 if upper is None else upper
         last = _last(lower, upper)
-    turns = (root + period * k for k in range(-MOST_TURNS, MOST_TURNS + 1))
+    turns = turned(root, period, (lower, upper), given, MOST_TURNS)
     return [x for x in turns if settle((Demand(x - lower), Demand(upper - x, last)), given) is not None]
 
 

@@ -108,7 +108,7 @@ class Bench:
         kept = conditions(mechanism, self._poses(guess).tolist())
         self.conditions = Conditions(self.placement, kept, idle)
         mechanism.clock = GENERIC_TIME
-        self.generic = self.start({}, _speeds(derived.system, 0.7))
+        self.generic = self.start({}, {name: 0.7 * (-0.8) ** k for k, name in enumerate(derived.system.independent)})
         reader = self.placement.reader(self.generic.q)
         self.equations = Equations(mechanism, laws(mechanism, reader), with_shares(kept, mechanism, reader), idle)
         self.account = {key: k for k, key in enumerate(derived.works)}
@@ -254,11 +254,6 @@ class Bench:
         turned = max(self.momentum_drifts, default=0.0) if self.derived.momenta else None
         worst = float(max([*found.values(), drift or 0.0, turned or 0.0], default=0.0))
         return SimulationReport(worst, found, drift, self.states, self.generic.freedom, turned, float(self.gap))
-
-
-def _speeds(system: System, first: float) -> dict[str, float]:
-    """Generic speeds of both signs, none of them zero."""
-    return {name: first * (-0.8) ** k for k, name in enumerate(system.independent)}
 
 
 def _drift(energies: Sequence[tuple[float, float]]) -> float:

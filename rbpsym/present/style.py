@@ -110,9 +110,6 @@ def term_key(m: Monomial, style: Style) -> Key:
     """Terms with accelerations first, then by parameters, constants of motion last."""
     names = [atoms.symbol_name(i) or "" for i, _ in m]
     second = 0 if any(n.endswith("_ddot") for n in names) else 1
-    keys = sorted((_among_terms(atom_key(i, style)), -e) for i, e in m)
+    keys = sorted(((OTHER, *key[1:]) if (key := atom_key(i, style))[0] == COEFFICIENT else key, -e) for i, e in m)
     return (second, [(str(k), e) for k, e in keys])
 
-
-def _among_terms(key: Key) -> Key:
-    return (OTHER, *key[1:]) if key[0] == COEFFICIENT else key

@@ -247,7 +247,7 @@ def _factor(factor: t.Node, after: t.Node | None, style: LayoutStyle) -> b.Box:
         return wrapped(factor, PRODUCT, style)
     if is_open(factor):
         return fenced(draw(factor, style))
-    if _ends_in_function(factor) and not _stops_argument(after):
+    if _ends_in_function(factor) and not (_ends_in_function(after) or isinstance(after, (t.Unit, t.Vec))):
         return applied(factor, style, closed=True)
     slashed = style.mode != "display" and is_slashed(factor, style)
     return fenced(draw(factor, style)) if slashed else wrapped(factor, PRODUCT, style)
@@ -255,11 +255,6 @@ def _factor(factor: t.Node, after: t.Node | None, style: LayoutStyle) -> b.Box:
 
 def _ends_in_function(node: t.Node) -> bool:
     return isinstance(node, t.Fn) or is_function_power(node)
-
-
-def _stops_argument(after: t.Node) -> bool:
-    """Can no reader take `after` for a part of the argument of the function before it?"""
-    return _ends_in_function(after) or isinstance(after, (t.Unit, t.Vec))
 
 
 def _between(left: t.Node, right: t.Node, style: LayoutStyle) -> b.Box:

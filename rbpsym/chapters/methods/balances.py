@@ -229,7 +229,7 @@ def _cheapest(candidates: list[Balance], size: int, wanted: tuple[str, ...], bou
         unknowns = tuple(sorted(frozenset().union(*(b.unknowns for b in chosen))))
         solution = solve_linear([b.row for b in chosen], unknowns)
         if not solution.free:
-            return Plan(tuple(_ordered(chosen)), unknowns)
+            return Plan(tuple(sorted(chosen, key=lambda b: (len(b.unknowns), len(b.bodies), b.cost))), unknowns)
     return None
 
 
@@ -237,11 +237,6 @@ def may_close(chosen: tuple[Balance, ...], size: int, wanted: tuple[str, ...]) -
     """Whether so many balances hold as many unknowns, all that are wanted among them."""
     unknowns = frozenset().union(*(b.unknowns for b in chosen))
     return len(unknowns) == size and set(wanted) <= unknowns
-
-
-def _ordered(chosen: tuple[Balance, ...]) -> list[Balance]:
-    """Those with the fewest unknowns first: they can be used at once."""
-    return sorted(chosen, key=lambda b: (len(b.unknowns), len(b.bodies), b.cost))
 
 
 # --- roads to the motion, each with the lines that it takes: what a teacher weighs before writing the first of them

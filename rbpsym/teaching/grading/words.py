@@ -10,6 +10,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from types import MappingProxyType
 
 from rbpsym.errors import ReadError
@@ -146,8 +147,13 @@ def lookup(word: str, book: Book) -> str | None:
     return next((name for way in _readings(word) if (name := book.named(way))), None)
 
 
-def _readings(word: str) -> Iterator[str]:
-    """How a word may be typed in plain letters, the likeliest first."""
+@lru_cache(maxsize=4096)
+def _readings(word: str) -> tuple[str, ...]:
+    """How a word may be typed in plain letters, the likeliest first; of a long one each piece is looked up."""
+    return tuple(_ways(word))
+
+
+def _ways(word: str) -> Iterator[str]:
     primes = len(word) - len(word.rstrip("'"))
     rate = _RATES.get("'" * primes, "")
     stem = re.sub(f"[{_MARKS}]+", "", word[: len(word) - primes])
