@@ -50,6 +50,8 @@ ROWS = [  # what is written, the question, what is written instead ("": the same
     ("y = 1,5x", "is this a decimal comma", "y = 1.5x", "x y", "y = (3/2)x"),
     ("y = 1{,}500", "does it group thousands?", "y = 1500", "y", "y = 1500"),
     (r"\log x = y", SENTENCES["log"][0], r"\ln x = y", "x y", "ln x = y"),
+    (r"a = W \text{ whence } b = c", "do these words part two formulas?", "a = W, b = c", "a W b c", "a = W\nb = c"),
+    ("eval_B = c", RUN, "", {"eval_B": "e", "c": "c"}, "e = c"),
     ("x, y = 0", SENTENCES["list"][0], "x = y = 0", "x y", "x = y = 0"),
 ]  # fmt: skip
 

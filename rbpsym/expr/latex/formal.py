@@ -163,7 +163,7 @@ def _measured(reader: LatexReader) -> t.Node:
     return formal(reader, head.start, "measured", *groups)
 
 
-_NUMERAL = re.compile(r"\s*([-+]?)(\d{0,20}(?:[.,]\d{0,20})?)(?:e([-+]?\d{1,2}))?\s*")
+_NUMERAL = re.compile(r"\s*([-+]?)(\d{0,20}(?:[.,]\d{0,20})?)(?:[eEdD]([-+]?\d{1,2}))?\s*")
 
 
 def numeral(reader: LatexReader) -> t.Node:
