@@ -47,7 +47,7 @@ def _state(*of: str) -> str:
     return r"\braket{" + "|".join(of) + "}"
 
 
-_TABLES = tomllib.loads(Path(__file__).with_name("typst.toml").read_text(encoding="utf-8"))
+_TABLES: dict[str, dict[str, str]] = tomllib.loads(Path(__file__).with_name("typst.toml").read_text(encoding="utf-8"))
 SIGNS, NAMES, ROWS = (_TABLES[part] for part in ("signs", "names", "rows"))
 CALLS: dict[str, str | Callable[..., str]] = {
     **_TABLES["calls"],

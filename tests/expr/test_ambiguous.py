@@ -10,11 +10,12 @@ import pytest
 from rbpsym.claims.papers.draft import ANY
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.formal import SENTENCES
+from rbpsym.expr.latex.formal import sentences
 from rbpsym.expr.latex.reader import latex_ways, read_latex
 from rbpsym.expr.symbol_table import symbol_table
 from rbpsym.typeset.text import to_text
 
+SENTENCES = sentences()
 D, SLASH, REACH = "is this d a differential, or a symbol?", "is this factor above or below the slash?", "function's argument"
 RUN, VALUE, UNIT, RAISED = (SENTENCES[kind][0] for kind in ("run", "value", "spelled", "raised"))
 ROWS = [  # what is written, the question, what is written instead ("": the same), the names of its symbols, what is read

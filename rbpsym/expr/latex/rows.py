@@ -143,7 +143,8 @@ class _Layout:
         before, behind = self._near(k, -1), None if self._at_edge(k, 1) else self._near(k, 1)
         begins |= before is None or before.text in PUNCTUATION
         apart = told[-2:-1] == " " and (begins or (told[:1] == " " and self.related and not (before and self._is_sign(before))))
-        if apart and behind and not self._is_sign(behind) and not self.depth and self._relates(k) and not _conditional(token):
+        apart = apart and behind is not None and not self._is_sign(behind) and not CONDITIONS.search(token.text)
+        if apart and not self.depth and self._relates(k):
             raise self._error(token, "do these words part two formulas?", r"Write a comma, or \text{and}, between two relations.")
         return token
 
@@ -336,10 +337,6 @@ _RULES = {
     "text": _Layout._words, "row": _Layout._row, "gap": _Layout._gap, "&": _Layout._cell, "begin": _Layout._environment,
     ARROW: _Layout._arrow, "=": _Layout._equal, r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter,
 }  # fmt: skip
-
-
-def _conditional(token: Token) -> bool:
-    return bool(CONDITIONS.search(token.text))
 
 
 def _is_relation(token: Token) -> bool:
