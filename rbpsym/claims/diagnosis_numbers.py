@@ -172,20 +172,15 @@ def _state(motion: Motion, seed: int) -> dict[str, float] | None:
     return {**numbers, **roots}
 
 
-def value(node: t.Node, at: Sample) -> Value:
+def value(node: t.Node, at: Sample) -> Any:
     """The number or triple of a formula; what is no plain algebra is computed exactly first."""
     rule = VALUES.get(type(node))
     return rule(node, at) if rule else at.exact(node)
 
 
 def _power(node: t.Pow, at: Sample) -> float:
-    base = _part(node.base, at)
-    return base @ base if isinstance(base, Triple) else math.pow(base, _part(node.exponent, at))
-
-
-def _part(node: t.Node, at: Sample) -> Any:
-    """A number or triple, whichever the formula asks for."""
-    return value(node, at)
+    base = value(node.base, at)
+    return base @ base if isinstance(base, Triple) else math.pow(base, value(node.exponent, at))
 
 
 def length(found: Value) -> float:
@@ -204,18 +199,17 @@ UNITS = {axis: Triple(float(axis == other) for other in "xyz") for axis in "xyz"
 
 VALUES: Mapping[type, Callable[[Any, Sample], Value]] = {
     t.Num: lambda node, at: float(node.value),
-    t.Sym: lambda node, at: at.leaf(node),
-    t.Vec: lambda node, at: at.leaf(node),
+    **dict.fromkeys((t.Sym, t.Vec), lambda node, at: at.leaf(node)),
     t.Unit: lambda node, at: UNITS[node.axis],
     t.Add: lambda node, at: sum(value(term, at) for term in node.terms),
     t.Neg: lambda node, at: -value(node.arg, at),
     t.Mul: lambda node, at: math.prod(value(factor, at) for factor in node.factors),
-    t.Div: lambda node, at: value(node.num, at) * (1 / _part(node.den, at)),
+    t.Div: lambda node, at: value(node.num, at) * (1 / value(node.den, at)),
     t.Pow: _power,
-    t.Sqrt: lambda node, at: math.sqrt(_part(node.arg, at)),
-    t.Fn: lambda node, at: FUNCTIONS[node.name](_part(node.arg, at)),
+    t.Sqrt: lambda node, at: math.sqrt(value(node.arg, at)),
+    t.Fn: lambda node, at: FUNCTIONS[node.name](value(node.arg, at)),
     t.Abs: lambda node, at: length(value(node.arg, at)),
     t.Group: lambda node, at: value(node.arg, at),
-    t.Cross: lambda node, at: cross(_part(node.left, at), _part(node.right, at)),
-    t.Dot: lambda node, at: _part(node.left, at) @ _part(node.right, at),
+    t.Cross: lambda node, at: cross(value(node.left, at), value(node.right, at)),
+    t.Dot: lambda node, at: value(node.left, at) @ value(node.right, at),
 }

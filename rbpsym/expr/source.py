@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import sys
 import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -158,3 +160,13 @@ class Cursor(Walker, Generic[T]):
             raise self.source.limit(what, self.token.start, self.token.end)
         yield
         self.depth -= 1
+
+
+def behind_brace(text: str, start: int, most: int = sys.maxsize) -> int:
+    """The offset behind the brace that closes the one at `start`; 0 if none does so soon."""
+    depth = 0
+    for found in re.compile(r"\\.|[{}]", re.S).finditer(text, start, min(len(text), start + most)):
+        depth += (found[0] == "{") - (found[0] == "}")
+        if not depth:
+            return found.end()
+    return 0

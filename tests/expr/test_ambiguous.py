@@ -10,11 +10,12 @@ import pytest
 from rbpsym.claims.papers.draft import ANY
 from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.expr.latex.formal import SENTENCES
+from rbpsym.expr.latex.formal import sentences
 from rbpsym.expr.latex.reader import latex_ways, read_latex
 from rbpsym.expr.symbol_table import symbol_table
 from rbpsym.typeset.text import to_text
 
+SENTENCES = sentences()
 D, SLASH, REACH = "is this d a differential, or a symbol?", "is this factor above or below the slash?", "function's argument"
 RUN, VALUE, UNIT, RAISED = (SENTENCES[kind][0] for kind in ("run", "value", "spelled", "raised"))
 ROWS = [  # what is written, the question, what is written instead ("": the same), the names of its symbols, what is read
@@ -50,6 +51,8 @@ ROWS = [  # what is written, the question, what is written instead ("": the same
     ("y = 1,5x", "is this a decimal comma", "y = 1.5x", "x y", "y = (3/2)x"),
     ("y = 1{,}500", "does it group thousands?", "y = 1500", "y", "y = 1500"),
     (r"\log x = y", SENTENCES["log"][0], r"\ln x = y", "x y", "ln x = y"),
+    (r"a = W \text{ whence } b = c", "do these words part two formulas?", "a = W, b = c", "a W b c", "a = W\nb = c"),
+    ("eval_B = c", RUN, "", {"eval_B": "e", "c": "c"}, "e = c"),
     ("x, y = 0", SENTENCES["list"][0], "x = y = 0", "x y", "x = y = 0"),
 ]  # fmt: skip
 

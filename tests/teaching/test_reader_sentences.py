@@ -40,7 +40,7 @@ FOREIGN = tuple(language for language in languages() if language != "en")
 SENTENCE = re.compile(r"[A-Za-z]{2,}'? [A-Za-z“{*\\0-9<(\]]|[”}] [a-z]|^[A-Z][a-z]+ ")
 PATTERN = re.compile(r"\(\?|\\s|\\w|%|\[\^")
 NO_SENTENCES = frozenset({"so that", "that is", "de modo que", "por tanto", "por lo tanto", "es decir", "o sea", "i.e",
-                          "as long as", "da cui",
+                          "as long as", "da cui", "such that",
                           "provided that", "siempre que", "control character", "The symbols are: ", "read as"})  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from itertools import takewhile
 
 from rbpsym.errors import LimitError, RbpsymError, ReadError
 from rbpsym.expr.letters import LETTERS
+from rbpsym.expr.source import behind_brace
 from rbpsym.frozen import Frozen
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
@@ -92,16 +93,8 @@ def site_macros(text: str) -> str:
 
 def closing(text: str, start: int, most: int = sys.maxsize) -> int:
     """The offset behind the brace that closes the one at `start`. Raises ReadError if none does (so soon)."""
-    depth, position = 0, start
-    while position < min(len(text), start + most):
-        char = text[position]
-        if char == "\\":
-            position += 2
-            continue
-        depth += (char == "{") - (char == "}")
-        position += 1
-        if depth == 0:
-            return position
+    if end := behind_brace(text, start, most):
+        return end
     raise ReadError("a brace is never closed")
 
 

@@ -7,8 +7,11 @@ sentence of its kind, which says what to write instead (`refuse`).
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Mapping, Sequence
 from fractions import Fraction as Rational
+from functools import cache
+from pathlib import Path
 
 from rbpsym.errors import Incomplete, RbpsymError, ReadError
 from rbpsym.expr import tree as t
@@ -16,25 +19,11 @@ from rbpsym.expr.directed import is_vector
 from rbpsym.expr.latex.functions import SIGNS, relation
 from rbpsym.expr.latex.grammar import argument, between, term_of
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, LOOSE, NEXT, closed
+from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, NEXT, closed
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
 Sentence = tuple[str, str]
-_UNITS = "a number with a unit can't be decided", "Claim the formula in symbols."
-_SPELLED = (
-    "is this a unit, or a product of symbols?",
-    "Write the number alone in the unit that the claim says, or * where a product is meant.",
-)
-_DOTS = "dots stand for terms that nobody can compute", "Write all terms, or a sum over an index."
-_ONE = "this stands for two formulas", "Write the sign that is meant."
-_NONE = "this says nothing that can be computed", "Write an equation."
-_PATH = "an integral over a closed path or several variables can't be read", "Write it as one integral, or what it comes to."
-_SEVERAL = "what do several things in parentheses mean here?", "Give all of it a symbol, or write its components."
-_GRADIENT = "a gradient can't be computed", "Write its components."
-_OPERATOR = "this operator can't be computed", "Write what it comes to."
-_ROWS = "the environment of a matrix can't be read", "Write the equation of each row."
-_EVALUATED = "what holds where this is taken?", r"Write \left. ... \right|_{x = 0}."
 _STATES = (r"\ket", r"\bra", r"\braket", r"\ketbra", r"\expval", r"\ev", r"\mel", r"\dyad")
 _BARS = ("|", r"\lvert", r"\rvert")
 _DOTTED = (r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb")
@@ -50,52 +39,21 @@ _OPERATORS = (
     r"\argmin", r"\argmax", r"\Pr", r"\lg", r"\gcd", r"\angle", r"\triangle",
 )  # fmt: skip
 _GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
-SENTENCES: Mapping[str, Sentence] = {
-    "measured": _UNITS, "spelled": _SPELLED, "…": _DOTS, **dict.fromkeys("±∓", _ONE), **dict.fromkeys(LOOSE.values(), _NONE),
-    **dict.fromkeys(("∀", "∃"), _NONE), "∮": _PATH, **dict.fromkeys(("list", "brackets", "braces"), _SEVERAL),
-    "∞": ("infinity is no value", r"Write a limit, \lim_{x \to ...}, or a number."),
-    "mean": ("a mean value can't be read", "Give it a symbol of its own."), "∇": _GRADIENT,
-    "named": ("what is named by this brace is another formula", "Write it alone."),
-    "differential": ("a differential alone has no value", r"Write rates: \frac{dW}{dt} = ..."),
-    "sum": ("only a sum over all values of one index can be computed", r"Write its terms, or \sum_i for a sum over all."),
-    "integral": ("the limits do not fit the differential", r"Over a body, write \int_{body} f dm."),
-    "path": ("between which places does this path go?", "Write the integral over a coordinate."),
-    **dict.fromkeys(("matrix", "determinant", "row", "cases"), _ROWS), "at": _EVALUATED,
-    "between": ("which variable has these limits?", r"Write ]_{\theta = 0}^{...}."),
-    "value": ("is this a product, or a value of a function?",
-              "Say in the symbols what all of it means, or write a product without the parenthesis."),
-    "condition": ("are these words a condition?", r"Write it as \text{for } x > 0, or as “given” in the claim."),
-    "continued": ("what stands on the left of this?", "Write the left side again."),
-    "unfinished": ("what stands on the right of this?", "Write the right side too."),
-    "marked": ("only a symbol can have a subscript, prime or mark", "Give all of it a symbol."),
-    "accented": ("what does this mark over several symbols mean?", "Give all of it a symbol of its own."),
-    "varied": ("is this a product, or a variation?", r"Write \delta \cdot x, or say in the symbols what all of it means."),
-    "several": ("how much of this product does the derivative stand for?", r"Write \frac{d}{dt}(a b), or \frac{da}{dt} b."),
-    "run": ("is this a product, or one name, such as a length between two points?",
-            "Leave a thin space between factors, or make a name upright."),
-    **dict.fromkeys(("crossed", "dotted"), (
-        "is this a product of vectors, or of their magnitudes?", "Print arrows, or magnitudes side by side.")),
-    "unit": ("is this the unit of what stands in the brackets?", "Write it without brackets where its value is meant."),
-    "raised": ("is this a power, or an index above?", "Say in the symbols what all of it means, or write the index below."),
-    "state": ("a state of quantum mechanics can't be computed", "Give it a symbol of its own."),
-    "binomial": ("a binomial coefficient can't be computed", "Write the number."),
-    "factorial": ("a factorial can't be computed", "Write the number."),
-    "drawn": ("what does this code print?", "Write the symbol, or define it by #let with a formula."),
-    "cancelled": ("is what is crossed out still meant?", "Leave it out, or write it without the stroke."),
-    "order": ("terms that are left out have no value", r"Leave them out, and write \approx."),
-    "log": ("to which base is this logarithm?", r"Write \ln, or \log_{10}."),
-    "asked": ("what is asked here?", "Write the formula."),
-}  # fmt: skip
-
-
 _SHAPES = {"vmatrix": "determinant", "cases": "cases"}
+
+
+@cache
+def sentences() -> Mapping[str, Sentence]:
+    """What is asked of a part without a value, and what to write instead, by its kind."""
+    rows = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))["asked"]
+    return {kind: (row["what"], row["instead"]) for row in rows for kind in row["kinds"]}
 
 
 def refuse(node: t.Node, source: SourceText) -> t.Node:
     """The tree, in which all has a value. Raises ReadError with the sentence of what has none."""
     for part in t.walk(node):
         if isinstance(part, t.Formal):
-            what, instead = SENTENCES.get(part.kind, _OPERATOR)
+            what, instead = sentences().get(part.kind) or sentences()["operator"]
             kind = Incomplete if part.kind == "continued" else ReadError
             begin, end = part.span or (0, len(source.text))
             shown = source.text[begin:end].strip()
@@ -163,7 +121,7 @@ def _measured(reader: LatexReader) -> t.Node:
     return formal(reader, head.start, "measured", *groups)
 
 
-_NUMERAL = re.compile(r"\s*([-+]?)(\d{0,20}(?:[.,]\d{0,20})?)(?:e([-+]?\d{1,2}))?\s*")
+_NUMERAL = re.compile(r"\s*([-+]?)(\d{0,20}(?:[.,]\d{0,20})?)(?:[eEdD]([-+]?\d{1,2}))?\s*")
 
 
 def numeral(reader: LatexReader) -> t.Node:
@@ -339,7 +297,7 @@ def _column(reader: LatexReader) -> t.Node:
             rows += [[]] if reader.take().text == NEXT else []
             rows[-1] += [t.Word("")] * bool(rows[-1] and reader.sees_sign(END_COLUMN))
         elif not (apart or reader.token.kind == "row" or reader.sees_sign(END_COLUMN)):
-            raise reader.error(*_ROWS, opening)
+            raise reader.error(*sentences()["matrix"], opening)
     reader.integrals, reader.bars = waiting
     reader.take()
     before, begun = reader.source.text[: opening.start], reader.source.text[opening.start : opening.end]

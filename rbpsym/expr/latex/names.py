@@ -60,7 +60,7 @@ def letter_run(reader: LatexReader) -> t.Node | None:
         if run and token.start > reader.tokens[place + len(run) - 1].end:
             break
         run += token.text
-    word, scripts = token.text in ("(", "[") or len(run) > 3, ("_", "^", "'")
+    word, scripts = token.text in ("(", "[") or len(run) > 3, ("^", "'") if len(run) > 3 else ("_", "^", "'")
     closed_in = len(run) > 3 and token.text == ")" and reader.ahead(-1).text == "("  # (poids)
     logarithm = run in ("ln", "lg", "log") and token.text in ("_", r"\frac")
     if len(run) < 2 or not (word or logarithm) or (token.text in scripts and not logarithm) or ("d" in run and not closed_in):

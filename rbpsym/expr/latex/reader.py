@@ -26,7 +26,7 @@ from rbpsym.expr.latex.names import as_words
 from rbpsym.expr.latex.rows import GAP, laid_out
 from rbpsym.expr.latex.small import differentials, is_balanced
 from rbpsym.expr.latex.tokens import CONDITION, CONDITIONS, EQUIVALENT, IMPLIED, MAX_LENGTH, Token, tokenize
-from rbpsym.expr.source import SourceText
+from rbpsym.expr.source import SourceText, behind_brace
 from rbpsym.expr.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
 from rbpsym.frozen import Frozen, replace
 
@@ -193,21 +193,11 @@ _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
 _UPRIGHT_D = re.compile(r"(?<![\d_^~])(?<!\\,)(?<!_\{)\\(?:mathrm|rm|text|textrm)\s*\{\s*d\s*([a-z])\s*\}")  # \mathrm{dt}
 
 
-def _closed_at(text: str, start: int) -> int:
-    """Where the brace is closed behind which the text begins; -1 if nowhere."""
-    depth = 1
-    for found in re.compile(r"\\.|[{}]", re.S).finditer(text, start):
-        depth += (found[0] == "{") - (found[0] == "}")
-        if not depth:
-            return found.start()
-    return -1
-
-
 def _formula_tokens(text: str, source: SourceText, table: SymbolTable) -> tuple[Token, ...]:
     """The tokens of the relations; a frame round a relation, or round all, is made blank, so that places are kept."""
     text = _UPRIGHT_D.sub(lambda found: (r"\dd " + found[1]).ljust(len(found[0])), text)
     for frame in _FRAME.finditer(text[:MAX_LENGTH]):
-        end = _closed_at(text, frame.end())
+        end = behind_brace(text, frame.end() - 1) - 1
         if end > 0 and (_RELATES.search(text, frame.end(), end) or not (text[: frame.start()] + text[end + 1 :]).strip()):
             text = f"{text[: frame.start()]}{' ' * len(frame[0])}{text[frame.end() : end]} {text[end + 1 :]}"
     own = {row[0] for row in table.spellings if len(row) == 1}  # commands that are names: \\th
@@ -231,7 +221,7 @@ def _rows(reader: LatexReader) -> t.Node:
             row = t.Relations((row,), sources=tuple(map(_as_small, line)), span=row.span)
         elif reader.source.text.startswith("\\\\", parting.start):
             line = []
-        alone = not isinstance(rows[-1], (t.Chain, t.Formal, t.Word))
+        alone = bool(rows) and not isinstance(rows[-1], (t.Chain, t.Formal, t.Relations, t.Word))
         if alone and isinstance(row, t.Chain) and reader.source.text[parting.start] == ",":  # x, y = 0
             row = replace(row, items=(t.Formal("list", (rows.pop(), row.items[0]), span=row.span), *row.items[1:]))
         line += row.rows if isinstance(row, t.Relations) else () if _is_text(row) else (row,)

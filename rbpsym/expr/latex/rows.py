@@ -137,6 +137,17 @@ class _Layout:
 
     # --- rules
 
+    def _words(self, k: int, token: Token) -> Token:
+        """Words with a blank behind them, and in a row one before them, are no factor of the relation around or behind them."""
+        told, begins = self.source.text[token.start : token.end].partition("{")[2], self._at_edge(k, -1)
+        before, behind = self._near(k, -1), None if self._at_edge(k, 1) else self._near(k, 1)
+        begins |= before is None or before.text in PUNCTUATION
+        apart = told[-2:-1] == " " and (begins or (told[:1] == " " and self.related and not (before and self._is_sign(before))))
+        apart = apart and behind is not None and not self._is_sign(behind) and not CONDITIONS.search(token.text)
+        if apart and not self.depth and self._relates(k):
+            raise self._error(token, "do these words part two formulas?", r"Write a comma, or \text{and}, between two relations.")
+        return token
+
     def _row(self, k: int, token: Token) -> Token | None:
         """The end of a row, or a word that joins relations."""
         before, behind = self._near(k, -1), self._near(k, 1)
@@ -323,7 +334,7 @@ class _Layout:
 
 
 _RULES = {
-    "row": _Layout._row, "gap": _Layout._gap, "&": _Layout._cell, "begin": _Layout._environment,
+    "text": _Layout._words, "row": _Layout._row, "gap": _Layout._gap, "&": _Layout._cell, "begin": _Layout._environment,
     ARROW: _Layout._arrow, "=": _Layout._equal, r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter,
 }  # fmt: skip
 

@@ -9,8 +9,7 @@ from rbpsym.expr import tree as t
 
 Orders = frozenset[int | Fraction]
 _JOINED, _SUMMED = ("dotted", "crossed"), ("sum", "named", "marked", "±", "∓")
-_REACHING = ("varied", "several", "operator", "∂", "∇")
-_WHOLE = ("integral", "path", "∮")
+_REACHING, _WHOLE = ("varied", "several", "operator", "∂", "∇"), ("integral", "path", "∮")
 
 
 def is_small(node: t.Node) -> bool:

@@ -121,11 +121,11 @@ JOINING = frozenset({
     "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
     "y", "de modo que", "luego", "por tanto", "por lo tanto", "con", "donde", "es decir", "entonces", "o sea",
     "e", "quindi", "da cui", "dove", "cioè", "ovvero", "oppure", "et", "ou", "donc", "avec", "où", "soit", "d'où",
-    "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com",
+    "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com", "o", "car", "comme", r"\&",
 })  # fmt: skip
 CONDITIONAL = frozenset({
-    "for", "if", "when", "at", "as long as", "provided", "provided that", "para", "si", "cuando", "mientras", "siempre que",
-    "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
+    "as", "whenever", "s.t", "such that", "for", "if", "when", "at", "as long as", "provided", "provided that", "para", "si",
+    "cuando", "mientras", "siempre que", "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
 })  # fmt: skip
 CONDITIONS = re.compile(
     r"\b(for|if|when|where|while|until|only|unless|except|provided|small|large|near|assum\w*|approx\w*|at|on|in|since|initial\w*"
@@ -339,7 +339,7 @@ def _text(text: str) -> tuple[str, str]:
         return "row", ""
     if word in (*PUNCTUATION, *"+-=()[]"):
         return "sign", word
-    return "row" if plain in JOINING else "text", word
+    return "row" if plain in JOINING or (plain and JOINING.issuperset(plain.split())) else "text", word
 
 
 def _command(text: str) -> tuple[str, str]:
