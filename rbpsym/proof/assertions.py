@@ -166,7 +166,7 @@ ASSERTIONS: Mapping[str, Entry] = {**STEPS, **PAGES}
 NARRATIVE = """
 block bodies body callout caption checked checks.lagrange checks.open checks.simulation_differs checks.some
 dimension explorer figure forces functions grammar growth header index it latex library line list method notation
-notebook number obligation own_text question part plain plots point ref results roads section shape skipped spoken statement
+notebook number obligation own_text party question part plain plots point ref results roads section shape skipped spoken statement
 symbols twin verdict word
 kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
