@@ -21,6 +21,7 @@ Phrases = Mapping[tuple[str, ...], tuple[str, ...]]
 SHAPE_WORDS = tuple(SHAPES.split("|"))
 RESTING = ("pivot", "pin", "weld", "clamp")  # what holds a point both ways
 TOUCHING = ("contact", "touch", "rolling", "sticking")  # what pushes along a normal
+DRAWN = ("spring", "torsion-spring", "string")
 PULLING = ("string", "link", "pull")
 # what holds or pushes: the words for it, and the kinds of elements that these may mean
 ROLES: Mapping[str, tuple[str, tuple[str, ...]]] = {
@@ -70,7 +71,10 @@ class Lexicon:
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
-        self.elements = [*problem.constraints, *problem.interactions]
+        stages = (problem, *(phase.problem for phase in problem.phases))
+        later = (e for stage in stages[1:] for e in (*stage.constraints, *stage.interactions) if e.kind in DRAWN)
+        first = (*problem.constraints, *problem.interactions)
+        self.elements = [*{e.name: e for e in (*later, *first)}.values()]  # what draws may begin to act in a later phase
         self.blows = [(phase.name, e) for phase in problem.phases for e in phase.impulses]
         struck = struck_phases(problem)
         self.struck = problem.phases[struck[0] - 1].name if len(struck) == 1 else ""  # the phase that the only blow begins
