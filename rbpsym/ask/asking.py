@@ -190,21 +190,28 @@ def _refusal(problem: Problem, plain: str, refused: RbpsymError, errors: Mapping
         [(text, error)] = told.items()
         return StatementError(f"“{plain}”, read as “{text}”: {error.what}", instead=error.instead)
     if parts := unread(problem, plain):
-        return StatementError(f"“{parts[1]}” is not understood behind “{parts[0]}”", instead=f"write {moments_of(problem)}.")
+        said = moments_of(problem, counted=COUNTED.match(parts[0]) is not None)
+        return StatementError(f"“{parts[1]}” is not understood behind “{parts[0]}”", instead=f"write {said}.")
     return refused
 
 
 NOTHING_MEANT = "means nothing in the problem"
 
 
-def moments_of(problem: Problem) -> str:
-    """How the moments and the parts of a problem's motion are said."""
+def moments_of(problem: Problem, counted: bool = False) -> str:
+    """How the moments and the parts of a problem's motion are said; of what is counted over it, how its ends are."""
     names = [coordinate.name for coordinate in problem.coordinates]
-    struck = ["right after impact", "just before impact"] if len(struck_phases(problem)) == 1 else []
     phases = [f"in phase {phase.name}" for phase in problem.phases]
-    told = ["at the start", *struck, *phases, *(f"where {name} = VALUE" for name in names[:2])]
-    held = [e.name for e in problem.constraints if e.kind == "contact"]
-    return ", ".join(f"“{one}”" for one in (*told, *(f"where {name} vanishes" for name in held[:1]))) + " or no moment at all"
+    if counted:
+        told = [*(f"until {name} = VALUE" for name in names[:2]), "until it stops", *phases]
+    else:
+        struck = ["right after impact", "just before impact"] if len(struck_phases(problem)) == 1 else []
+        held = [f"where {e.name} vanishes" for e in problem.constraints if e.kind == "contact"]
+        told = ["at the start", *struck, *phases, *(f"where {name} = VALUE" for name in names[:2]), *held[:1]]
+    return ", ".join(f"“{one}”" for one in told) + " or no moment at all"
+
+
+COUNTED = re.compile(r".*\b(?:time|distance|work|energy lost|heat|turns|revolutions|turned)\b")
 
 
 def _is_one(found: Answer, other: Answer) -> bool:

@@ -79,8 +79,8 @@ WORDS: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (rf"\b[\w-]+ (?:rebounds|swings)(?: back| up| out)? to (\w+) = (\S+){_END}", r"\1 comes to rest at \1 = \2"),
     (r"\bno energy is lost\b", "energy lost vanishes"),
     (r"\bratio of amplitudes (?:of )?", "ratio of "),
-    (r"\b(?:energy|heat) (?:lost|dissipated|produced|generated|absorbed) (?:to|by|in) (friction|drag|damper|damping)\b",
-     r"minus work of \1"),
+    (r"\b(?:energy|heat) (?:lost|dissipated|produced|generated|absorbed) (?:to|by|in) (friction|drag|damper|damping)"
+     r"(?= (?:until|up to|during|over|from|as|where|when|after|in)\b)", r"minus work of \1"),
     (r"^time (?:for|in which) ([\w-]+) (?:to )?(fall|ris)(?:e|s|es)? ", r"time until \1 has \2en "),
     (r"^time (?:for|in which) ([\w-]+) (?:to )?(?:move|slide|roll|travel|cover)s? ", r"time until \1 has moved "),
     (r"\bangular speed(?! of)\b", "magnitude of angular velocity"),

@@ -10,7 +10,8 @@ from rbpsym.ask.words.chart import Caps
 from rbpsym.ask.words.lexicon import RESTING, TOUCHING, Lexicon
 from rbpsym.ask.words.means import MEANINGS, Of, coordinate, gone, lone, of_it, of_thing
 from rbpsym.expr import tree as t
-from rbpsym.quantities import LENGTH, NUMBER, TIME
+from rbpsym.quantities import FORCE, LENGTH, NUMBER, TIME
+from rbpsym.statement.paths import tensions
 from rbpsym.typeset.machine import to_machine
 
 RANKS = {"lower": "lowest", "higher": "highest", "first": "lowest"}
@@ -111,6 +112,17 @@ def _begins_at_zero(lexicon: Lexicon) -> bool:
     return all(c.start is None or to_machine(c.start) == "0" for c in lexicon.problem.coordinates)
 
 
+def _holds_out(lexicon: Lexicon, caps: Caps) -> str | None:
+    """That a force stays below the only one that the problem calls a strength, or the greatest that is borne."""
+    strong = [q.name for q in lexicon.problem.parameters if q.dimension == FORCE and STRENGTH.search(f"{q.name} {q.meaning}")]
+    name = caps["Force"] or caps["Element"]
+    of = next((forces[0] for e in lexicon.elements if e.name == name and e.kind == "string" and (forces := tensions(e))), name)
+    return f"{of} stays below {strong[0]}" if len(strong) == 1 and of not in strong else None
+
+
+STRENGTH = re.compile(r"(?i)max|break|strength|greatest|largest|(?:can|may) (?:bear|stand|hold)")
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -129,7 +141,8 @@ def _fraction(lexicon: Lexicon, caps: Caps) -> str:
 
 def _heat(lexicon: Lexicon, caps: Caps) -> str | None:
     """What slipping takes until it rolls, where something round can roll."""
-    rolls = any(may_be(body, "wheel") or may_be(body, "ball") for body in lexicon.problem.bodies)
+    round_ = (body for body in lexicon.problem.bodies if body.shape.kind != "particle")
+    rolls = any(may_be(body, word) for body in round_ for word in ("wheel", "ball"))
     return "heat produced until it rolls" if rolls and not lexicon.struck else None
 
 
@@ -204,6 +217,7 @@ MOTIONS: Mapping[str, Of] = {
     "halved": _halved,
     "along": _along,
     "max_height": lambda lexicon, caps: "how high does it rise" if _begins_at_zero(lexicon) else None,
+    "holds_out": _holds_out,
     "forced": lambda lexicon, caps: f"{'phase' if caps['x'] else 'amplitude'} of {who}"
                                     if (who := caps["Thing"] or lone(lexicon)) else None,
     "resonance": _resonance("{} for which amplitude of {} is largest"),

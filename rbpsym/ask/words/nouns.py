@@ -224,7 +224,7 @@ Gone
   (distance|way) Thing:a (slides|moves|travels|slips|walks|rolls|slid|moved) (on|along|relative to|over|across) Thing:b ->
       @slid
   (maximum|greatest|largest):x angle (of swing|of deflection|of rotation|of oscillation) -> @largest_angle
-  Heat [to friction|in slipping|by friction] -> @heat
+  Heat [to friction|in friction|in slipping|by friction] -> @heat
   (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
   amount of (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
   (loss of|loss in) (energy|kinetic energy|mechanical energy) -> energy lost

@@ -210,6 +210,7 @@ Cond
   Resting [of Thing] (is|be) (stable|unstable):x -> @stable
   Subj neither (slips|slides|slip|slide) nor (tips|topples|overturns|tip|tips over|topple) -> {Subj} does not slip
   Subj neither (slips|slides|slip|slide) nor (tips|topples|overturns|tip|tips over|topple) -> {Subj} does not tip
+  (Element|Force) Not (break|snap|give way|fail) -> @holds_out
   Subj (stops dead|is stopped dead|is at rest after it|is stopped by Unknown) -> velocity of {Subj} right after impact
       vanishes
   Subj (stops|is stopped|comes to rest) (in|after|within):w Value (turns|revolutions|rotations) -> @stops_in
