@@ -60,6 +60,7 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
 
     plain = VALUE.sub(put, GONE.sub("where t = ", whole := " ".join(text.split()).rstrip(" ?.")))
     words = {*asked.problem.body_names, *(e.name for e in (*asked.problem.constraints, *asked.problem.interactions))}
+    words |= {*asked.problem.points, *(point for body in asked.problem.bodies for point in body.points)}
     for said in BROUGHT.finditer(plain):
         name = said["letter"] or said["count"]
         if name not in {*known, *words, "t", "g"} and all(name != q.name for q in added):

@@ -49,7 +49,7 @@ Moment
   (at|in) its (initial|starting) position -> at start
   (at|in|for) (instant|position|moment|configuration) (shown|given|considered) -> @now
   (at|in|for) (given|shown) (instant|position|moment|configuration) -> @now
-  (afterwards|then|after that) -> @after_blow
+  afterwards -> @after_blow
   (on|upon) Event -> where {Event}
   When Event -> where {Event}
   When Begin -> when {Begin} begins
@@ -148,8 +148,11 @@ BlowClause
       impact
   (embedding|catching|landing|hooking|capture) -> impact
 
-Unknown
+Target
   (hand|hook|peg|hammer|cue|finger|nail|stop|ridge|obstacle|step|kerb|curb|target|club|racket|bat|ledge|wall|other) ->
+
+Unknown
+  Target ->
   Stranger -> !1
 
 Direction
@@ -273,7 +276,7 @@ Span
   (when|as|because|while) BlowClause -> @in_blow
   (while|during|in) (slipping|sliding|skidding|slip) -> <2>until it stops slipping
   while it (slips|slides|skids) -> <2>until it stops slipping
-  (at|on) Unknown -> @in_blow
+  (at|on) Target -> @in_blow
   Until BlowClause -> @until_blow
   while Passing -> <2>until {Passing}
   (in|during|over|for) (one|a|each) [full|complete|whole] (turn|revolution|rotation) [of Body:b] -> @one_turn

@@ -147,6 +147,14 @@ def _of_kinds(what: str, *kinds: str) -> Of:
     return find
 
 
+def _impulse(lexicon: Lexicon, caps: Caps) -> str | None:
+    """That of the only blow, if it strikes the body that is named."""
+    met = {name for _, e in lexicon.blows for name in joined(e)}
+    if caps["Body"] and met and caps["Body"] not in met:
+        return None
+    return f"impulse of {caps['Struck']}" if caps["Struck"] else "impulse" if lexicon.struck else None
+
+
 def gone(lexicon: Lexicon, who: str) -> str:
     """How far something goes: of the only body, which more than one coordinate tells, what lies between beginning and end."""
     who, lone_body = lexicon.it if who == "it" else who, lexicon.it in lexicon.problem.body_names
@@ -161,7 +169,7 @@ MEANINGS: Mapping[str, Of] = {
     "distance_from": lambda lexicon, caps: f"distance from {caps['Point']} to {_point(lexicon, caps['Thing'])}",
     "couple": _of_kinds("couple", "couple", "prescribed-angle", "torsion-spring", "rotary-damper", "resisting-couple"),
     "dissipated": _of_kinds("minus work of", "resisting-couple"),
-    "impulse": lambda lexicon, caps: f"impulse of {caps['Struck']}" if caps["Struck"] else "impulse" if lexicon.struck else None,
+    "impulse": _impulse,
     "ratio": _ratio,
     "resisting": _resisting,
     "lone_role": lambda lexicon, caps: _lone_role(lexicon, caps["Role"], set()) or caps["Role"],

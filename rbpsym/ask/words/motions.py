@@ -63,11 +63,11 @@ def _lone_contact(lexicon: Lexicon, place: str) -> str | None:
 
 
 def _on_way(lexicon: Lexicon, caps: Caps) -> str | None:
-    """The way up is the motion before, and the way down that after the only phase that begins when it stops."""
+    """The way back is the only phase that begins, when it stops."""
     phases, who = lexicon.problem.phases, caps["Thing"] or lexicon.it
     if len(phases) != 1 or phases[0].impulses or not who:
         return None
-    return f"{caps['n']} of {who} <1>in phase {'first' if caps['x'] == 'up' else phases[0].name}"
+    return f"{caps['n']} of {who} <1>in phase {phases[0].name}"
 
 
 def _from_rest(lexicon: Lexicon, caps: Caps) -> str | None:
@@ -123,6 +123,19 @@ def _holds_out(lexicon: Lexicon, caps: Caps) -> str | None:
 STRENGTH = re.compile(r"(?i)max|break|strength|greatest|largest|(?:can|may) (?:bear|stand|hold)")
 
 
+def _upright(lexicon: Lexicon, caps: Caps) -> str | None:
+    """Where the only coordinate is 0, if that is told to be so."""
+    told = "".join(c.quantity.meaning for c in lexicon.problem.coordinates)
+    known = "upward vertical" in told or "upright" in told or (caps["u"] == "vertical" and "vertical" in told)
+    return f"{lone(lexicon)} = 0 is {caps['x']}" if lone(lexicon) and known else None
+
+
+def _rough_at(lexicon: Lexicon, caps: Caps) -> str | None:
+    """The coefficient at a contact, where no other one is rough."""
+    rough = [e.name for e in lexicon.elements if e.values.get("friction")]
+    return "smallest mu for which it does not slip" if rough == [caps["Contact"]] else None
+
+
 def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     """A speed in the last phase, or else that to which the only coordinate of the kind tends."""
     if lexicon.problem.phases:
@@ -133,8 +146,10 @@ def _terminal(lexicon: Lexicon, caps: Caps) -> str | None:
     return f"terminal speed of {names[0]}" if len(names) == 1 else None
 
 
-def _fraction(lexicon: Lexicon, caps: Caps) -> str:
+def _fraction(lexicon: Lexicon, caps: Caps) -> str | None:
     """What a blow, or else the slipping until it rolls, takes of the kinetic energy."""
+    if (caps["b"] and not lexicon.struck) or (caps["f"] and lexicon.struck):
+        return None
     lost, first = ("", "just before impact") if lexicon.struck else ("until it rolls ", "at start")
     return f"ratio of energy lost {lost}to kinetic energy {first}"
 
@@ -218,6 +233,8 @@ MOTIONS: Mapping[str, Of] = {
     "along": _along,
     "max_height": lambda lexicon, caps: "how high does it rise" if _begins_at_zero(lexicon) else None,
     "holds_out": _holds_out,
+    "upright": _upright,
+    "rough_at": _rough_at,
     "forced": lambda lexicon, caps: f"{'phase' if caps['x'] else 'amplitude'} of {who}"
                                     if (who := caps["Thing"] or lone(lexicon)) else None,
     "resonance": _resonance("{} for which amplitude of {} is largest"),

@@ -49,7 +49,7 @@ State
   (Noun|kinetic energy):n of Each -> {n} of {Each}
   Several [on both sides|on each side|on either side|on both sides of Body] -> {Several}
   fraction of [initial|original] [kinetic|mechanical] energy [that is|which is|is] (lost|dissipated) [(in|during|by|at|on)
-      [each] BlowNoun|in slipping|while slipping|to friction] -> @fraction
+      [each] (BlowNoun):b|(in slipping|while slipping|to friction):f] -> @fraction
   fraction of [its] [total] kinetic energy (is|that is|which is|that is in|in) (rotational|rotation) -> ratio of
       rotational kinetic energy to kinetic energy
   fraction of [its] [total] kinetic energy (is|that is|which is|that is in|in) (translational|translation) -> ratio of
@@ -63,10 +63,10 @@ State
   height at which Event -> @height_at
   (speed|velocity|Turns):n [of Thing] (eventually|finally|after long time|in long run|in steady state|long time after
       Stranger) -> @terminal
-  (acceleration|velocity|speed|force|tension|friction|normal force):n [of Thing] (on|during) way (up|down|back):x -> @on_way
+  (acceleration|velocity|speed|force|tension|friction|normal force):n [of Thing] (on|during) way back -> @on_way
   (frictional|friction|resisting|braking|retarding) (torque|couple|moment) [on Body] -> @resisting
-  (speed|velocity) (with|at) which Thing (Moving|Go|Turn|moves|comes|flies|passes) [(on|through|along|down|up|over|in|out
-      of|off| into|past) (Noun|Ground|Body|Point):w] -> speed of {Thing}
+  (speed|velocity) (with|at) which Thing (Moving|Go|Turn|moves|comes|flies|passes) [(on|through|along|in) (Ground|Body)]
+      -> speed of {Thing}
   (speed|velocity) (at|with) which Subj (Hit) HitWhat -> @strikes
   angle of Holder -> @angle_of
   equilibrium (angle|distance|position|height|length|value|coordinate) [of Thing] -> @equilibrium

@@ -73,7 +73,7 @@ Asking
       revolutions| rotations) -> @stopping
   how (large|great|big|strong|small|fast) must (Par|Chosen) be (to|for) Must -> {Par}{Chosen} for which {Must}
   what (Par|Chosen) (makes|causes|will make|lets) Cond -> {Par}{Chosen} for which {Cond}
-  what fraction of [its|initial] [kinetic|mechanical] energy is lost [in BlowNoun] -> @fraction
+  what fraction of [its|initial] [kinetic|mechanical] energy is lost [(in|during|by|at|on) BlowNoun:b] -> @fraction
   how fast (does|do) Each (turn|rotate|spin) [Tails] -> angular velocity of {Each} {Tails}
   how fast (does|do) Each (move|go) [Tails] -> speed of {Each} {Tails}
   how much (energy|kinetic energy|mechanical energy) (is|was) lost [Spans] -> energy lost {Spans}
@@ -83,18 +83,19 @@ Asking
   (does|do|will|can) Condition -> does {Condition}
 
 Condition
-  [Ask] [Best] coefficient of [static] friction [needed|required|necessary] [(for|to) Slipless] [at Contact] [SafeMoment]
-      -> {Best} mu for which it does not slip {SafeMoment}
+  [Ask] [Best] coefficient of [static] friction [needed|required|necessary] [(for|to) Slipless] [SafeMoment] -> {Best} mu
+      for which it does not slip {SafeMoment}
+  [Ask] [Best] coefficient of [static] friction (needed|required) at Contact -> @rough_at
   [Ask] [minimum] (required|necessary) coefficient of [static] friction [(for|to) Slipless] -> smallest mu for which it
       does not slip
   [Ask] [Best] (friction coefficient|coefficient of friction) (needed|required) -> smallest mu for which it does not slip
-  [Ask] Best Chosen [of Body] [ForWhich|needed to|required to|to|needed for] Cond [Given] -> {Best} {Chosen} for which
+  [Ask] Best Chosen [of Body] (ForWhich|needed to|required to|to|needed for) Cond [Given] -> {Best} {Chosen} for which
       {Cond} {Given}
   [Ask] [Best] (Par|Chosen) [needed|required|allowed] (to|for) Must -> {Best} {Par}{Chosen} for which {Must}
   [Ask] Par (needed|required|necessary) to (stop|bring):v [Body:b] [to rest] (in|within|after):w Value (turns|revolutions|
       rotations) -> @stopping
   [Ask] [Best] (Par|Chosen) without Unwanted -> {Best} {Par}{Chosen} for which {Unwanted}
-  [Ask] Par (giving|that gives|which gives|for|making|of) Best State -> @best_of
+  [Ask] Par (giving|that gives|which gives|for|making) Best State -> @best_of
   [Ask] [Best] Par [of Body] ForWhich Cond [Given] -> {Best} {Par} for which {Cond} {Given}
   [Ask] [Best] Par (needed|required|necessary|to be used) (for|to|so that|that|if) Cond [Given] -> {Best} {Par} for which
       {Cond} {Given}
@@ -208,6 +209,7 @@ Cond
       to rest at {Coord} = {Value}
   Subj Full -> @full
   Resting [of Thing] (is|be) (stable|unstable):x -> @stable
+  (upright|vertical):u position (is|be) (stable|unstable):x -> @upright
   Subj neither (slips|slides|slip|slide) nor (tips|topples|overturns|tip|tips over|topple) -> {Subj} does not slip
   Subj neither (slips|slides|slip|slide) nor (tips|topples|overturns|tip|tips over|topple) -> {Subj} does not tip
   (Element|Force) Not (break|snap|give way|fail) -> @holds_out
@@ -232,7 +234,6 @@ Cond
 
 Resting
   equilibrium [position] ->
-  (upright|vertical|equilibrium) position ->
 
 Still
   (vanishes|is zero|is nil|disappears) ->
