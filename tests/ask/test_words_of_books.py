@@ -150,6 +150,7 @@ def test_a_letter_may_come_with_the_question(name: str, said: str, value: str) -
 
 
 def test_a_question_in_the_plural_is_asked_of_each() -> None:
+    assert len(ask(load_problem("two-gears"), "angular acceleration of each gear")) == 2
     found = ask(load_problem("atwood-with-massive-pulley"), "tensions on both sides")
     assert [one.question.text for one in found] == ["T_1", "T_2"]
 

@@ -115,7 +115,7 @@ def _chart(problem: Problem, text: str) -> Chart:
 
 PLURAL = re.compile(
     r"(?:\w+ )?(?:tensions|components|horizontal and vertical components|forces|reactions|speeds|velocities|accelerations)\b"
-    r"|.*\bneither\b.* nor |.*\b(?:slipping|sliding) (?:or|and) "
+    r"|.*\bof each\b|.*\bneither\b.* nor |.*\b(?:slipping|sliding) (?:or|and) "
 )
 
 
