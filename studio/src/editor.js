@@ -1,6 +1,6 @@
 // The editor of a statement: TOML in colours, completion from the engine's registries, errors under their line.
 import { autocompletion, closeBrackets, completionKeymap, startCompletion } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab, undo } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, undo } from "@codemirror/commands";
 import { StreamLanguage, HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { EditorState, StateEffect, StateField } from "@codemirror/state";
@@ -116,4 +116,5 @@ export function editor(parent, changed, tables) {
 
 export const undone = (view) => undo(view);
 export const tell = (view, error) => view.dispatch({ effects: setFault.of(error) });
-export const put = (view, text) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text }, selection: { anchor: 0 }, scrollIntoView: true });
+/** Another text: one step of the history by itself, never joined to what is typed just before or behind. */
+export const put = (view, text) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text }, selection: { anchor: 0 }, scrollIntoView: true, annotations: isolateHistory.of("full") });
