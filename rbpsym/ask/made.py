@@ -16,7 +16,7 @@ from rbpsym.field import Meanings, Scalar, short
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.demands import existence, possible
 
-WHEN = re.compile(r" (?:where|when|at|until|up to|during|(?:just|right) (?:after|before|when|where)|from|begins)\b")
+WHEN = re.compile(r" (?:where|when|at|until|up to|during|in phase|(?:just|right) (?:after|before|when|where)|from|begins)\b")
 
 
 def _times(world: AskedPhase, factor: str, text: str) -> t.Node:
@@ -36,10 +36,10 @@ def _ratio(world: AskedPhase, text: str) -> t.Node:
 
 
 def _quotient(world: AskedPhase, above: str, below: str) -> t.Node:
-    if above == below:
-        raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     place = PLACE.fullmatch(below)
     above = above if place is None or WHEN.search(above) else above + place[2]  # “ratio of A to B where …” is of both
+    if above == below:
+        raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     found = t.Div(*(form_of(world, text, of_vectors=True) for text in (above, below)))
     used = len(world.used)
     if not WHEN.search(below) and moving(world, (_valued(world, found, above),)):  # what only the time ties

@@ -103,6 +103,7 @@ RESORTS: Rows = (
     (r"(.+[-+*/].+)", made.made),
 )
 AFTER = re.compile(rf"({_BEST} .+) after (\w+)")
+OF_A_PART = re.compile(r"ratio of .+ in phase .+ to ")  # the phase in it is that of the first part
 WITH = re.compile(r"(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
 
 
@@ -173,7 +174,7 @@ def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[AskedPhase, Fin
     rest = ASKED.sub("", text, count=1) if ASKED.match(text) else text
     if said := AFTER.fullmatch(rest):
         rest = said[1] if re.fullmatch(_START, said[3]) else f"{said[1]} in phase {said[3]}"
-    phase, place = PHASE.fullmatch(rest), None
+    phase, place = None if OF_A_PART.match(rest) else PHASE.fullmatch(rest), None
     if phase is not None:
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
     if (said := WITH.fullmatch(rest)) and _is_found(said[1]):

@@ -123,7 +123,7 @@ MANNERS = {
     r"(?:for|with|under) strong damping|(?<!is )(?:if )?overdamped": "strong",
     r"in steady state|at last": "steady",
 }
-_LONG = r"([\w-]+(?: (?!(?:where|when|at|until|up|from|as|with|for|over|between|during|right|just|is|in|to|and)\b)[\w-]+)?)"
+_LONG = r"(\w[\w-]*(?: (?!(?:where|when|at|until|up|from|as|with|for|over|between|during|right|just|is|in|to|and)\b)\w[\w-]*)?)"
 PHASE = re.compile(rf"(.+?),? in phase (?:“|\")?{_LONG}(?:”|\")?( .+)?")
 SINCE = re.compile(r"(.+?) (?:from|between) (.+?) (?:to|and|until) (.+)")
 ASKED = re.compile(r"(?:what|how (?:large|big|great|fast|long)) (?:is|are) |(?:find|determine|give|compute) ", re.I)
