@@ -276,20 +276,42 @@ BEYOND = re.compile(rf"(.+) is ({_MOST})")
 
 def _by_quantity(asked: Asked, plain: str, letter: str) -> Answer | None:
     """What is asked for where another quantity has a value: where the coordinate that moves, or else the time, is what makes it
-    so, which is proved first; None where that is not one place."""
+    so, which is proved first; None where that is not one place. Of a ratio each part is spelt as a question of its own."""
+    texts, places = list[str](), list[Answer]()
+    parts = re.split(PARTING, plain.removeprefix(RATIO)) if plain.startswith(RATIO) else [plain]
+    for part in parts:
+        text = met(asked, plain_words(asked, part)) if len(parts) == 2 else part
+        if (placed := _place_of(asked, text, letter)) is not None:
+            asked, text = under(asked, placed[1]), placed[0]
+            places.append(placed[1])
+        texts.append(text)
+    if (spelt := f"{RATIO}{' to '.join(texts)}" if len(parts) > 1 else texts[0]) == plain:
+        return None
+    found = _whole(asked, spelt, letter)
+    first = [replace(step, id=f"place{k or ''}.{step.id}") for k, place in enumerate(places)
+             for step in place.steps if step not in found.steps]  # fmt: skip
+    valid = [node for place in places for node in place.valid]
+    return replace(found, question=replace(found.question, text=plain), steps=(*first, *found.steps),
+                   valid=tuple(dict.fromkeys((*valid, *found.valid))))  # fmt: skip
+
+
+RATIO, PARTING = "ratio of ", r"(?<!relative)(?<!up)(?<!due) to "
+
+
+def _place_of(asked: Asked, plain: str, letter: str) -> tuple[str, Answer] | None:
+    """The question of a coordinate or the time that has a value, and what finds that; None where it is not one place."""
     if (said := PLACED.fullmatch(plain)) is None:
         return None
     name, value = mover(asked.study(asked.lasting)) or "t", said[3]
     if name == "t":  # as a function of that, which its equation asks for
         value = re.sub(r" (?:=|reaches|is) ", " as a function of t = ", value, count=1)
+    elif re.match(rf"{name} (?:=|reaches|is) (?!{_MOST})", value):
+        return None
     best = BEYOND.fullmatch(said[3])
     place = _whole(asked, f"where is {best[1]} {best[2]}" if best else f"{name} for which {value}", letter)
     if not (place.verdict.is_proved and len(place.values) == 1 and place.symbol and place.relation == "="):
         return None
-    found = _whole(under(asked, place), f"{said[1]} {said[2]} {place.symbol} = {to_machine(present(place.values[0]))}", letter)
-    first = tuple(replace(step, id=f"place.{step.id}") for step in place.steps if step not in found.steps)
-    return replace(found, question=replace(found.question, text=plain), steps=(*first, *found.steps),
-                   valid=tuple(dict.fromkeys((*place.valid, *found.valid))))  # fmt: skip
+    return f"{said[1]} {said[2]} {place.symbol} = {to_machine(present(place.values[0]))}", place
 
 
 def _by_letter(inverse: tuple[Asked, str, str, str], plain: str, letter: str) -> Answer:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from rbpsym.ask.finding import Finding
+from rbpsym.ask.question import is_jump, read_question
 from rbpsym.ask.seen import PLACE, AskedPhase, moving, never_told, parts_seen, seen
 from rbpsym.decide.rooted import neat
 from rbpsym.errors import RbpsymError, StatementError
@@ -37,7 +38,8 @@ def _ratio(world: AskedPhase, text: str) -> t.Node:
 
 def _quotient(world: AskedPhase, above: str, below: str) -> t.Node:
     place = PLACE.fullmatch(below)
-    above = above if place is None or WHEN.search(above) else above + place[2]  # “ratio of A to B where …” is of both
+    is_placed = WHEN.search(above) or is_jump(read_question(above).quantity)
+    above = above if place is None or is_placed else above + place[2]  # “ratio of A to B where …” is of both
     if above == below:
         raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     found = t.Div(*(form_of(world, text, of_vectors=True) for text in (above, below)))

@@ -188,6 +188,16 @@ def _after(where: str) -> Of:
     return lambda lexicon, caps: where.format(lexicon.struck) if lexicon.struck else None
 
 
+def _beside(side: str) -> Of:
+    """Just before or right after the one thing that happens: the blow, or else where the only later phase begins."""
+
+    def told(lexicon: Lexicon, caps: Caps) -> str | None:
+        phases = lexicon.problem.phases
+        return f"{side} impact" if lexicon.struck else f"{side} {phases[0].name}" if len(phases) == 1 else None
+
+    return told
+
+
 def _swings(lexicon: Lexicon, caps: Caps) -> str | None:
     """A frequency is a circular one, as all are here."""
     words = "period" if caps["Swinging"].startswith("period") else "frequency"
@@ -271,6 +281,8 @@ MOTIONS: Mapping[str, Of] = {
     "flat": _flat,
     "lower_end": _end("lower"),
     "upper_end": _end("upper"),
+    "just_before": _beside("just before"),
+    "just_after": _beside("right after"),
     "after_blow": _after("right after impact"),
     "before_blow": _after("just before impact"),
     "in_blow": _after("<2>in impact"),

@@ -27,6 +27,8 @@ Question
   [Ask] ratio of Role (on|at|of) Where:a to that (on|at|of) Where:b -> @ratio_held
   [Ask] ratio of Turns of Holder:a to that of Holder:b [Tails] -> ratio of {Turns} of {a} to {Turns} of {b} {Tails}
   [Ask] ratio of Spotted:a (to|and) Spotted:b [Tails] -> ratio of {a} to {b} {Tails}
+  [Ask] ratio of (State|Lost) Spot:a (to|and) that Spot:b -> ratio of {State}{Lost} {a} to {State}{Lost} {b}
+  [Ask] ratio of Ended:a (to|and) Ended:b State -> ratio of {a} {State} to {b} {State}
   [Ask] difference (between|of) State Moment:a and Moment:b -> @difference
   [Ask] ratio between Noun of Thing:a and Thing:b [Tails] -> @ratio
   [Ask] CoordNoun (at|for) which Event -> {CoordNoun} where {Event}
@@ -153,8 +155,14 @@ Lost
   (energy|kinetic energy|mechanical energy) (lost|dissipated) -> energy lost
   work done by Force -> work of {Force}
 
+Ended
+  final -> final
+  (initial|original|starting) -> initial
+
 Spot
   Moment -> {Moment}
+  (before|just before|right before|immediately before) [it|this|that] -> @just_before
+  (after|just after|right after|immediately after|afterwards) [it|this|that] -> @just_after
   (in|during|at|by) BlowNoun -> @in_impact
   Until Event -> until {Event}
 
