@@ -15,7 +15,7 @@ from rbpsym.ask.seen import AskedPhase, place_in, scene
 from rbpsym.decide.signs import sign
 from rbpsym.errors import Ambiguous, RbpsymError, StatementError
 from rbpsym.expr.infix import read_infix
-from rbpsym.field import PI, Scalar, depends_on, derivative, is_zero, names_in, root, short, substitute, symbol
+from rbpsym.field import NOTHING, PI, Scalar, depends_on, derivative, is_zero, names_in, root, short, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.arrivals import mover
 from rbpsym.present.forms import present
@@ -191,10 +191,10 @@ def _gone(asked: Asked, said: re.Match[str]) -> str:
         gap = world.bound(f"y component of displacement of {name}.cm").number - _value(world, said) * way
         return equation(world, (gap,), f"“{name}” has gone so far")
     what = f"angle of {name}" if said["round"] else f"way of {name}"
-    free = mover(world.study) or next(iter(world.study.system.independent), "")
+    free = mover(world.study) or next(iter(world.study.system.independent), "t")
     rates = _rates(world, name, free, turns=bool(said["round"]))
     size = short(sum((rate * rate for rate in rates[1:]), rates[0] * rates[0]))
-    onwards = sense(world.motion, free) if free in world.motion.scope.start else 0
+    onwards = 1 if free == "t" else sense(world.motion, free) if free in world.motion.scope.start else 0
     if not onwards and free in world.motion.scope.start:
         push = first_push(world.motion, free)
         onwards = sense_stated(world.study, push) or sense_at_sample(world.study, push)
@@ -205,9 +205,9 @@ def _gone(asked: Asked, said: re.Match[str]) -> str:
     ):
         raise StatementError(
             f"the {what} is not told by one coordinate that goes on in one sense",
-            instead=f"say where: “where {free or 'x'} = VALUE”.",
+            instead=f"say where: “where {free} = VALUE”.",
         )
-    begun = world.motion.scope.start[free]
+    begun = world.motion.scope.start.get(free, NOTHING)
     return f"{free} = {to_machine(present(short(begun + _value(world, said) / root(size) * onwards)))}"
 
 
@@ -243,9 +243,10 @@ def _standing(asked: Asked, said: re.Match[str]) -> str:
         leads |= dict.fromkeys([said["body"]], next(iter((last - first).parts)))
     name = _body(asked, said["body"], said.string[: said.start()], [*leads])
     angle = leads[name]
-    free = next((n for n in (mover(world.study), *world.study.system.independent) if n and derivative(angle, n)), None)
+    free = next((n for n in (mover(world.study), *world.study.system.independent, "t") if n and derivative(angle, n)), None)
     slope = derivative(angle, free) if free else None
-    if free is None or slope is None or slope.number() is None:
+    moved = (*world.motion.scope.rates, "t")
+    if free is None or slope is None or any(depends_on(slope, other) for other in moved):
         raise StatementError(f"the angle of “{name}” is not told by one coordinate", instead="say where that has which value.")
     rest = short(angle - slope * symbol(free))
     leaning = scalar(read_infix(said["value"] or "0", world.names)) * (PI / 180 if said["degrees"] else 1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import re
 from itertools import product
 from pathlib import Path
@@ -46,6 +47,27 @@ READ = [tuple(line.split("\t")) for line in Path(__file__).with_name("read_as.ts
 @pytest.mark.parametrize(("name", "said", "meant"), [*MEANT, *READ])
 def test_words_are_read(name: str, said: str, meant: str | None) -> None:
     assert (meant in read(problem(name), said)) if meant else read(problem(name), said) == []
+
+
+CHANGES = (
+    "half twice average mean maximum minimum initial final tangential relative not second last net rate never only kinetic".split(),
+    ["when it rains", "on the way back", "in the second phase", "per unit mass", "about the other end", "on average", "twice",
+     "without friction", "if mu = 0", "in the opposite direction", "not", "not at all"],
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_no_word_that_changes_a_question_is_swallowed(seed: int) -> None:
+    """With one word more that says something a question means another thing, or nothing."""
+    draw, swallowed = random.Random(seed), []
+    for name, said, meant in draw.sample([*MEANT, *READ], 60):
+        words = said.rstrip("?").split()
+        place = draw.randrange(len(words))
+        spoilt = " ".join([*words[:place], draw.choice(CHANGES[0]), *words[place:]])
+        for other in (spoilt, f"{said.rstrip('?')} {draw.choice(CHANGES[1])}"):
+            if meant and meant in read(problem(name), other):
+                swallowed.append((name, other))
+    assert not swallowed
 
 
 def test_every_name_of_the_grammar_is_defined_and_every_function_used() -> None:

@@ -138,11 +138,11 @@ BlowNoun
   (impact|collision|blow|bounce|it is struck|striking|hit|catch|jump|jerk|capture|embedding|landing|rebound|strike) ->
 
 BlowClause
-  (Subj|[its|one|one of its|free|other|right|left|lower|upper] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|
+  (Subj|[its|one|one of its|free] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|
       embedded|captured|struck|hit|kicked|stuck|lodged|latched|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
       onto|in|by|to|up|off|off it|onto it|on it] [Body|Point|Unknown] -> impact
   (Subj|Stranger) [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
-  (Unknown|Body) (catches|grabs|seizes|engages|strikes|hits|captures|hooks) [(its|one|free|other|right|left|lower|upper)]
+  (Unknown|Body) (catches|grabs|seizes|engages|strikes|hits|captures|hooks) [(its|one|free)]
       (end|Body| Point|it|corner|edge) -> impact
   (they|Body and Body|bodies|two) (collide|meet|stick together|join|become joined|strike each other|hit each other) ->
       impact

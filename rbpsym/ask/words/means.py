@@ -18,11 +18,14 @@ def _element(lexicon: Lexicon, name: str) -> Element | None:
     return next((e for e in lexicon.elements if e.name == name), None)
 
 
+OF_TEETH = ("tangential force", "tooth force")
+
+
 def _role(role: str, e: Element | None, holder: str = "") -> str | None:
     """What holds or pushes by its name, if the noun may mean it, on a body if that is said: “reaction” is none of a rough
     contact, which has two parts."""
     kind = next((kind for kind, (words, _) in ROLES.items() if role in words.split("|")), "")
-    if e is None or e.kind not in ROLES[kind][1]:
+    if e is None or e.kind not in ROLES[kind][1] or (role in OF_TEETH and e.kind != "gear"):
         return None
     is_rough = bool(e.values.get("friction"))
     if (kind == "force" and e.kind in TOUCHING and is_rough) or (kind == "friction" and not is_rough):

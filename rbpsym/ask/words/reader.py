@@ -184,21 +184,9 @@ def _stranger(lexicon: Lexicon, words: list[Heard], at: int) -> Iterator[Parsed]
 
 NO_NOUNS = {
     *GROUND.split("|"),
-    "and",
-    "the",
-    "for",
-    "with",
-    "when",
-    "where",
-    "after",
-    "before",
-    "until",
-    "which",
-    "that",
-    "just",
-    "its",
-    "than",
-    "relative",
+    *"and the for with when where after before until which that just its than relative not never only almost again".split(),
+    *"first second third last initial final total net average mean maximum minimum twice half double normal tangential".split(),
+    *"horizontal vertical angular upper lower left right other kinetic static".split(),
 }
 
 
