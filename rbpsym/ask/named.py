@@ -44,7 +44,7 @@ KINDS: Mapping[str, tuple[str, ...]] = {
     "arm|bar|beam|boom|door|gate|ladder|lever|plank|pole|rod|shaft|stick|trapdoor": ("rod", "rectangle"),
     "cylinder|disc|disk|drum|flywheel|hoop|pipe|reel|ring|roller|spool|wheel": ("disk", "ring", "annulus"),
     "ball|bead|bob|marble|puck|sphere": ("ball", "shell", "particle"),
-    "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|trolley|truck":
+    "block|board|box|car|carriage|cart|collar|crate|cube|load|particle|plate|slab|slider|sled|sledge|trolley|truck|wagon":
         ("particle", "rectangle"),
 }
 SHAPES = "|".join((*KINDS, "beam|bike|body|crank|gear|link|mass|pulley|wedge"))

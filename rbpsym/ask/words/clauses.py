@@ -10,6 +10,7 @@ Tail
   Moment -> <2>{Moment}
   (as [a] function of|in terms of|as functions of|by) Arg -> <3>as a function of {Arg}
   (in|during) phase Phase -> <1>in phase {Phase}
+  (if|when) Subj (is|are) (critically damped|underdamped|overdamped):x -> <4>{x}
   (for|in|under|in case of) small (oscillations|swings|vibrations|displacements|amplitudes) -> <4>for small oscillations
   (for|if|when|in case of) [it is|Thing is] (critically damped|critical damping|underdamped|overdamped):x -> <4>{x}
   (when|if) (damping is critical|critical damping) -> <4>critically damped
@@ -129,6 +130,7 @@ Begins
 
 BeginClause
   (Element|It|Contact):who Cut -> @cut
+  Element [Aux] (becomes|goes|gets|is|pulled) (taut|tight|stretched) -> @taut
 
 Aux
   (becomes|gets|is being|has|have|had|has just|have just|just|will|first|has first|to|can|would|could|is just|does|do|did|
@@ -138,12 +140,13 @@ BlowNoun
   (impact|collision|blow|bounce|it is struck|striking|hit|catch|jump|jerk|capture|embedding|landing|rebound|strike) ->
 
 BlowClause
-  (Subj|[its|one|one of its|free] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked|
-      embedded|captured|struck|hit|kicked|stuck|lodged|latched|hits|jumped|landed|jumps|lands|collided|bounced) [it|on|
-      onto|in|by|to|up|off|off it|onto it|on it] [Body|Point|Unknown] -> impact
+  (Subj|[its|one|one of its|free] (end|corner|edge|foot|tip|side)) [Aux] (caught|hooked| embedded|captured|struck|hit|
+      kicked|stuck|lodged|latched|hits|jumped|landed|jumps|lands|collided|bounced) [it|on| onto|in|by|to|up|off|off it|
+      onto it|on it] [Body|Point|Unknown] -> impact
   (Subj|Stranger) [Aux] (becomes|is|goes|gets|become|gone|pulled) (taut|tight) -> impact
-  (Unknown|Body) (catches|grabs|seizes|engages|strikes|hits|captures|hooks) [(its|one|free)]
-      (end|Body| Point|it|corner|edge) -> impact
+  (Subj|Stranger) [Aux] (passed|passes|gone|goes) (through|right through) (Body|Point) -> impact
+  (Unknown|Body) (catches|grabs|seizes|engages|strikes|hits|captures|hooks) [(its|one|free)] (end|Body| Point|it|corner|
+      edge) -> impact
   (they|Body and Body|bodies|two) (collide|meet|stick together|join|become joined|strike each other|hit each other) ->
       impact
   (embedding|catching|landing|hooking|capture) -> impact
@@ -174,7 +177,7 @@ Passing
       {Length}
   [to] (lift|raise|hoist) Body (by|through) Length -> {Body} has risen {Length}
   [to] (lower) Body (by|through|a distance) Length -> {Body} has fallen {Length}
-  Subj reaches height Length -> {Subj} has risen {Length}
+  [Subj] Reach height [of] Length -> {Subj} has risen {Length}
   [Subj] Rise [up|by|through] [a] [(distance|height)] [of] Length -> {Subj} has risen {Length}
   [Subj] Go [down|up|by|through|along] [a|its] [(distance|way|length)] [of] Length [Along] -> {Subj} has moved {Length}
   [Subj] Turn [through|by|around] [angle] [of] Turned -> {Subj} has turned {Turned}

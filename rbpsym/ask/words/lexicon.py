@@ -66,6 +66,9 @@ GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
 GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
 
 
+RANKED = frozenset("first second third upper lower left right inner outer front rear small large big heavy light".split())
+
+
 class Lexicon:
     """The phrases of a problem, by the name under which a grammar reads them."""
 
@@ -92,6 +95,7 @@ class Lexicon:
             known.append(name)
 
     def _bodies(self) -> None:
+        titled = {word.removesuffix("s") for word in re.findall(r"[a-z]{3,}s\b", self.problem.title.get("en", "").lower())}
         masses = [body.mass.name for body in self.problem.bodies if isinstance(body.mass, t.Sym)]
         for body in self.problem.bodies:
             own = {body.name, body.name.replace("-", " "), body.name.replace("_", " ")}
@@ -130,6 +134,8 @@ class Lexicon:
             for word in lone:
                 if word not in self.problem.body_names:
                     self._add("Body", word, body.name)
+            for noun in titled if body.name in RANKED else ():  # of “Two pucks on a string” the one that is called “second”
+                self._add("Body", f"{body.name} {noun}", body.name)
 
     def _meant(self, letter: str, before: str) -> Iterator[str]:
         meaning = next((q.meaning for q in self.problem.parameters if q.name == letter), "")
@@ -161,6 +167,9 @@ class Lexicon:
                 for value in sorted(values):
                     self._add("Par", phrase, value)
 
+        for value in {v.name for e in stated if "damper" in e.kind and isinstance(v := e.values.get("coefficient"), t.Sym)}:
+            for phrase in ("damping", "damping coefficient", "damping constant", "coefficient of damping"):
+                self._add("Par", phrase, value)
         free = [q for q in self.problem.parameters if q.name != "g"]
         for dimension, nouns in OF_DIMENSION.items():  # “the force” by the only letter that is one
             names = [q.name for q in free if q.dimension == dimension]

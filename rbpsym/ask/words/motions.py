@@ -23,6 +23,14 @@ def _cut(lexicon: Lexicon, caps: Caps) -> str | None:
     return found.removesuffix(" begins") if found.endswith(" begins") else None
 
 
+def _taut(lexicon: Lexicon, caps: Caps) -> str | None:
+    """The phase in which what was slack begins to pull, if that is no blow."""
+    phases = lexicon.problem.phases
+    acting = [{e.name for e in (*one.constraints, *one.interactions)} for one in (lexicon.problem, *(p.problem for p in phases))]
+    new = [phase for phase, before, now in zip(phases, acting, acting[1:], strict=True) if caps["Element"] in now - before]
+    return new[0].name if len(new) == 1 and new[0].name != lexicon.struck else None
+
+
 def _blow(lexicon: Lexicon, caps: Caps) -> str | None:
     side = caps["side"].replace("immediately", "just").replace("right before", "just before")
     if lexicon.struck and not lexicon.blows:  # what is met is a new constraint
@@ -237,6 +245,7 @@ MOTIONS: Mapping[str, Of] = {
     "where": lambda lexicon, caps: f"{who} where {caps['Event']}"
                                    if (who := lone(lexicon) or coordinate(lexicon, {**caps, "x": "angle"})) else None,
     "cut": _cut,
+    "taut": _taut,
     "slid_until": lambda lexicon, caps: f"{MEANINGS['slid'](lexicon, caps)} until {caps['e'] or 'it stops slipping'}",
     "critically": lambda lexicon, caps: f"{lone(lexicon)} is critically damped" if lone(lexicon) else None,
     "halved": _halved,
@@ -292,7 +301,8 @@ MOTIONS: Mapping[str, Of] = {
     "highest": lambda lexicon, caps: f"height of {who}.cm is largest"
                                      if (who := lexicon.it) in lexicon.problem.body_names else None,
     "one_turn": lambda lexicon, caps: f"<2>until {caps['b'] or lexicon.it or 'it'} has turned 2*pi",
-    "largest_angle": lambda lexicon, caps: f"largest {found}" if (found := coordinate(lexicon, {**caps, "x": "angle"})) else None,
+    "largest_angle": lambda lexicon, caps: f"largest {found}" if (not caps["Thing"] or lone(lexicon)) and (
+                         found := coordinate(lexicon, {**caps, "x": "angle"})) else None,
     "vanishes": lambda lexicon, caps: f"{caps['Held']} vanishes",
     "stretched": lambda lexicon, caps: f"{'compression' if caps['c'] == 'compressed' else 'elongation'} of {caps['Spring']} = "
                                        f"{caps['Length']}",

@@ -128,6 +128,7 @@ State
   spring force -> spring force
   power (of|delivered by|supplied by|developed by|exerted by) Element -> power of {Element}
   power (of|delivered by|supplied by|developed by|exerted by) Force -> power of {Force}
+  power (Does|must) Force (have|deliver|supply|develop|give|exert) -> power of {Force}
   weight -> @weight
   weight of Holder -> weight of {Holder}
   (half|twice|double|one half of|half of):x [of] State -> @multiple
@@ -168,6 +169,10 @@ Energy
 
 Held
   Role (at|on|of|in|from|by|exerted by|due to|under|with|between) Where [on Holder] -> @held
+  Role (Does|must|will|can|would) Where Exert [on Holder] -> @held
+  Role (Does|must|will|can|would) Body:a Exert on Body:b -> @by_on
+  Role (Does|acts|act|is acting) [act] (at|on|in) Where -> @held
+  Role (acts|act|is acting) between Body:a and Body:b -> @between
   Role Force -> @named
   Force -> {Force}
   Role on Holder [at|from|by|of|exerted by|due to] [Where] -> @held_on
@@ -184,6 +189,12 @@ Role
 
 Heat
   (heat|energy|mechanical energy|kinetic energy) (produced|dissipated|generated|lost) ->
+
+Does
+  (does|do|did) ->
+
+Exert
+  (exert|bear|carry|support|have|feel|give|take|apply|sustain) ->
 
 Where
   Contact -> {Contact}
@@ -215,6 +226,7 @@ Gone
   impulse (of|exerted by) Force -> impulse of {Force}
   impulse (of|exerted by|from|on|in|at|given by) (Unknown|Stranger) [on Body] -> @impulse
   impulse [(that|which) Body exerts] (on|exerted on) Body -> @impulse
+  impulse (Does|must) (Body|Where) Exert on Body -> @impulse
   impulse in String -> @impulse
   (impulsive reaction|impulsive force|reactive impulse|impulse of reaction|impulse) (at|of|on|in) (Element|Point)
       [JustAfter|during impact] -> @impulsive

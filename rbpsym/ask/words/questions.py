@@ -50,6 +50,21 @@ Asking
   (with|at) (what|which) (speed|velocity) (does|will|do) Subj Hit HitWhat -> @strikes
   (with|at) (what|which) (speed|velocity) (does|will|do) Event -> @with_which
   what (speed|velocity|acceleration):x (does|will|has) Thing [have] [Tails] -> {x} of {Thing} {Tails}
+  (with|at) (what|which) (Noun|Swinging) (Does|will|is|are) Thing (Moving|Turn|Go|move|Rise|Fall|oscillate|vibrate)
+      [Tails] -> {Noun}{Swinging} of {Thing} {Tails}
+  (with|at) (what|which) Noun (Does|will) Thing (begin|start) [to] (Stranger|Moving|Turn|Go|move|Rise|Fall) -> {Noun} of
+      {Thing} <2>at start
+  (with|at) (what|which) [Best] (Par|Chosen) must Subj (pull|push|be pulled|be pushed|turn|be turned|be pressed) (to|for|
+      so that|in order that|in order to|if) (Must|Cond) -> {Best} {Par}{Chosen} for which {Must}{Cond}
+  where (Does|will) State Still -> where does {State} vanish
+  where is Thing (after|at) [time] Coord -> position of {Thing} as a function of {Coord}
+  through (what|which) (largest|greatest|maximum):x angle (Does|will|can) Thing (Turn|swing) -> @largest_angle
+  to (what|which) height (Does|will|can) Thing (Rise|Go|Turn|fly|jump|bounce) [in all|altogether] -> how high does {Thing}
+      rise
+  at (what|which) height (Does|will|is) Thing (rest|hang|settle|in equilibrium|float|come to rest) -> height of {Thing} in
+      equilibrium
+  at (what|which) CoordNoun (Does|will|is) Subj (rest|settle|in equilibrium|come to equilibrium) -> equilibrium of
+      {CoordNoun}
   what (angular velocity|angular speed|angular acceleration):x (does|will) Thing [have] [Tails] -> {x} of {Thing} {Tails}
   how far has Thing (moved|gone|travelled|slid|rolled|turned aside|shifted) Moment [Tails] -> magnitude of displacement of
       {Thing} <2>{Moment} {Tails}
@@ -118,6 +133,8 @@ Condition
       Cond -> {Par} for which {Cond}
   how (large|great|big|high|long|heavy|strong|small|fast) (must|should|may|can) Par be (for|so that|such that|if|before)
       Cond -> {Par} for which {Cond}
+  how (large|great|high|long|heavy|strong|fast) (may|can) (Par|Chosen) [at most] be [at most] (so that|such that|if) Cond
+      -> largest {Par}{Chosen} for which {Cond}
   what (value|values) of Par (makes|make|gives|give|will make|will give|would make|lets|causes) Cond -> {Par} for which
       {Cond}
   what [is] Best [value of] Par ForWhich Cond -> {Best} {Par} for which {Cond}
@@ -189,7 +206,7 @@ Kept
 Cond
   Passing -> {Passing}
   Happening -> {Happening}
-  (motion|oscillation|system|it|Thing) (is|be|becomes) (critically damped|underdamped|overdamped):x -> @damped
+  (motion|oscillation|system|it|Thing) [is|be|becomes] (critically damped|underdamped|overdamped):x -> @damped
   Subj Not (slip|slide|skid) [Spans] -> {Subj} does not slip {Spans}
   Subj Not (tip|topple|overturn|tip over) -> {Subj} does not tip
   Subj Leave [Ground:g] (at|when|where) Place -> @leaves_at
@@ -225,6 +242,7 @@ Cond
       vanishes
   Subj (stops|is stopped|comes to rest) (in|after|within):w Value (turns|revolutions|rotations) -> @stops_in
   State Still [BlowMoment] -> {State} {BlowMoment} vanishes
+  Contact (bears|bear|carries|carry) no (load|force|weight) -> {Contact} vanishes
   Subj (is|be|are|comes|remains|stops) [at rest|to rest] BlowMoment -> velocity of {Subj} {BlowMoment} vanishes
   Subj (Rolls|Go|moves) (with|at) constant (speed|velocity) -> acceleration of {Subj} vanishes
   Subj (rotates|turns|spins) (with|at) constant (speed|angular velocity|angular speed|rate) -> angular acceleration of

@@ -64,7 +64,7 @@ def grammar() -> dict[str, list[tuple[Node, str, int]]]:
     rows["RoleNoun"] = [_row(f"({'|'.join(words for words, _ in ROLES.values())}):x -> {{x}}")]
     rows["Ground"] = [_row(f"({GROUNDS}):x -> {{x}}")]
     rows["Floor"] = [_row(f"({GROUND}):x -> {{x}}")]
-    rows["It"] = [_row("(it|he|she) -> @it")]
+    rows["It"] = [_row("(it|he|she|him|her) -> @it")]
     return rows
 
 
