@@ -311,7 +311,13 @@ def _place_of(asked: Asked, plain: str, letter: str) -> tuple[str, Answer] | Non
     place = _whole(asked, f"where is {best[1]} {best[2]}" if best else f"{name} for which {value}", letter)
     if not (place.verdict.is_proved and len(place.values) == 1 and place.symbol and place.relation == "="):
         return None
-    return f"{said[1]} {said[2]} {place.symbol} = {to_machine(present(place.values[0]))}", place
+    phase = ""
+    if asked.problem.phases and " in phase " not in plain:  # what the coordinate is there, it is in that phase
+        numbers = [number for number in range(len(asked.names)) if asked.study(number) is place.study]
+        if not numbers:
+            return None
+        phase = f" in phase {asked.names[numbers[0]]}"
+    return f"{said[1]}{phase} {said[2]} {place.symbol} = {to_machine(present(place.values[0]))}", place
 
 
 def _by_letter(inverse: tuple[Asked, str, str, str], plain: str, letter: str) -> Answer:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
+from functools import partial
 
 from rbpsym.ask.asked import Asked, NoClosedForm
 from rbpsym.ask.found import sense_at_sample, sense_stated
@@ -48,7 +49,15 @@ def met(asked: Asked, text: str) -> str:
     of BODY = VALUE”; as it is if it says no such thing."""
     if text.rsplit(" ", 1)[-1] in SUPERLATIVES:  # “where speed of block is greatest” names no value
         return text
-    world = asked.world(asked.lasting)
+    phase, found = _of_phase(asked, lambda number: _met(asked, text, number), text)
+    return PLACED_LAST.sub(rf" {phase}\1", found) if phase and found != text else found
+
+
+PLACED_LAST = re.compile(r" ((?:where|when|once|until|at|as|after) (?!.* (?:where|when|until) ))")
+
+
+def _met(asked: Asked, text: str, phase: int) -> str:
+    world = asked.world(phase)
     text = TOGETHER.sub(r"\1 angular velocity of \2 = angular velocity of \3", text)
     if (said := MOVES.search(text)) and said[4] in {body.name for body in asked.problem.bodies} - {*world.coordinates}:
         before = f"{text[: said.start()]}{said[1]} "
@@ -161,8 +170,21 @@ def placed(asked: Asked, text: str) -> str:
             raise StatementError(what, instead=f'write {value} = "length: …" under [parameters], or a number with its unit.')
         if said and is_formula(asked, said["value"] or "0"):
             when = "until" if said[1] == "until" else "where"
-            text = f"{text[: said.start()]}{when} {find(asked, said)}{text[said.end() :]}"
+            phase, place = _of_phase(asked, partial(find, asked, said), text)
+            text = f"{text[: said.start()]}{phase}{when} {place}{text[said.end() :]}"
     return text
+
+
+def _of_phase(asked: Asked, find: Callable[[int], str], text: str) -> tuple[str, str]:
+    """Where a coordinate says it: in the phase that is named; else in the first one, which is named where it is not so in all."""
+    if named := re.search(r"\bin phase ([\w-]+)", text):
+        return "", find(asked.named(named[1]))
+    place = find(asked.lasting)
+    try:
+        told = {find(other) for other in range(asked.lasting + 1, len(asked.names))} if place != text else set()
+    except RbpsymError:
+        told = {""}
+    return f"in phase {asked.names[asked.lasting]} " if told - {place} else "", place
 
 
 def is_formula(asked: Asked, text: str) -> bool:
@@ -183,8 +205,8 @@ def _body(asked: Asked, named: str | None, text: str, names: list[str]) -> str:
     return found[0]
 
 
-def _gone(asked: Asked, said: re.Match[str]) -> str:
-    world, names = scene(asked), list(asked.problem.body_names)
+def _gone(asked: Asked, said: re.Match[str], phase: int) -> str:
+    world, names = scene(asked, phase), list(asked.problem.body_names)
     name = _body(asked, said["body"], said.string[: said.start()], names)
     if said["down"] or said["up"]:
         way = 1 if said["up"] else -1
@@ -233,9 +255,9 @@ def _rates(world: AskedPhase, name: str, free: str, *, turns: bool) -> list[Scal
     return [derivative(moved.x, free), derivative(moved.y, free)]
 
 
-def _standing(asked: Asked, said: re.Match[str]) -> str:
+def _standing(asked: Asked, said: re.Match[str], phase: int) -> str:
     """Where a rod, or a string, is vertical or horizontal: the only such place to which the motion comes."""
-    world = scene(asked)
+    world = scene(asked, phase)
     leads = {body.name: world.body(body.name).pose.angle for body in asked.problem.bodies if body.shape.kind == "rod"}
     strings = {element.name: element["path"] for element in asked.problem.of_kind("string") if len(element["path"]) == 2}
     if path := strings.get(said["body"]):
@@ -253,7 +275,7 @@ def _standing(asked: Asked, said: re.Match[str]) -> str:
     turns = (PI * turn / 2 for turn in range(-4, 5) if bool(turn % 2) is (said["line"] == "vertical"))
     angles = dict.fromkeys(short((turn + leaning * side - rest) / slope) for turn in turns for side in (1, -1))
     places = (to_machine(present(angle)) for angle in angles)
-    found = [f"{free} = {place}" for place in places if _comes(asked, free, place)]
+    found = [f"{free} = {place}" for place in places if _comes(asked, phase, free, place)]
     if len(found) != 1:
         told = " or ".join(f"“where {place}”" for place in found)
         what = f"“{name}” stands so at {len(found) or 'no'} places to which the motion is known to come"
@@ -261,9 +283,9 @@ def _standing(asked: Asked, said: re.Match[str]) -> str:
     return found[0]
 
 
-def _comes(asked: Asked, name: str, place: str) -> bool:
+def _comes(asked: Asked, phase: int, name: str, place: str) -> bool:
     """Whether the motion comes to a place, other than its start; where that is not known, whether it is in the range."""
-    world = scene(asked)
+    world = scene(asked, phase)
     try:
         if is_zero(place_in(world, name, place) - world.motion.scope.start.get(name, symbol(name))):
             return False

@@ -157,7 +157,46 @@ type = "guide"
 point = "ladder.end"
 line = "x = 0"
 """
+ROOF = """
+[parameters]
+M = "mass: ball"
+R = "length: radius"
+beta = "angle, acute: slope of the roof"
+d = "length: way along the roof"
+h = "length: height"
+g = "acceleration: gravity"
+[coordinates.x]
+dimension = "length"
+start = "0"
+[coordinates.y]
+dimension = "length"
+start = "R/cos(beta)"
+[coordinates.phi]
+start = "0"
+[bodies.ball]
+shape = "ball"
+mass = "M"
+radius = "R"
+center = ["x", "y"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "rolling"
+body = "ball"
+line = "y = -x*tan(beta)"
+friction = "f"
+[[phases]]
+name = "flight"
+event = "reaches"
+of = "x"
+at = "d*cos(beta)"
+without = ["N"]
+"""
 ASKED = (
+    # a place that a coordinate tells is told so in its own phase: on the roof x and y are tied, in flight they are not
+    (ROOF, "speed of ball after ball has fallen h in phase flight", "sqrt(2*g*h + 10*g*d*sin(beta)/7)", []),
+    (ROOF, "speed of ball after ball has fallen h", "sqrt(10*g*h/7)", ["d*sin(beta) - h >= 0"]),
     (PLATE, "largest angular speed of plate", "sqrt(3*g*(sqrt(a^2 + b^2) - b)/(a^2 + b^2))", []),
     (PLATE, "theta where theta comes to rest", "-2*atan(a/b)", []),
     (PLATE, "largest speed of plate.cm", "sqrt(3*g*(sqrt(a^2 + b^2) - b))/2", []),

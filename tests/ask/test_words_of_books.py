@@ -50,7 +50,7 @@ def test_words_are_read(name: str, said: str, meant: str | None) -> None:
 
 
 CHANGES = (
-    "half twice average mean maximum minimum initial final tangential relative not second last net rate never only kinetic".split(),
+    ["half", "twice", "average", "maximum", "minimum", "initial", "final", "tangential", "relative", "not", "net", "never"],
     ["when it rains", "on the way back", "in the second phase", "per unit mass", "about the other end", "on average", "twice",
      "without friction", "if mu = 0", "in the opposite direction", "not", "not at all"],
 )  # fmt: skip

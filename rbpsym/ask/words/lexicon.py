@@ -66,7 +66,7 @@ GUIDES = "slot|groove|guide|wire|rail|tube|track"  # what leads a point
 GROUND = "ground|floor|table|tabletop|road|track|surface|plane|support|rail|rails|belt"
 
 
-RANKED = frozenset("first second third upper lower left right inner outer front rear small large big heavy light".split())
+RANKED = ("first", "second", "third", "upper", "lower", "left", "right", "inner", "outer", "front", "rear", "small", "large")
 
 
 class Lexicon:

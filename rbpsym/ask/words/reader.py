@@ -182,11 +182,12 @@ def _stranger(lexicon: Lexicon, words: list[Heard], at: int) -> Iterator[Parsed]
         yield Parsed(at + 1, word, 0)
 
 
+NO_NOUN = """and the for with when where after before until which that just its than relative not never only almost again first
+second third last initial final total net average mean maximum minimum twice half double normal tangential horizontal vertical
+angular upper lower left right other kinetic static"""
 NO_NOUNS = {
     *GROUND.split("|"),
-    *"and the for with when where after before until which that just its than relative not never only almost again".split(),
-    *"first second third last initial final total net average mean maximum minimum twice half double normal tangential".split(),
-    *"horizontal vertical angular upper lower left right other kinetic static".split(),
+    *NO_NOUN.split(),
 }
 
 
