@@ -167,6 +167,8 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
     for text in readings:
         try:
             one = _stated(asked, text, letter)
+            if one.holds and ENDING.match(plain):
+                raise StatementError("it grows along the motion", instead=f"say until when: {moments_of(asked.problem, True)}.")
             if one.verdict.is_proved and not any(_is_one(one, other) for other in found.values()):
                 found[text] = one
         except RbpsymError as error:
@@ -195,6 +197,7 @@ def _refusal(problem: Problem, plain: str, refused: RbpsymError, errors: Mapping
     return refused
 
 
+ENDING = re.compile(r"how (?:far|many|much|long)\b", re.I)
 NOTHING_MEANT = "means nothing in the problem"
 
 
@@ -208,7 +211,7 @@ def moments_of(problem: Problem, counted: bool = False) -> str:
         struck = ["right after impact", "just before impact"] if len(struck_phases(problem)) == 1 else []
         held = [f"where {e.name} vanishes" for e in problem.constraints if e.kind == "contact"]
         told = ["at the start", *struck, *phases, *(f"where {name} = VALUE" for name in names[:2]), *held[:1]]
-    return ", ".join(f"“{one}”" for one in told) + " or no moment at all"
+    return ", ".join(f"“{one}”" for one in told) + ("" if counted else " or no moment at all")
 
 
 COUNTED = re.compile(r".*\b(?:time|distance|work|energy lost|heat|turns|revolutions|turned)\b")

@@ -81,8 +81,8 @@ Asking
   (where|at what point|at which point|at what place|at what position) (does|do|will) Event -> @where
   at (what|which) [value of] CoordNoun (does|do|will|is|has) Event -> {CoordNoun} where {Event}
   (through|by) (what|which) angle (does|will|has) Body Turn [Spans] -> angle turned by {Body} {Spans}
-  how many (turns|revolutions|rotations) (does|will|has) Body (make|makes|made|complete|Turn) [Spans] -> number of turns
-      of {Body} {Spans}
+  how many (turns|revolutions|rotations) (does|will|has) Holder (make|makes|made|complete|Turn) [Spans] -> number of
+      turns of {Holder} {Spans}
   how long (does|will|did) Subj (slip|slide|skid) -> time until {Subj} stops slipping
   how much (Heat|heat is produced|heat is generated) [to friction|by friction|in slipping] -> @heat
   how much (energy|heat) is (lost|produced|generated|dissipated) [to friction|by friction|in slipping] -> @heat
