@@ -12,7 +12,7 @@ from rbpsym.field import is_zero
 from rbpsym.field.evaluate import scalar
 from rbpsym.quantities import FORCE, LENGTH, NUMBER
 from rbpsym.quantity.bound import without_articles
-from rbpsym.statement.model import Body, Element, Line, Problem
+from rbpsym.statement.model import Body, Element, Line, Phase, Problem
 
 STRINGS = "string|rope|cord|cable|thread|chain|wire|coupling"
 # a word for an element -> the kinds that it may mean: the only one of these, or of those that touch what is named beside it
@@ -236,6 +236,9 @@ def _leaving(problem: Problem, text: str) -> str:
             of = own[0].values.get("of") or getattr(own[0].values.get("circle"), "body", None)
             who = "|".join((re.escape(body.name), *(["it"] if len(problem.bodies) == 1 else [])))
             leaves = rf"\b(?:{who}) (?:{LEAVES})(?: (?:{GROUNDS}|{_any([of] if of else [])}))?(?=$|,|{_NEXT})"
+            ends = [phase for phase, gone in _gone(problem) if own[0].name in gone]
+            if len(ends) == 1 and ends[0].subject != own[0].name:  # it is left where that phase begins without it
+                text = re.sub(rf"(?<=where |.when |until ){leaves}", f"{ends[0].name} begins", text)
             text = re.sub(leaves, f"{own[0].name} vanishes", text)
     lone = [e.name for e in problem.constraints if e.kind in sides]
     text = re.sub(r"\bcontact (?:is lost|ceases)", f"{lone[0]} vanishes", text) if len(lone) == 1 else text
@@ -275,15 +278,20 @@ def _is_of(element: Element, body: str) -> bool:
 
 def begun_without(problem: Problem, text: str) -> str:
     """“right after the cord is cut” by the only phase that begins without it."""
-    before = [problem, *(phase.problem for phase in problem.phases)]
-    gone = [_names(old) - _names(phase.problem) for old, phase in zip(before, problem.phases, strict=False)]
-    for phase, names in zip(problem.phases, gone, strict=True):
-        lone = [name for name in names if sum(name in other for other in gone) == 1]
-        who = _any(lone) + ("|it" if len(lone) == 1 == sum(map(len, gone)) else "")
+    ends = _gone(problem)
+    for phase, names in ends:
+        lone = [name for name in names if sum(name in gone for _, gone in ends) == 1]
+        who = _any(lone) + ("|it" if len(lone) == 1 == sum(len(gone) for _, gone in ends) else "")
         ahead = rf"\b(?:(?:just|right|immediately) )?before (?:{who}) (?:{GONE})\b"
         text = re.sub(ahead, f"just before {phase.name}", text)
         text = re.sub(rf"\b(?:{who}) (?:{GONE})\b", f"{phase.name} begins", text)
     return text
+
+
+def _gone(problem: Problem) -> list[tuple[Phase, set[str]]]:
+    """The phases, each with the names of what acts no more in it."""
+    before = [problem, *(phase.problem for phase in problem.phases)]
+    return [(phase, _names(old) - _names(phase.problem)) for old, phase in zip(before, problem.phases, strict=False)]
 
 
 def _names(problem: Problem) -> set[str]:

@@ -220,11 +220,7 @@ def _gone(asked: Asked, said: re.Match[str], phase: int) -> str:
     if not onwards and free in world.motion.scope.start:
         push = first_push(world.motion, free)
         onwards = sense_stated(world.study, push) or sense_at_sample(world.study, push)
-    if (
-        not onwards
-        or is_zero(size)
-        or any(not is_zero(derivative(rate, other)) for rate in rates for other in world.motion.scope.rates)
-    ):
+    if not onwards or is_zero(size) or not _is_led(world, name, free, turns=bool(said["round"])):
         raise StatementError(
             f"the {what} is not told by one coordinate that goes on in one sense",
             instead=f"say where: “where {free} = VALUE”.",
@@ -237,10 +233,19 @@ def along_a_line(asked: Asked, name: str, free: str) -> bool:
     """Whether a body moves along a straight line as a coordinate grows, in the first phase in which it moves."""
     for place in range(asked.lasting, len(asked.names)):
         world = scene(asked, place)
-        rates = _rates(world, name, free, turns=False)
-        if any(rates):
-            return not any(derivative(rate, other) for rate in rates for other in world.motion.scope.rates)
+        if any(_rates(world, name, free, turns=False)):
+            return _is_led(world, name, free, turns=False)
     return False
+
+
+def _is_led(world: AskedPhase, name: str, free: str, *, turns: bool) -> bool:
+    """Whether a body goes straight on, or turns, as that coordinate grows, and as no other one does, nor the time."""
+    names = (*world.motion.scope.rates, "t")
+    return not any(
+        (rate and other != free) or any(depends_on(rate, each) for each in names)
+        for other in names
+        for rate in _rates(world, name, other, turns=turns)
+    )
 
 
 def _value(world: AskedPhase, said: re.Match[str]) -> Scalar:

@@ -13,6 +13,7 @@ from contextlib import suppress
 from rbpsym.ask.asked import Asked
 from rbpsym.ask.found import Answer, Found, shortest
 from rbpsym.ask.question import Question
+from rbpsym.ask.units import with_letters
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import neat
 from rbpsym.decide.signs import sign
@@ -221,10 +222,9 @@ def converse(asked: Asked, text: str, *, last: bool = False) -> tuple[Asked, str
     dimension = asked.problem.dimensions[name] / TIME**int(speed)
     kind, lower, upper = "positive" if is_positive else "real", end if way > 0 else None, end if way < 0 else None
     added = Quantity(letter, dimension, said[0], kind, lower=lower, upper=upper)
-    problem = replace(asked.problem, parameters=(*asked.problem.parameters, added))
-    phases = (replace(one, problem=replace(one.problem, parameters=problem.parameters)) for one in problem.phases)
+    problem = with_letters(asked.problem, added)
     what = f"speed of {name}" if speed else name
     where = f"{what} = {'-' if speed and way < 0 else ''}{letter}"
     size = "the magnitude of the " if speed and way < 0 else "the " if speed else ""
     asking = f"time until {where}" if said[1] in ("t", "time") else f"{said[1]} where {where}"
-    return Asked(replace(problem, phases=tuple(phases))), asking, letter, f"{size}{what}"
+    return Asked(problem), asking, letter, f"{size}{what}"

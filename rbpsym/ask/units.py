@@ -14,6 +14,7 @@ from rbpsym.expr.infix import read_infix
 from rbpsym.frozen import replace
 from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension, Quantity
 from rbpsym.statement.checks import dimensions_with_unknowns
+from rbpsym.statement.model import Problem
 from rbpsym.statement.units import UnitOf, read_unit
 
 VALUE = re.compile(
@@ -68,7 +69,13 @@ def in_letters(asked: Asked, text: str) -> tuple[Asked, str, Mapping[str, str]]:
     if not added:
         return asked, text if plain == whole else plain, given
     problem = asked.problem
-    return Asked(replace(problem, parameters=(*problem.parameters, *added), example={**problem.example, **given})), plain, given
+    return Asked(replace(with_letters(problem, *added), example={**problem.example, **given})), plain, given
+
+
+def with_letters(problem: Problem, *added: Quantity) -> Problem:
+    """The problem with these parameters too, in all of its phases."""
+    phases = tuple(replace(phase, problem=with_letters(phase.problem, *added)) for phase in problem.phases)
+    return replace(problem, parameters=(*problem.parameters, *added), phases=phases)
 
 
 def _of_noun(text: str) -> Dimension | None:

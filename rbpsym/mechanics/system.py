@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from rbpsym.errors import StatementError
 from rbpsym.field import NOTHING, ORIGIN, QUARTER, Meanings, Scalar, Vector, kept, substitute, time_derivative
 from rbpsym.field.vector import vector_sum
 from rbpsym.frozen import Frozen, field
@@ -170,10 +171,13 @@ class System(Frozen):
         return tuple(force for force in self.forces if force.on == body)
 
     def element(self, name: str) -> Element:
-        """The interaction or constraint to which a force of that name belongs (its own name, f_N, T_1)."""
+        """The interaction or constraint to which a force of that name belongs (its own name, f_N, T_1). Raises StatementError."""
         both = self.problem.elements
         known = {element.name: element for element in both}
-        return known.get(name) or next(e for e in both if name in _names_of(e))
+        found = known.get(name) or next((e for e in both if name in _names_of(e)), None)
+        if found is None:
+            raise StatementError(f"“{name}” does not act in this phase", instead="name one in which it does.")
+        return found
 
 
 def _names_of(element: Element) -> tuple[str, ...]:

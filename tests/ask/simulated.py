@@ -77,6 +77,7 @@ def _told(answer: Answer, numbers: Mapping[str, float]) -> tuple[float, ...] | N
 
 def _shown(asked: Asked, numbers) -> Iterator[tuple[str, str, Mapping[str, float], tuple[float, ...]]]:
     """(question, when, the place, what the simulation shows): at the start and the end of each phase, and on the way."""
+    path: list[np.ndarray] = []
     for place, name in enumerate(asked.names):
         study = asked.study(place)
         bench = _bench(study, numbers)
@@ -95,16 +96,48 @@ def _shown(asked: Asked, numbers) -> Iterator[tuple[str, str, Mapping[str, float
             if time is None or time <= 0:
                 return
             done = follow(bench, study, start, time)
+            yield from _gone(asked, place, bench, path, done.states, _clock(asked, place, parameters))
             last, ends = done.event.state if done.event else done.states[-1], f" just before {asked.names[place + 1]}"
             yield from ((q, ends, {}, seen) for q, seen in _measured(bench, last, start.q).items())
             yield f"time until {asked.names[place + 1]}", "", {}, (float(last[-1]) + _clock(asked, place, parameters),)
             continue
         done = follow(bench, study, start, longest=8.0)
+        yield from _gone(asked, place, bench, path, done.states, _clock(asked, place, parameters))
         if place == 0:
             yield from _on_the_way(bench, study, done, start.q)
         if done.event is not None and done.event.kind == "lost" and not done.event.also:
             seen = _measured(bench, done.event.state, start.q)
             yield from ((q, f" where {done.event.of} vanishes", {}, value) for q, value in seen.items() if q != done.event.of)
+
+
+def _gone(
+    asked: Asked, place: int, bench: Bench, path: list[np.ndarray], states, clock: float
+) -> Iterator[tuple[str, str, Mapping[str, float], tuple[float, ...]]]:
+    """Speeds after a body has fallen, moved along a line, or turned so far since the very start, or in its phase, at a state of
+    that phase; what was passed before (`path`) grows by the phase."""
+    size, problem = bench.equations.size, bench.derived.system.problem
+    letter = asked.study(place).letters.free("d_1")
+    chosen = states[: max(2, 2 * len(states) // 3)]
+    own, before = [state[:size] for state in chosen], [*path]
+    path.extend(state[:size] for state in states)
+    speeds, time = chosen[-1][size : 2 * size], clock + float(chosen[-1][-1])
+    named = f" in phase {asked.names[place]}"
+    for passed, phase in ((np.array([*before, *own]), ""), (np.array(own), named))[: 1 + bool(place)]:
+        for k, body in enumerate(problem.body_names):
+            x, y, turn = (passed[:, 3 * k + j] - passed[0, 3 * k + j] for j in range(3))
+            vx, vy, w = (float(one) for one in speeds[3 * k : 3 * k + 3])
+            far, spins = np.hypot(x, y), problem.body(body).shape.kind != "particle"
+            steps = float(np.hypot(np.diff(x), np.diff(y)).sum())
+            is_straight = steps <= far[-1] * (1 + 1e-9) and np.ptp(x * y[-1] - y * x[-1]) < 1e-9
+            for words, way in (("fallen", -y), ("moved", far if is_straight else 0 * far), ("turned through", np.abs(turn))):
+                if way[-1] <= 1e-3 or way[-1] <= way[:-1].max(initial=0.0) + 1e-6:
+                    continue
+                there, value = f"{body} has {words} {letter}", {letter: float(way[-1])}
+                yield f"speed of {body}.cm{phase}", f" where {there}", value, (float(np.hypot(vx, vy)),)
+                if not phase:
+                    yield "time", f" until {there}", value, (time,)
+                if spins and words != "moved":
+                    yield f"magnitude of angular velocity of {body}{phase}", f" where {there}", value, (abs(w),)
 
 
 def _clock(asked: Asked, place: int, numbers: Mapping[str, float]) -> float:
