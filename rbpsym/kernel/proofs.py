@@ -236,9 +236,10 @@ class Search:
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = [*combining.nonzero(self, written, known), *within(self, written)]
         below.sort(key=lambda have: bool(have.claim.given))  # what holds where a force presses may rest on the others
-        shown = [node for have in (*below, *found.steps) for node in have.parts]
+        shown = [node for have in (*below, *found.steps, *self.notes.values()) for node in have.parts]
         parts = {part for node in (*written, *shown) for part in t.walk(node)}
-        signs = sorted((h for h in found.steps if h.how in SIGNS and h.claim.left in parts), key=lambda h: h.how == "positive")
+        every = {have.name: have for have in (*found.steps, *self.notes.values()) if have.how in SIGNS}.values()
+        signs = sorted((have for have in every if have.claim.left in parts), key=lambda have: have.how == "positive")
         others = [have for have in found.steps if have.how not in SIGNS]
         return replace(found, steps=(*signs, *below, *others))
 
@@ -385,9 +386,9 @@ class Search:
         for name, value in self.source.study.squares.items():
             claim = Proposition(t.power(t.Sym(f"{name}_dot"), 2), tree_of(value))
             with suppress(Undecided):
-                found = by_rates(self, self.difference(claim), known)
+                found = by_rates(self, Scalar(self.difference(claim).num), known)  # what stands below may move
                 flat = self.haves[-1]
-                if len(found.known) == 1 and not found.circles and flat.how == "flat":
+                if len(found.known) == 1 and flat.how == "flat":
                     yield KnownEquation(flat.name, flat.claim)
         self.deep = False
 
