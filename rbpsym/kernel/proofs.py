@@ -356,7 +356,10 @@ class Search:
         rest, found = self.follow(goal, known)
         if self.vanishes(rest):
             return found
-        more = [*known, *self.stills(known)]
+        once = [*self.stills(known)]
+        more = [*known, *once]
+        if any(name.endswith(START) for name in names_in(goal)):  # accelerations then, of what is said of places
+            more += (KnownEquation(item.name, item.claim, "0") for item in (*once, *self.stills(once)))
         rest, found = self.follow(goal, more)
         if not self.vanishes(rest) and (squares := list(self._squares(known))):
             rest, found = self.follow(goal, [*more, *squares])

@@ -96,7 +96,7 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True, strict: bool =
     """The value as a sum of one sign: by gaps, by what sines and cosines are at most, and if it is `ranged` by what ranges
     keep positive. Not `strict`: it may vanish."""
     known = frozenset(search.positive | search.certain) if ranged else search.always
-    common = search.positive if strict else search.positive | search.least
+    common = search.positive | known if strict else search.positive | known | search.least
     below = Poly({tuple(sorted((i, -e) for i, e in value.num.content()[1] if i in common)): 1})
     poly = value.num * below
     if (key := (poly, known, strict)) not in search.sums:
