@@ -25,12 +25,18 @@ class PositiveSum(Frozen):
     squares: tuple[tuple[Scalar, Scalar], ...]
     waves: tuple[tuple[Scalar, Scalar, int], ...]
 
+    def over(self, below: Scalar, sign: int, *roots: Poly) -> PositiveSum:
+        """The same and further squares, over something positive."""
+        squares, waves = (tuple((part[0] / below, *part[1:]) for part in parts) for parts in (self.squares, self.waves))
+        more = ((UNITY / below, Scalar(root)) for root in roots)
+        return PositiveSum(sign, self.above / below, (*squares, *more), waves)
+
 
 def positive_sum(
-    poly: Poly, positive: Set[int], least: Set[int] = frozenset(), *, strict: bool = True, turning: bool = True
+    poly: Poly, positive: Set[int], least: Set[int] = frozenset(), *, strict: bool = True, deep: int = 2
 ) -> PositiveSum | None:
     """A polynomial, or what is opposite to it, as a sum of what is positive (nothing, if it is not `strict`) and of what is not
-    negative; `turning`: by the sines and cosines of one angle together, too.
+    negative; `deep`: how often squares of sums, and those of sines and cosines of one angle together, are taken off.
 
     `positive`: atoms above 0; `least`: atoms that are at least 0. Sines and cosines are letters, sin² + cos² = 1 is used.
     None: no such sum was found.
@@ -48,30 +54,43 @@ def positive_sum(
             found = _sum(value.num.scaled(sign), sign, positive, positive | least, strict)
             if found is not None:
                 return found
-    plain = wound(Scalar(poly)).num
-    tries = product(sines if turning else (), (1, -1))
-    ways = (_swung(plain.scaled(sign), sign, sine, (positive, least), strict) for sine, sign in tries)
-    return next((found for found in ways if found is not None), None)
+    plain = wound(Scalar(poly)).num if deep else Poly({})
+    ways = [*((_completed, index) for index in sorted(plain.atoms())), *((_swung, sine) for sine in sines if deep)]
+    for way, index in ways:
+        for sign in (1, -1):
+            made = way(plain.scaled(sign), index, positive)
+            found = made and positive_sum(wound(Scalar(made[0])).num, positive, least, strict=strict, deep=deep - 1)
+            if made and found and found.sign > 0:
+                return found.over(Scalar(made[1]), sign, *made[2:])
+    return None
 
 
-def _swung(poly: Poly, sign: int, sine: int, known: tuple[Set[int], Set[int]], strict: bool) -> PositiveSum | None:
+def _completed(poly: Poly, index: int, positive: Set[int]) -> tuple[Poly, ...] | None:
+    """What is quadratic in a letter x: 4A (A x² + B x + C) = 4A C - B² + (2A x + B)²: what is left, by what it is over, what
+    is squared."""
+    parts = poly.by_power(index)
+    if not {1, 2} <= parts.keys() <= {0, 1, 2} or not _is_plain(parts[2], positive):
+        return None
+    a, b, c = parts[2], parts[1], parts.get(0, Poly({}))
+    return (a * c).scaled(4) - b * b, a.scaled(4), a.scaled(2) * generator(index) + b
+
+
+def _swung(poly: Poly, sine: int, positive: Set[int]) -> tuple[Poly, ...] | None:
     """What is linear in the sine s and the cosine c of an angle, as the squared distance of points on circles is:
-    2A (A + B c + D s) = A² - B² - D² + (A + B c + D s)² + (B s - D c)²."""
+    2A (A + B c + D s) = A² - B² - D² + (A + B c + D s)² + (B s - D c)²; the same parts of it."""
     cosine = partner(sine) or sine
     parts: dict[tuple[int, int], dict[Monomial, Coefficient]] = {}
     for monomial, coefficient in poly.terms.items():
         powers, rest = dict(monomial), tuple(item for item in monomial if item[0] not in (sine, cosine))
         parts.setdefault((powers.get(sine, 0), powers.get(cosine, 0)), {})[rest] = coefficient
     a, b, d = (Poly(parts.pop(powers, {})) for powers in ((0, 0), (0, 1), (1, 0)))
-    if parts or not a or any(c < 0 or not _is_above(m, known[0]) for m, c in a.terms.items()):
+    if parts or not a or not _is_plain(a, positive):
         return None
-    found = positive_sum(a * a - b * b - d * d, *known, strict=strict, turning=False)
-    if found is None or found.sign < 0:
-        return None
-    swing = Scalar(b * generator(sine) - d * generator(cosine))
-    half = UNITY / (Scalar(a) * 2)
-    squares = (*((factor * half, root) for factor, root in found.squares), (half, Scalar(poly)), (half, swing))
-    return PositiveSum(sign, found.above * half, squares, tuple((f * half, wave, turn) for f, wave, turn in found.waves))
+    return a * a - b * b - d * d, a.scaled(2), poly, b * generator(sine) - d * generator(cosine)
+
+
+def _is_plain(poly: Poly, positive: Set[int]) -> bool:
+    return all(c > 0 and _is_above(m, positive) for m, c in poly.terms.items())
 
 
 def is_wave(index: int) -> bool:

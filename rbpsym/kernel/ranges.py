@@ -105,9 +105,7 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True, strict: bool =
     sense = 0 if num is None else sense_of(search, Scalar(value.den))
     if num is None or not sense:
         return None
-    den = Scalar(value.den) * Scalar(below) * sense
-    squares, waves = (tuple((part[0] / den, *part[1:]) for part in parts) for parts in (num.squares, num.waves))
-    return PositiveSum(num.sign * sense, num.above / den, squares, waves)
+    return num.over(Scalar(value.den) * Scalar(below) * sense, num.sign * sense)
 
 
 def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> Iterator[PositiveSum]:
@@ -116,7 +114,7 @@ def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> It
     for images in ways:
         value = substitute(Scalar(poly), {name: image for name, image in images.items() if image is not None})
         for above in dict.fromkeys((known, search.always)) if value.den.constant_value() == 1 else ():
-            found = positive_sum(value.num, above | search.gaps, search.least, strict=strict, turning=not any(images.values()))
+            found = positive_sum(value.num, above | search.gaps, search.least, strict=strict, deep=0 if any(images.values()) else 2)
             if found is not None:
                 yield found
 
