@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Set
-from fractions import Fraction
+from collections.abc import Collection, Set
 from itertools import product
 
-from rbpsym.field import UNITY, Coefficient, Monomial, Poly, Scalar, generator, inverse, times
+from rbpsym.field import UNITY, Coefficient, Monomial, Poly, Scalar, generator
 from rbpsym.frozen import Frozen
 from rbpsym.kernel.certificates import partner, wound
 
@@ -33,7 +32,7 @@ class PositiveSum(Frozen):
 
 
 def positive_sum(
-    poly: Poly, positive: Set[int], least: Set[int] = frozenset(), *, strict: bool = True, deep: int = 2
+    poly: Poly, positive: Set[int], least: Set[int] = frozenset(), *, strict: bool = True, deep: int = 3
 ) -> PositiveSum | None:
     """A polynomial, or what is opposite to it, as a sum of what is positive (nothing, if it is not `strict`) and of what is not
     negative; `deep`: how often squares of sums, and those of sines and cosines of one angle together, are taken off.
@@ -45,23 +44,25 @@ def positive_sum(
         return None
     angles = sorted(index for index in poly.atoms() if partner(index) is not None or partner(index, "cos") is not None)
     sines = sorted({index if partner(index) is not None else partner(index, "cos") or index for index in angles})
+    forms: dict[Poly, None] = {}
     for kinds in product(("sin", "cos"), repeat=min(len(sines), 3)):
         value = Scalar(poly)
         for kind in dict.fromkeys(kinds):
             chosen = {s if kind == "sin" else partner(s) or s for s, k in zip(sines, kinds, strict=False) if k == kind}
             value = wound(value, kind, only=chosen)
+        forms[value.num] = None
+    tries = [(form, sign) for form in forms for sign in (1, -1)]
+    for form, sign in tries:
+        if (found := _sum(form.scaled(sign), sign, positive, positive | least, strict, deep)) is not None:
+            return found
+    ways = [(_completed, form, index) for form in forms for index in sorted(form.atoms()) if deep]
+    ways += [(_swung, wound(Scalar(poly)).num, sine) for sine in sines if deep]
+    for way, form, index in ways:
         for sign in (1, -1):
-            found = _sum(value.num.scaled(sign), sign, positive, positive | least, strict)
-            if found is not None:
-                return found
-    plain = wound(Scalar(poly)).num if deep else Poly({})
-    ways = [*((_completed, index) for index in sorted(plain.atoms())), *((_swung, sine) for sine in sines if deep)]
-    for way, index in ways:
-        for sign in (1, -1):
-            made = way(plain.scaled(sign), index, positive)
-            found = made and positive_sum(wound(Scalar(made[0])).num, positive, least, strict=strict, deep=deep - 1)
-            if made and found and found.sign > 0:
-                return found.over(Scalar(made[1]), sign, *made[2:])
+            made = way(form.scaled(sign), index, positive)
+            left = made and positive_sum(wound(Scalar(made[0])).num, positive, least, strict=strict, deep=deep - 1)
+            if made and left and left.sign > 0:
+                return left.over(Scalar(made[1]), sign, *made[2:])
     return None
 
 
@@ -98,8 +99,8 @@ def is_wave(index: int) -> bool:
     return partner(index) is not None or partner(index, "cos") is not None
 
 
-def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int], strict: bool) -> PositiveSum | None:
-    """The sum by its terms: even powers stay, what swings is at least minus its size, what is left are squares."""
+def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int], strict: bool, deep: int) -> PositiveSum | None:
+    """The sum by its terms: even powers stay, what swings is at least minus its size, what is left may be squares."""
     even: dict[Monomial, Coefficient] = {}
     waves: dict[tuple[Monomial, int, int], Coefficient] = {}
     for monomial, coefficient in poly.terms.items():
@@ -114,17 +115,16 @@ def _sum(poly: Poly, sign: int, positive: Set[int], fair: Set[int], strict: bool
             even[rest] = even.get(rest, 0) - size
         else:
             return None
-    squares = list(_squares(even, positive, fair))
-    above = {m: c for m, c in even.items() if c and _is_above(m, positive)}
-    flat = {m: c for m, c in even.items() if c and not _is_above(m, positive)}
-    if (strict and not above) or any(c < 0 for c in even.values()) or any(e % 2 and i not in fair for m in flat for i, e in m):
-        return None
-    for m, c in flat.items():
-        squares.append(_halved(m, c, fair))
-    found = [(Scalar(Poly({rest: c})), Scalar(Poly({((i, 1),): 1})), turn) for (rest, i, turn), c in waves.items()]
+    found = tuple((Scalar(Poly({rest: c})), Scalar(Poly({((i, 1),): 1})), turn) for (rest, i, turn), c in waves.items())
     if any(e % 2 and i not in fair for (rest, _, _) in waves for i, e in rest):
         return None
-    return PositiveSum(sign, Scalar(Poly(above)), tuple(squares), tuple(found))
+    above = {m: c for m, c in even.items() if c and _is_above(m, positive)}
+    flat = {m: c for m, c in even.items() if c and not _is_above(m, positive)}
+    is_even = all(c >= 0 for c in even.values()) and all(e % 2 == 0 or i in fair for m in flat for i, e in m)
+    if is_even and (above or not strict):
+        return PositiveSum(sign, Scalar(Poly(above)), tuple(_halved(m, c, fair) for m, c in flat.items()), found)
+    plain = positive_sum(Poly({**above, **flat}), positive, fair, strict=strict, deep=deep - 1) if waves and deep else None
+    return PositiveSum(sign, plain.above, plain.squares, (*plain.waves, *found)) if plain and plain.sign > 0 else None
 
 
 def _is_above(monomial: Monomial, positive: Collection[int]) -> bool:
@@ -136,38 +136,3 @@ def _halved(monomial: Monomial, coefficient: Coefficient, positive: Collection[i
     known = tuple((i, e) for i, e in monomial if i in positive)
     root = tuple((i, e // 2) for i, e in monomial if i not in positive)
     return Scalar(Poly({known: coefficient})), Scalar(Poly({root: 1}))
-
-
-def _lift(even: dict[Monomial, Coefficient], monomial: Monomial, wanted: Fraction, kept: Monomial) -> None:
-    """As much of a monomial as is wanted, out of the one that is a sin² less: 1 = sin² + cos²."""
-    missing = wanted - even.get(monomial, 0)
-    for index, exponent in monomial if missing > 0 else ():
-        other, lower = partner(index) or partner(index, "cos"), times(monomial, ((index, -2),))
-        if other is not None and exponent >= 2 and lower != kept and even.get(lower, 0) >= missing:
-            rest = times(lower, ((other, 2),))
-            for place, change in ((lower, -missing), (monomial, missing), (rest, missing)):
-                even[place] = even.get(place, 0) + change
-            return
-
-
-def _squares(even: dict[Monomial, Coefficient], above: Collection[int], fair: Collection[int]) -> Iterator[tuple[Scalar, Scalar]]:
-    """Squares that take up what is negative: A u² + B v² - k u v = A (u - k v/2A)² + (B - k²/4A) v², of which v² is rather
-    positive than not negative."""
-    for monomial in [m for m, c in even.items() if c < 0 or any(e % 2 and i not in fair for i, e in m)]:
-        twice = times(monomial, monomial)
-        of = [m for m, c in even.items() if c > 0 and all(e % 2 == 0 for _, e in m)]
-        for first in sorted(of, key=lambda m: not _is_above(times(twice, inverse(m)), above)):
-            second = times(twice, inverse(first))
-            a, k = even.get(first, 0), even.get(monomial, 0)
-            if second == first or a <= 0 or not k or any(e % 2 for _, e in second):
-                continue
-            _lift(even, second, Fraction(k) * k / (4 * Fraction(a)), first)
-            b = even.get(second, 0)
-            if b <= 0 or 4 * a * b < k * k:
-                continue
-            u, v = (Poly({tuple((i, e // 2) for i, e in m): 1}) for m in (first, second))
-            factor = Fraction(k) / (2 * Fraction(a))
-            even[first], even[monomial], even[second] = 0, 0, b - Fraction(k) * k / (4 * Fraction(a))
-            yield UNITY * a, Scalar(u + v.scaled(factor))
-            break
-

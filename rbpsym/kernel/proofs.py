@@ -117,7 +117,8 @@ class Search:
     def _rooted(self, node: t.Sqrt) -> t.Node:
         """A root as a letter."""
         value = self.value(node.arg)
-        name = next((name for name, known in self.roots.items() if known == value), f"root {to_machine(node.arg)}")
+        alike = (name for name, known in self.roots.items() if known == value or not combining.based(self, known - value))
+        name = next(alike, f"root {to_machine(node.arg)}")
         self.source.circular.setdefault(name, node)
         if name not in self.roots:
             self.roots[name] = value

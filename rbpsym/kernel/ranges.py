@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, generator, names_in, substitute, symbol
+from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
-from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, circles, parted, partner, wound
+from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, circles, parted, wound
 from rbpsym.kernel.claim import Proposition, brief, tree_of
 from rbpsym.kernel.positive import PositiveSum, positive_sum
 from rbpsym.typeset.machine import to_machine
@@ -114,7 +114,8 @@ def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> It
     for images in ways:
         value = substitute(Scalar(poly), {name: image for name, image in images.items() if image is not None})
         for above in dict.fromkeys((known, search.always)) if value.den.constant_value() == 1 else ():
-            found = positive_sum(value.num, above | search.gaps, search.least, strict=strict, deep=0 if any(images.values()) else 2)
+            deep = 0 if any(images.values()) else 3
+            found = positive_sum(value.num, above | search.gaps, search.least, strict=strict, deep=deep)
             if found is not None:
                 yield found
 
@@ -207,15 +208,6 @@ def above(
         have = shown(search, "", (t.ZERO, rest), found, Multiples())
         return Multiples(by.known, (*by.circles, *have.multiples.circles)), have.parts
     rest = wound(rest, "cos")
-    for index in sorted(filter(partner, rest.num.atoms())):
-        parts = {power: Scalar(part, rest.den) for power, part in rest.num.by_power(index).items()}
-        if set(parts) <= {0, 1, 2} and 2 in parts and search.is_positive(parts[2]):
-            a, b, c = (parts.get(power, NOTHING) for power in (2, 1, 0))
-            left = wound(c - b * b / (a * 4))
-            if search.is_positive(left):
-                root = Scalar(generator(index)) + b / (a * 2)
-                _, multiples = search.follow(goal - a * root * root - left, known)
-                return multiples, (search.tree(left), t.mul(search.tree(a), t.Pow(search.tree(root), t.TWO)))
     bounds = [item.left for item in search.met_by if item.kind == "least" and item.right == t.ZERO]
     bounds += [item.claim.left for item in known if isinstance(item.claim.left, t.Pow) and item.claim.left.exponent == t.TWO]
     for node in bounds:
