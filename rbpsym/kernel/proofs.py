@@ -10,7 +10,6 @@ from typing import Any
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_along, symbol
-from rbpsym.field.division import divide
 from rbpsym.field.evaluate import scalar
 from rbpsym.kernel import combining
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, circles, formulas, parted, reduced, vanishes
@@ -395,11 +394,3 @@ class Search:
                 if len(found.known) == 1 and flat.how == "flat":
                     yield KnownEquation(flat.name, flat.claim)
         self.deep = False
-
-    def ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
-        """value / by, if it is a polynomial but for what does not vanish."""
-        found = divide(value.num, by.num) if by else None
-        if found is None or not self.is_nonzero(Scalar(value.den)):
-            return None
-        below = {index for m in found.terms for index, exponent in m if exponent < 0}
-        return Scalar(found) * Scalar(by.den) / Scalar(value.den) if below <= self.positive | self.nonzero else None
