@@ -76,10 +76,10 @@ def _completed(poly: Poly, index: int, positive: Set[int]) -> tuple[Poly, ...] |
     return (a * c).scaled(4) - b * b, a.scaled(4), a.scaled(2) * generator(index) + b
 
 
-def _swung(poly: Poly, sine: int, positive: Set[int]) -> tuple[Poly, ...] | None:
+def _swung(poly: Poly, index: int, positive: Set[int]) -> tuple[Poly, ...] | None:
     """What is linear in the sine s and the cosine c of an angle, as the squared distance of points on circles is:
     2A (A + B c + D s) = A² - B² - D² + (A + B c + D s)² + (B s - D c)²; the same parts of it."""
-    cosine = partner(sine) or sine
+    sine, cosine = index, partner(index) or index
     parts: dict[tuple[int, int], dict[Monomial, Coefficient]] = {}
     for monomial, coefficient in poly.terms.items():
         powers, rest = dict(monomial), tuple(item for item in monomial if item[0] not in (sine, cosine))

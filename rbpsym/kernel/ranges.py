@@ -127,7 +127,8 @@ def sense_of(search: Search, value: Scalar) -> int:
         return 0
     split = [factors(poly) for poly in (inner.num, inner.den)]
     senses = [_sense(search, Scalar(part)) ** exponent for _, parts in split for part, exponent in parts]
-    return prod(senses, start=1 if prod(number for number, _ in split) > 0 else -1)
+    sense: int = prod(senses, start=1 if prod(number for number, _ in split) > 0 else -1)
+    return sense
 
 
 def _sense(search: Search, part: Scalar) -> int:
