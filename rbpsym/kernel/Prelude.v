@@ -216,6 +216,8 @@ Ltac known_nonzero x := match goal with
   end.
 Ltac nonzero := match goal with
   | |- PI <> 0 => exact PI_neq0
+  | N : sqrt ?a <> 0 |- sqrt ?b <> 0 => let M := fresh in pose proof N as M; ang_in M;
+    match type of M with sqrt ?c <> 0 => replace (sqrt b) with (sqrt c) by (f_equal; poly); exact M end
   | |- sqrt _ <> 0 => apply root_nonzero; [first [nng | nra] | nonzero]
   | |- ?x <> 0 => known_nonzero x
   | |- ?x <> 0 => apply Rgt_not_eq; unfold Rgt; solve [repeat pos1]
@@ -259,7 +261,7 @@ Ltac rational := first [poly | is_quotient; solve [field; pos]].
 Ltac one_root := match goal with
   | |- context [sqrt ?a] => match goal with
     | |- context [sqrt ?b] => tryif constr_eq a b then fail else
-        replace (sqrt b) with (sqrt a) by (f_equal; rational) end end.
+        replace (sqrt b) with (sqrt a) by (f_equal; first [rational | ang; rational]) end end.
 Ltac one_angle := match goal with
   | |- context [sin ?a] => match goal with
     | |- context [sin ?b] => tryif constr_eq a b then fail else replace (sin b) with (sin a) by (f_equal; rational)

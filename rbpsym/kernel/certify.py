@@ -134,7 +134,7 @@ def _used(search: Search, claim: Proposition, proof: Proof, claims: Mapping[str,
     names |= {name for have in proof.steps for name in have.source.split()}
     derived = [node for have in proof.steps for node in (have.of, have.claim.left)] + list((proof.like or ())[:1])
     rated = _letters(search.source, derived)
-    early = [claims[known.name] for part in parts for _, known in part.known if known.when == "0" and known.name in claims]
+    early = [known.claim for part in parts for _, known in part.known if known.when == "0"]
     flat = [each.claim.left for have in proof.steps if have.how in ("flat", "course") for each in (have, have.inner) if each]
     begun = _letters(search.source, [*flat, *(side for each in early for side in (each.left, each.right))])
     begun |= {n.removesuffix(START) for side in (claim.left, claim.right) for n in t.names(side) if n.endswith(START)}

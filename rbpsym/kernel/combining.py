@@ -97,15 +97,24 @@ def product_of(search: Search, rest: Scalar, by: Scalar, order: Callable[[int], 
     """Of which multiple of an equation the rest is; by an order of letters, of which multiple the products of letters are
     that stand in the equation."""
     if order is None:
-        return search.ratio(rest, by) or search.ratio(wound(rest, "cos"), wound(by, "cos"))
+        return ratio_of(search, rest, by) or ratio_of(search, wound(rest, "cos"), wound(by, "cos"))
     letters = {index for value in (rest, by) for index in value.num.atoms() if order(index)}
     own, there = by_letters(by.num, letters), by_letters(rest.num, letters)
     products = [key for key in own if key]
     if not products or not there.keys() >= {*products}:
         return None
     first, *others = ((Scalar(there[key], rest.den), Scalar(own[key], by.den)) for key in products)
-    factor = search.ratio(*first)
+    factor = ratio_of(search, *first)
     return None if factor is None or any(left - factor * right for left, right in others) else factor
+
+
+def ratio_of(search: Search, value: Scalar, by: Scalar) -> Scalar | None:
+    """value / by, if it is a polynomial but for what does not vanish."""
+    found = divide(value.num, by.num) if by else None
+    if found is None or not search.is_nonzero(Scalar(value.den)):
+        return None
+    below = {index for m in found.terms for index, exponent in m if exponent < 0}
+    return Scalar(found) * Scalar(by.den) / Scalar(value.den) if below <= search.positive | search.nonzero else None
 
 
 def stays(search: Search, value: Scalar) -> bool:
@@ -193,7 +202,7 @@ def surely(search: Search, value: Scalar, known: Sequence[KnownEquation]) -> tup
         return rest, found, by
     for whole in (search.value(item.left) for item in search.met_by if item.kind == "more" and item.right == t.ZERO):
         rest, _ = search.follow(whole, known)
-        ratio = search.ratio(wound(value), wound(rest))  # a multiple of what is more than 0 where the claim has to hold
+        ratio = ratio_of(search, wound(value), wound(rest))  # a multiple of what is more than 0 where the claim has to hold
         if ratio is not None and (sense := sense_of(search, ratio)):
             left, by = search.follow(value - ratio * whole, known)
             if not left:
@@ -232,7 +241,7 @@ def cancelled(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> P
     values = [search.difference(item.claim, item.when) for item in known]
     rest, sums, rows = reduced(goal, values, search.order(), search.is_nonzero)
     for row in rows:
-        factor = search.ratio(row.value, rest)
+        factor = ratio_of(search, row.value, rest)
         if factor is not None and search.is_nonzero(factor):
             whole = {place: -factor * part for place, part in sums.items()}
             whole |= {place: whole.get(place, NOTHING) + part for place, part in row.multiples.items()}

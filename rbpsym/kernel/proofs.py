@@ -10,7 +10,6 @@ from typing import Any
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
 from rbpsym.field import NOTHING, UNITY, Poly, Scalar, atoms, names_in, rate_along, symbol
-from rbpsym.field.division import divide
 from rbpsym.field.evaluate import scalar
 from rbpsym.kernel import combining
 from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, Proof, circles, formulas, parted, reduced, vanishes
@@ -117,7 +116,8 @@ class Search:
     def _rooted(self, node: t.Sqrt) -> t.Node:
         """A root as a letter."""
         value = self.value(node.arg)
-        name = next((name for name, known in self.roots.items() if known == value), f"root {to_machine(node.arg)}")
+        alike = (name for name, known in self.roots.items() if known == value or not combining.based(self, known - value))
+        name = next(alike, f"root {to_machine(node.arg)}")
         self.source.circular.setdefault(name, node)
         if name not in self.roots:
             self.roots[name] = value
@@ -236,9 +236,10 @@ class Search:
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t" and item.is_free]
         below = [*combining.nonzero(self, written, known), *within(self, written)]
         below.sort(key=lambda have: bool(have.claim.given))  # what holds where a force presses may rest on the others
-        shown = [node for have in (*below, *found.steps) for node in have.parts]
+        shown = [node for have in (*below, *found.steps, *self.notes.values()) for node in have.parts]
         parts = {part for node in (*written, *shown) for part in t.walk(node)}
-        signs = sorted((h for h in found.steps if h.how in SIGNS and h.claim.left in parts), key=lambda h: h.how == "positive")
+        every = {have.name: have for have in (*found.steps, *self.notes.values()) if have.how in SIGNS}.values()
+        signs = sorted((have for have in every if have.claim.left in parts), key=lambda have: have.how == "positive")
         others = [have for have in found.steps if have.how not in SIGNS]
         return replace(found, steps=(*signs, *below, *others))
 
@@ -355,7 +356,10 @@ class Search:
         rest, found = self.follow(goal, known)
         if self.vanishes(rest):
             return found
-        more = [*known, *self.stills(known)]
+        once = [*self.stills(known)]
+        more = [*known, *once]
+        if any(name.endswith(START) for name in names_in(goal)):  # accelerations then, of what is said of places
+            more += (KnownEquation(item.name, item.claim, "0") for item in (*once, *self.stills(once)))
         rest, found = self.follow(goal, more)
         if not self.vanishes(rest) and (squares := list(self._squares(known))):
             rest, found = self.follow(goal, [*more, *squares])
@@ -385,16 +389,8 @@ class Search:
         for name, value in self.source.study.squares.items():
             claim = Proposition(t.power(t.Sym(f"{name}_dot"), 2), tree_of(value))
             with suppress(Undecided):
-                found = by_rates(self, self.difference(claim), known)
+                found = by_rates(self, Scalar(self.difference(claim).num), known)  # what stands below may move
                 flat = self.haves[-1]
-                if len(found.known) == 1 and not found.circles and flat.how == "flat":
+                if len(found.known) == 1 and flat.how == "flat":
                     yield KnownEquation(flat.name, flat.claim)
         self.deep = False
-
-    def ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
-        """value / by, if it is a polynomial but for what does not vanish."""
-        found = divide(value.num, by.num) if by else None
-        if found is None or not self.is_nonzero(Scalar(value.den)):
-            return None
-        below = {index for m in found.terms for index, exponent in m if exponent < 0}
-        return Scalar(found) * Scalar(by.den) / Scalar(value.den) if below <= self.positive | self.nonzero else None

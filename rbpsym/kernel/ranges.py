@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from rbpsym.errors import Undecided
 from rbpsym.expr import tree as t
-from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, generator, names_in, substitute, symbol
+from rbpsym.field import NOTHING, PI, Poly, Scalar, atoms, factors, names_in, substitute, symbol
 from rbpsym.field.evaluate import scalar
-from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, circles, parted, partner, wound
+from rbpsym.kernel.certificates import Have, KnownEquation, Multiples, circles, parted, wound
 from rbpsym.kernel.claim import Proposition, brief, tree_of
 from rbpsym.kernel.positive import PositiveSum, positive_sum
 from rbpsym.typeset.machine import to_machine
@@ -96,16 +96,16 @@ def signed(search: Search, value: Scalar, *, ranged: bool = True, strict: bool =
     """The value as a sum of one sign: by gaps, by what sines and cosines are at most, and if it is `ranged` by what ranges
     keep positive. Not `strict`: it may vanish."""
     known = frozenset(search.positive | search.certain) if ranged else search.always
-    common = search.positive if strict else search.positive | search.least
+    common = search.positive | known if strict else search.positive | known | search.least
     below = Poly({tuple(sorted((i, -e) for i, e in value.num.content()[1] if i in common)): 1})
     poly = value.num * below
     if (key := (poly, known, strict)) not in search.sums:
         search.sums[key] = next(_sums(search, poly, known, strict), None)
-    num, den = search.sums[key], Scalar(value.den) * Scalar(below)
-    if num is None or not search.is_positive(Scalar(value.den)):
+    num = search.sums[key]
+    sense = 0 if num is None else sense_of(search, Scalar(value.den))
+    if num is None or not sense:
         return None
-    squares = tuple((factor / den, root) for factor, root in num.squares)
-    return PositiveSum(num.sign, num.above / den, squares, tuple((factor / den, wave, turn) for factor, wave, turn in num.waves))
+    return num.over(Scalar(value.den) * Scalar(below) * sense, num.sign * sense)
 
 
 def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> Iterator[PositiveSum]:
@@ -114,7 +114,8 @@ def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> It
     for images in ways:
         value = substitute(Scalar(poly), {name: image for name, image in images.items() if image is not None})
         for above in dict.fromkeys((known, search.always)) if value.den.constant_value() == 1 else ():
-            found = positive_sum(value.num, above | search.gaps, search.least, strict=strict, turning=not any(images.values()))
+            deep = 0 if any(images.values()) else 3
+            found = positive_sum(value.num, above | search.gaps, search.least, strict=strict, deep=deep)
             if found is not None:
                 yield found
 
@@ -122,18 +123,26 @@ def _sums(search: Search, poly: Poly, known: frozenset[int], strict: bool) -> It
 def sense_of(search: Search, value: Scalar) -> int:
     """The sign of a value by those of its factors; 0 if it is not known."""
     common, inner = parted(value)
-    number, parts = factors(inner.num)
-    senses = [(found.sign if (found := signed(search, Scalar(part))) else 0) ** exponent for part, exponent in parts]
-    return prod(senses, start=1 if number > 0 else -1) if search.is_positive(common / Scalar(inner.den)) else 0
+    if not search.is_positive(common):
+        return 0
+    split = [factors(poly) for poly in (inner.num, inner.den)]
+    senses = [_sense(search, Scalar(part)) ** exponent for _, parts in split for part, exponent in parts]
+    sense: int = prod(senses, start=1 if prod(number for number, _ in split) > 0 else -1)
+    return sense
+
+
+def _sense(search: Search, part: Scalar) -> int:
+    found = signed(search, part)
+    return found.sign if found else 0
 
 
 def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: PositiveSum, by: Multiples, kind: str = "differ") -> Have:
     """± the formula, or what it is known to be, is positive and not negative parts, by sin² + cos² = 1."""
     node, value = of
-    rest = [t.mul(search.tree(factor), t.Pow(search.tree(root), t.TWO)) for factor, root in found.squares]
+    rest = [t.mul(_above(search, factor), t.Pow(search.tree(root), t.TWO)) for factor, root in found.squares]
     for factor, wave, turn in found.waves:
         swing = search.tree(wave)
-        rest.append(t.mul(search.tree(factor), t.Add((t.ONE, swing if turn > 0 else t.Neg(swing)))))
+        rest.append(t.mul(_above(search, factor), t.Add((t.ONE, swing if turn > 0 else t.Neg(swing)))))
     above, others = _above(search, found.above), t.add(*rest)
     whole = search.value(t.Add((above, others)))
     turned, left = circles(value * found.sign - whole)
@@ -150,16 +159,31 @@ def shown(search: Search, name: str, of: tuple[t.Node, Scalar], found: PositiveS
 
 
 def _above(search: Search, value: Scalar) -> t.Node:
-    """A positive value; by its positive factors if it is no sum of positive terms."""
+    """A positive value; by its positive factors if it is no sum of positive terms, which are shown to be so."""
     common, inner = parted(value)
-    if search.is_positive(value) or inner.den.constant_value() != 1:
+    sides = [factors(poly) for poly in (inner.num, inner.den)]
+    if _is_seen(search, inner) or not all(_sense(search, Scalar(part)) for _, parts in sides for part, _ in parts):
         return search.tree(value)
-    number, parts = factors(inner.num)
-    shown: list[t.Node] = [search.tree(common * abs(Fraction(number)))]
-    for part, exponent in parts:
-        found = signed(search, Scalar(part))
-        shown.append(t.power(search.tree(Scalar(part) * (found.sign if found else 1)), exponent))
-    return t.mul(*shown)
+    top, below = (t.mul(*(t.power(_factor(search, Scalar(part)), exponent) for part, exponent in parts)) for _, parts in sides)
+    return t.div(t.mul(search.tree(common * abs(Fraction(sides[0][0]) / Fraction(sides[1][0]))), top), below)
+
+
+def _is_seen(search: Search, value: Scalar) -> bool:
+    """Whether it is a sum of positive terms over a positive one, by what ranges say, too."""
+    known = search.positive | search.certain | search.gaps
+    return all(poly.atoms() <= known and all(c > 0 for c in poly.terms.values()) for poly in (value.num, value.den))
+
+
+def _factor(search: Search, part: Scalar) -> t.Node:
+    """A factor with the sign that makes it positive."""
+    found = signed(search, part)
+    assert found is not None
+    node = search.tree(part * found.sign)
+    if not _is_seen(search, part * found.sign) and all(note.claim.left != node for note in search.notes.values()):
+        have = shown(search, "", (node, part * found.sign), replace(found, sign=1), Multiples(), "more")
+        name = f"u{len(search.notes)}"
+        search.notes[name] = replace(have, name=name)
+    return node
 
 
 def within(search: Search, nodes: Sequence[t.Node]) -> Iterator[Have]:
@@ -180,26 +204,11 @@ def above(
     """left - right is a sum of something positive (or, if not `strict`, nothing) and of what is not negative: the multiples,
     and these two."""
     rest, by = search.follow(goal, known)
-    num, den = Scalar(rest.num), Scalar(rest.den)
-    found, under = signed(search, num, strict=strict), signed(search, den)
-    if found is not None and under is not None and found.sign == under.sign:
-        below = search.tree(den * under.sign)
-        if not search.is_positive(den):
-            name = f"u{len(search.notes)}"
-            search.notes[name] = shown(search, name, (below, den * under.sign), replace(under, sign=1), Multiples(), "more")
-        have = shown(search, "", (t.ZERO, num * found.sign), replace(found, sign=1), Multiples())
-        by = Multiples(by.known, (*by.circles, *((t.Div(factor, below), angle) for factor, angle in have.multiples.circles)))
-        return by, tuple(t.Div(part, below) for part in have.parts)
+    found = signed(search, rest, strict=strict)
+    if found is not None and found.sign > 0:
+        have = shown(search, "", (t.ZERO, rest), found, Multiples())
+        return Multiples(by.known, (*by.circles, *have.multiples.circles)), have.parts
     rest = wound(rest, "cos")
-    for index in sorted(filter(partner, rest.num.atoms())):
-        parts = {power: Scalar(part, rest.den) for power, part in rest.num.by_power(index).items()}
-        if set(parts) <= {0, 1, 2} and 2 in parts and search.is_positive(parts[2]):
-            a, b, c = (parts.get(power, NOTHING) for power in (2, 1, 0))
-            left = wound(c - b * b / (a * 4))
-            if search.is_positive(left):
-                root = Scalar(generator(index)) + b / (a * 2)
-                _, multiples = search.follow(goal - a * root * root - left, known)
-                return multiples, (search.tree(left), t.mul(search.tree(a), t.Pow(search.tree(root), t.TWO)))
     bounds = [item.left for item in search.met_by if item.kind == "least" and item.right == t.ZERO]
     bounds += [item.claim.left for item in known if isinstance(item.claim.left, t.Pow) and item.claim.left.exponent == t.TWO]
     for node in bounds:

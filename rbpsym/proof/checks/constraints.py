@@ -52,7 +52,8 @@ def _push_on(system: System, state: BodyState) -> tuple[Scalar, ...]:
 
 
 def _use_conditions(context: Context, step: Step) -> None:
-    """The steps that tell of the conditions in which the quantity stands; where it starts, if only its rate is tied."""
+    """The steps that tell of the conditions in which the quantity stands, and what other tied speeds there are; where it starts,
+    if only its rate is tied."""
     kept = context.study.system.conditions
     for left, _, _ in t.relations(step.statement):
         name = getattr(left, "name", "")
@@ -60,6 +61,9 @@ def _use_conditions(context: Context, step: Step) -> None:
         for id in (f"{kind}.{one}" for one in sorted(tying) for kind in ("condition", "no_slip", "taut")):
             if id in context.steps:
                 context.use(id)
+                own = t.names(context.steps[id].statement) - {name, f"{name}_dot"}
+                for fact in sorted(context.facts.keys() & {f"def.{n}" for n in own}):
+                    context.use(fact)
         if step.slots.get("variant") == "rate":
             context.use(f"start.{name}")
 
