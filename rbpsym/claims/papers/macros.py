@@ -98,7 +98,9 @@ def closing(text: str, start: int, most: int = sys.maxsize) -> int:
     raise ReadError("a brace is never closed")
 
 
-_OWN = {r"\mathchoice": Macro("#1", 4)}  # in displays, the first
+_OWN = {  # in displays, the first; and brackets that grow
+    r"\mathchoice": Macro("#1", 4), r"\del": Macro(r"\left(#1\right)", 1), r"\sbr": Macro(r"\left[#1\right]", 1),
+}  # fmt: skip
 _LOOKS = (r"\vec", r"\hat", r"\bar", r"\tilde", r"\dot", r"\ddot")  # defined anew, they look otherwise and mean the same
 
 

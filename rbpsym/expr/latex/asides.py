@@ -9,7 +9,7 @@ from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, PUNCTUATION,
 
 _NUMBER = re.compile(r"\d{1,2}(?:[.-]\d{1,3}){0,2}[a-z]?'?|\*{1,3}|[a-zA-Z]'{0,2}|[A-Z]\.\d{1,2}")
 _WIDE = re.compile(r"\\q?quad|\\hspace|\\hfil")
-_ARROWS = frozenset((r"\to", r"\leftarrow", r"\uparrow", r"\downarrow"))  # (→): which way, said beside a number
+_ARROWS = frozenset((r"\to", r"\gets", r"\uparrow", r"\downarrow"))  # (→): which way, said beside a number
 Span = tuple[int, int]
 
 

@@ -314,7 +314,7 @@ def _exponential(reader: LatexReader) -> t.Node | None:
     token, begin = reader.token, reader.position
     if token.text != "e" or token.kind not in ("letter", "text") or reader.ahead().text != "^" or reader.table.has_e:
         return None
-    if reader.ahead(3).text in ("+", "-") and reader.ahead(4).text == "}":  # e^{+}, a particle
+    if reader.ahead(2).text in ("+", "-") or (reader.ahead(3).text in ("+", "-") and reader.ahead(4).text == "}"):  # e^{+}, a particle
         return None
     reader.position += 2
     exponent = argument(reader)

@@ -222,7 +222,7 @@ def _rows(reader: LatexReader) -> t.Node:
         elif reader.source.text.startswith("\\\\", parting.start):
             line = []
         alone = bool(rows) and not isinstance(rows[-1], (t.Chain, t.Formal, t.Relations, t.Word))
-        if alone and isinstance(row, t.Chain) and reader.source.text[parting.start] == ",":  # x, y = 0
+        if alone and not conditions and isinstance(row, t.Chain) and reader.source.text[parting.start] == ",":  # x, y = 0
             row = replace(row, items=(t.Formal("list", (rows.pop(), row.items[0]), span=row.span), *row.items[1:]))
         line += row.rows if isinstance(row, t.Relations) else () if _is_text(row) else (row,)
         if _is_condition(row, parting.text, rows, conditions):

@@ -20,7 +20,7 @@ HEADS = {*DOTS, *ACCENTS, *VECTORS, *SCRIPTS, *PLAIN, *DOTLESS}
 _MARKED = frozenset("+-*=()/<>|;:.^[]")  # what a label may hold beside letters and digits
 _NAMED = frozenset(rf"\{word}" for word in (
     "pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top", "ne",
-    "in", "dots", "sim", "Vert", "leftarrow", "le", "ge", "complement", "cup", "cap", "lvert", "rvert",
+    "in", "dots", "sim", "Vert", "gets", "le", "ge", "complement", "cup", "cap", "lvert", "rvert",
     "square", "Box", "ldots", "cdots", "cdot", "uparrow", "downarrow",
 ))  # fmt: skip
 

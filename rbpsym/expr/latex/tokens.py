@@ -8,9 +8,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
+from unicodedata import combining
 
 from rbpsym.errors import LimitError
 from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.latex.typed import as_latex
 from rbpsym.expr.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.expr.source import SourceText, refused
 from rbpsym.frozen import Frozen, replace
@@ -30,7 +32,7 @@ _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}|\{\}(?=\s*\})"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|(?:display|no)?limits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|begingroup|endgroup|boxed|fbox|Aboxed|[pb]qty|ab|smash|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
+    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|begingroup|endgroup|boxed|fbox|Aboxed|[pb]qty|ab|smash|lefteqn|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
     r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
@@ -41,7 +43,7 @@ _INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
 _DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
 _APART = r"(?:(?<=[,;:(~])|(?<=[,;:(~] )|(?<=quad)|(?<=quad ))"  # in a = 2 b, i = 1, 2, ... the b is a factor
 _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
-    rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:\s*[-+]\s*\w)?|\d+))?"
+    rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:_\w)?(?:\s*[-+]\s*\w)?|\d+))?"
     rf"|{_INDEX}(?:\s*,\s*{_INDEX})*\s*\\in\s*(?:\\left)?\s*\\\{{[\d\s,]*(?:{_DOTS})?[\w\s,]*(?:\\right)?\s*\\\}}"
     r"|[ijk]\s*=\s*x\s*,\s*y(?:\s*,\s*z)?|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))(?:\s*,\s*(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu)))*\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
@@ -49,7 +51,7 @@ _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each 
     r"(?<=[\s,~(:;])"
     rf"(?:\\(?:text(?:rm)?|mbox)\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}(?:\s|\\[,:; ]|\\q?quad)*)?"
     rf"\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
-    rf"(?=\s*(?:\\[,;]\s*)?(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
+    rf"(?=\s*(?:\\(?:[,; ]|thinspace)\s*)?(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
 )
 _ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm|bf)\s*(?:\{\s*0\s*\}|0)"
 _DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
@@ -77,7 +79,7 @@ _PATTERNS = (
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
     r"|(?P<differential>\\(?:mathrm|text|textrm|textup|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|o?dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
-    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up|tt)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
+    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up|tt)?|[mh]box|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
     rf"|\\q(?:c|comma|{_QUICK})\*?(?![A-Za-z])"
     r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}|\\(?:text(?:rm|it|bf)?|mathrm|mbox)\s+[A-Za-z\d]"
     rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
@@ -95,28 +97,18 @@ _PATTERNS = (
     r"|(?P<digit>[0-9])|(?P<mark>\{[,.]\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!?])"
 )
-_ALIASES = {
-    r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
-    r"\vert": "|", r"\|": r"\Vert", r"\lVert": r"\lvert", r"\rVert": r"\rvert",
-    r"\dfrac": r"\frac", r"\tfrac": r"\frac", r"\cfrac": r"\frac", r"\rightarrow": r"\to",
-    r"\hslash": r"\hbar", r"\leqslant": r"\le", r"\geqslant": r"\ge",
-    r"\mathbf": r"\boldsymbol", r"\bm": r"\boldsymbol", r"\overline": r"\bar",
-    r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat", r"\widetilde": r"\tilde", ">>": r"\gg", "<<": r"\ll",
-    r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
-    "∇": r"\nabla",
-    "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
-    r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
-    r"\va": r"\vec", r"\vu": r"\hat",
-    r"\vb*": r"\boldsymbol", r"\va*": r"\vec", r"\vu*": r"\hat", r"\land": r"\wedge",
-    r"\lt": "<", r"\gt": ">", "±": r"\pm", "⊥": r"\perp", "∥": r"\parallel", "∈": r"\in",
-    "∝": r"\propto", "≪": r"\ll", "≫": r"\gg", "∞": r"\infty",
-    "÷": "/", r"\div": "/", "∓": r"\mp", r"\varpropto": r"\propto",
-    r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
-    r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
-    r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
-    r"\backslash": r"\setminus", r"\var": r"\delta", r"\variation": r"\delta",
-    r"\leadsto": r"\to", r"\rightsquigarrow": r"\to", r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'", "?": r"\?",
-}  # fmt: skip
+_ALIASES = {other: text for text, others in {
+    r"\le": r"\leq \leqslant", r"\ge": r"\geq \geqslant", r"\ne": r"\neq", "[": r"\lbrack", "]": r"\rbrack", "|": r"\vert \mid",
+    r"\Vert": r"\|", r"\lvert": r"\lVert", r"\rvert": r"\rVert", r"\frac": r"\dfrac \tfrac \cfrac",
+    r"\to": r"\rightarrow \longrightarrow \leadsto \rightsquigarrow", r"\hbar": r"\hslash",
+    r"\boldsymbol": r"\mathbf \bm \bf \vb \vb* \boldmath \bold", r"\bar": r"\overline", r"\mathcal": r"\mathscr \cal",
+    r"\hat": r"\widehat \vu \vu*", r"\tilde": r"\widetilde", r"\gg": ">>", r"\ll": "<<", r"\vec": r"\overrightarrow \va \va*",
+    r"\approx": r"\simeq \cong", "=": r"\equiv \triangleq \coloneqq \doteq := =:", r"\wedge": r"\land", "<": r"\lt",
+    ">": r"\gt", "/": r"\div", r"\propto": r"\varpropto", r"\cdot": r"\vdot", r"\times": r"\cross",
+    r"\mathit": r"\mathsf \mathsfit", r"\pdv": r"\partialderivative \pd \dpd", r"\dv": r"\derivative \odv \od \dod",
+    "*": r"\ast", r"\{": r"\lbrace", r"\}": r"\rbrace", r"\setminus": r"\backslash", r"\delta": r"\var \variation",
+    r"\gets": r"\leftarrow", "⟨": r"\langle", "⟩": r"\rangle", "'": r"\prime", r"\?": "?",
+}.items() for other in others.split()}  # fmt: skip
 JOINING = frozenset({
     "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
     "y", "de modo que", "luego", "por tanto", "por lo tanto", "con", "donde", "es decir", "entonces", "o sea",
@@ -292,9 +284,9 @@ def _tokens(source: SourceText) -> Iterator[Token]:
     position = 0
     while position < len(source.text):
         found = _patterns().match(source.text, position)
-        if found is None:
-            yield _single(source, position)
-            position += 1
+        if found is None or (found.lastgroup == "letter" and combining(source.text[found.end() : found.end() + 1] or "x")):
+            yield from (made := _single(source, position))
+            position = made[-1].end
             continue
         if found.lastgroup not in ("blank", "silent", "each"):
             apart = found.lastgroup == "text" and found[0].startswith(r"\q")
@@ -304,21 +296,26 @@ def _tokens(source: SourceText) -> Iterator[Token]:
         position = found.end()
 
 
-def _single(source: SourceText, position: int) -> Token:
-    """A character beyond ASCII: a letter. Raises ReadError for others."""
+def _single(source: SourceText, position: int) -> list[Token]:
+    """A character beyond ASCII: a letter, or the tokens of what it stands for. Raises ReadError for others."""
     char = source.text[position]
-    letter = SAME_LETTER.get(char, char)
-    if char in _ALIASES:
-        return Token("sign", _ALIASES[char], position, position + 1)
-    if letter in NAME_OF_LETTER:
-        return Token("letter", letter, position, position + 1)
-    raise refused(source, char, position)
+    latex, end = as_latex(source.text, position)
+    if (letter := SAME_LETTER.get(char, char)) in NAME_OF_LETTER and (end == position + 1 or latex.startswith("^")) and char not in "∑∏":
+        return [Token("letter", letter, position, position + 1)]
+    if not latex:
+        raise refused(source, char, position)
+    return [replace(token, start=position, end=end) for token in _tokens(SourceText(latex))]
+
+
+_SCRIPTED = re.compile(r"[_^]\s*\{?\s*(?:\\[a-z]+\s*)?$")  # where a word is a mark, and joins nothing
 
 
 def _token(source: SourceText, found: re.Match[str]) -> Token:
     kind, text = found.lastgroup or "", found[0]
     if kind == "begin":
         return _environment(source, text, *found.span())
+    if kind == "text" and (drawn := _text(text))[0] == "row" and _SCRIPTED.search(source.text, 0, found.start()):
+        return Token("text", re.sub(r".*\{|\}.*", "", text).strip(), *found.span())
     return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, _ALIASES.get(text, text))), *found.span())
 
 
@@ -373,10 +370,11 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
         start = whole.rfind(rf"\begin{{{name}}}", 0, start)
     before = whole[: max(start, 0)].rstrip().removesuffix(r"\displaystyle").rstrip(" &")
     before = re.sub(r"(?<=[\[(|])\s*\{$", "", before)  # \left[ {\begin{array}
-    cut = before.removesuffix(r"\{").rstrip().removesuffix(r"\left").rstrip(" &")
+    cut = re.sub(r"(?:\\left\s*)?\\(?:\{|lbrace)$", "", before).rstrip(" &")
     if name == "aligned" and cut == before:
         return False
-    return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
+    related = re.search(r"(?:[=<>]|\\(?:approx|propto|sim|simeq|equiv|[lg]eq?))$", cut)
+    return bool(related) if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
 
 
 def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
