@@ -21,12 +21,21 @@ Limits = tuple[t.Node | str | None, t.Node | str | None]
 def _fraction(reader: LatexReader) -> t.Node:
     """A fraction, or a derivative if d stands above and below."""
     start = reader.take().start
+    if reader.table.open and _is_material(reader):
+        return formal(reader, start, "material", argument(reader), argument(reader))
     num = _with_differential(reader)
     if num is None and (derivative := _derivative(reader, start)):
         return derivative
     num = argument(reader) if num is None else num
     below = _by_index(argument(reader)) if isinstance(num, t.Formal) else argument(reader)
     return reader.spanned(t.Div(num, below), start)
+
+
+def _is_material(reader: LatexReader) -> bool:
+    """Does a D stand in front above and below, as in Dv/Dt?"""
+    places = (reader.position, closed(reader.tokens, reader.position) + 1)
+    texts = ["".join(token.text for token in reader.tokens[place : place + 3]) for place in places]
+    return texts[0][:2] == texts[1][:2] == "{D" and texts[0][2:] not in ("_", "^", "'") and texts[1][2:].isalpha()
 
 
 def _with_differential(reader: LatexReader) -> t.Node | None:

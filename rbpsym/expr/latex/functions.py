@@ -60,7 +60,12 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     if not reader.sees_sign(*LOOSE):
         return found
     loose = LOOSE[_pass_word(reader, reader.take())]
-    return reader.spanned(t.Formal(loose, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
+    others, start = chained(reader, [expression(reader)], []), (items[0].span or (0, 0))[0]
+    if loose == ":" and isinstance(others, t.Formal) and others.kind == ":" and isinstance(others.parts[0], t.Chain):  # a:b = c:d
+        sides = (found, *others.parts[0].items, *others.parts[1:])
+        if len(sides) == 4 and not any(isinstance(side, (t.Add, t.Chain)) for side in sides):
+            return reader.spanned(t.Chain((t.Div(*sides[:2]), t.Div(*sides[2:])), others.parts[0].ops), start)
+    return reader.spanned(t.Formal(loose, (found, others)), start)
 
 
 def _pass_word(reader: LatexReader, sign: Token) -> str:

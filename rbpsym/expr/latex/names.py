@@ -62,8 +62,10 @@ def letter_run(reader: LatexReader) -> t.Node | None:
         run += token.text
     word, scripts = token.text in ("(", "[") or len(run) > 3, ("^", "'") if len(run) > 3 else ("_", "^", "'")
     closed_in = len(run) > 3 and token.text == ")" and reader.ahead(-1).text == "("  # (poids)
-    logarithm = run in ("ln", "lg", "log") and token.text in ("_", r"\frac")
-    if len(run) < 2 or not (word or logarithm) or (token.text in scripts and not logarithm) or ("d" in run and not closed_in):
+    behind = [one.text for one in reader.tokens[closed(reader.tokens, place + len(run) + 1) + 1 :][:1]]
+    titled = len(run) > 2 and run.istitle() and token.text == "_" and behind == ["("]  # Sol_φ(h)
+    clear = titled or (run in ("ln", "lg", "log") and token.text in ("_", r"\frac"))
+    if len(run) < 2 or not (word or clear) or (token.text in scripts and not clear) or ("d" in run and not closed_in):
         return None
     start = reader.token.start
     return reader.spanned(t.Formal("run", tuple(read_name(reader) for _ in run)), start)

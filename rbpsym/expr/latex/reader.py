@@ -269,12 +269,16 @@ def _is_text(row: t.Node) -> bool:
     return words and not any(CONDITIONS.search(word.text) for word in _words(row))
 
 
+_EXTREMA = frozenset((r"\min", r"\max", r"\argmin", r"\argmax", r"\sup", r"\inf"))
 _SAYING = re.compile(rf"{CONDITIONS.pattern}|[^\W\d_]{{2,}}\s+[^\W\d_]{{2,}}", re.I)  # or several words, whatever they say
 
 
 def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
     """The row; words with what they are about are a condition that nothing can be computed of."""
     has_words = "text" in {token.kind for token in reader.tokens}
+    if not isinstance(row, (t.Chain, t.Formal)) and _EXTREMA.intersection(token.text for token in reader.tokens):
+        least = [part.kind for part in t.walk(row) if isinstance(part, t.Formal) and rf"\{part.kind}" in _EXTREMA]
+        return t.Formal(least[0], (row,), span=row.span) if least else row
     said = has_words and not isinstance(row, (t.Chain, t.Formal)) and any(_SAYING.search(word.text) for word in _words(row))
     return t.Formal("condition", (row,), span=row.span) if said else row
 

@@ -131,9 +131,5 @@ def primes_ahead(reader: LatexReader) -> int:
         count += 1
     if not count:
         return 0
-    powered = braces and tokens[count + 1].text != "}"  # t^{\prime 2}: the power stays
-    if powered:
-        place, primes = reader.position, tokens[1 : count + 1]
-        reader.tokens = (*reader.tokens[:place], *primes, *reader.tokens[place : place + 2], *tokens[count + 1 :])
-    reader.position += count if powered else 1 + count + 2 * braces
+    reader.position += 1 + count + 2 * braces
     return count

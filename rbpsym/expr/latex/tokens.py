@@ -116,7 +116,7 @@ JOINING = frozenset({
     "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com", "o", "car", "comme", r"\&",
 })  # fmt: skip
 CONDITIONAL = frozenset({
-    "as", "whenever", "s.t", "such that", "for", "if", "when", "at", "as long as", "provided", "provided that", "para", "si",
+    "as", "whenever", "s.t", "such that", "subject to", "for", "if", "when", "at", "as long as", "provided", "provided that", "para", "si",
     "cuando", "mientras", "siempre que", "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
 })  # fmt: skip
 CONDITIONS = re.compile(
@@ -153,7 +153,9 @@ def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
     if len(source.text) > MAX_LENGTH:
         what = f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read"
         raise LimitError(what, instead="Split it into smaller parts.")
-    found = _given(_lowered(_unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"])))))
+    found = [token for token in _tokens(source) if gaps or token.kind != "gap"]
+    for spelled in (_arrayed, _underset, _divided, _unraised, _unbraced, _lowered, _given):
+        found = spelled(found)
     return (*found, Token("end", "", len(source.text), len(source.text)))
 
 
@@ -165,6 +167,30 @@ def _arrayed(tokens: list[Token]) -> list[Token]:
         if (end := closed(tokens, k + 1)) < len(tokens):
             opening, closing = (replace(tokens[at], kind="sign", text=text) for at, text in ((k, COLUMN), (end, END_COLUMN)))
             return _arrayed([*tokens[:k], opening, *tokens[k + 2 : end], closing, *tokens[end + 1 :]])
+    return tokens
+
+
+def _underset(tokens: list[Token]) -> list[Token]:
+    r"""The tokens with \\underset{a}{b} as b_{a}, or as what a brace names where it stands below several."""
+    for k, token in enumerate(tokens):
+        end = closed(tokens, k + 1) if token.text == r"\underset" else len(tokens)
+        if (last := closed(tokens, end + 1)) < len(tokens):
+            named = [replace(token, text=r"\underbrace"), *tokens[end + 1 : last + 1]]
+            of = named if last > end + 3 else tokens[end + 2 : last]
+            behind = tokens[last + 1 :]
+            return _underset([*tokens[:k], *of, replace(token, kind="sign", text="_"), *tokens[k + 1 : end + 1], *behind])
+    return tokens
+
+
+def _unraised(tokens: list[Token]) -> list[Token]:
+    r"""The tokens with what is raised behind a mark as a power of its own, x^{\\prime 2}, c^{*2}."""
+    for k in range(len(tokens) - 4):
+        begin = end = k + 2
+        while tokens[k].text == "^" and tokens[k + 1].text == "{" and tokens[end].text in ("'", "*", r"\star", r"\dagger"):
+            end += 1
+        if end > begin and tokens[end].text not in ("}", ",", "^", "_"):
+            marks = tokens[begin:end] if tokens[begin].text == "'" else [tokens[k], *tokens[begin:end]]
+            return [*tokens[:k], *marks, *_unraised([*tokens[k : k + 2], *tokens[end:]])]
     return tokens
 
 
