@@ -33,7 +33,7 @@ _SILENT = (
     r"|\\(?:nonumber|notag|displaystyle|textstyle|(?:display|no)?limits|thinspace"
     r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
     r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|begingroup|endgroup|boxed|fbox|Aboxed|[pb]qty|ab|smash|lefteqn|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
-    r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
+    r"|\\operatorname\*?(?=\s*\{\s*\\(?:text|math))|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
     r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
