@@ -71,7 +71,7 @@ class Paper(Frozen):
     formulas: tuple[Formula, ...]
     macros: dict[str, Macro]
     remarks: tuple[tuple[str, int, str], ...] = ()
-    decimal: str = ""  # the decimal mark that all its numbers show; "" where they don't
+    decimal: str = ""  # the decimal mark that it says to have, or that all its numbers show; "" where they don't
 
     @property
     def displayed(self) -> tuple[Formula, ...]:
@@ -92,12 +92,14 @@ def walked(text: PaperText) -> Paper:
     formulas = tuple(_Walker(text).walk())
     remarks = [(*text.origin(offset), said) for offset, said in faults]
     remarks += [(formula.file, formula.line, formula.fault) for formula in formulas if formula.fault]
-    return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)), _decimal_mark(formulas))
+    mark = "," if _COMMA_SAID.search(text.text + text.packages) else _decimal_mark(formulas)
+    return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)), mark)
 
 
+_COMMA_SAID = re.compile(r"decimal-marker\s*=\s*\{?,|\{icomma\}|locale\s*=\s*(?:DE|FR)|\\decimalcomma")
 _DECIMAL = {
     mark: re.compile(rf"(?<![\d.,}}])(?:0{sign}\d|\d+{sign}(?:\d{{1,2}}|\d{{4,}})(?![\d{{]))")
-    for mark, sign in ((",", r"\{,\}"), (".", r"\."))
+    for mark, sign in (("{,}", r"\{,\}"), (".", r"\."))
 }
 
 

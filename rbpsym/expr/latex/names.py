@@ -20,7 +20,7 @@ from rbpsym.expr.latex.scripts import (
     numbered,
     primes_ahead,
 )  # fmt: skip
-from rbpsym.expr.latex.tokens import Token, closed, tokenize
+from rbpsym.expr.latex.tokens import SCRIPTED, Token, closed, tokenize
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, SymbolTable, spelling
 
@@ -46,6 +46,7 @@ def as_words(text: str, tokens: list[Token]) -> list[Token]:
             indexed = tokens[inside[-1] + 1].text == "_" and found[0] in ("Re", "Im")  # the number of Reynolds
             is_command = rf"\{found[0]}" in COMMANDS and not indexed
             kind, word = ("command", rf"\{found[0]}") if is_command else ("letter", found[0])
+            kind, word = ("text", found[0]) if SCRIPTED.search(text, 0, found.start()) else (kind, word)
             tokens[inside[0] : inside[-1] + 1] = [Token(kind, word, *found.span())]
     return tokens
 

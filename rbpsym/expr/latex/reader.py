@@ -222,7 +222,8 @@ def _rows(reader: LatexReader) -> t.Node:
         elif reader.source.text.startswith("\\\\", parting.start):
             line = []
         alone = rows and not (conditions or isinstance(rows[-1], (t.Chain, t.Formal, t.Relations, t.Word)))
-        if alone and parting.text != CONDITION and isinstance(row, t.Chain) and reader.source.text[parting.start] == ",":  # x, y = 0
+        alone = alone and parting.text != CONDITION and reader.source.text[parting.start] == ","
+        if alone and isinstance(row, t.Chain):  # x, y = 0
             row = replace(row, items=(t.Formal("list", (rows.pop(), row.items[0]), span=row.span), *row.items[1:]))
         line += row.rows if isinstance(row, t.Relations) else () if _is_text(row) else (row,)
         if _is_condition(row, parting.text, rows, conditions):
@@ -278,10 +279,10 @@ def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
     has_words = "text" in {token.kind for token in reader.tokens}
     if isinstance(row, (t.Chain, t.Formal)):
         return row
-    if least := _EXTREMA.intersection(token.text for token in reader.tokens):
-        least = {part.kind for part in t.walk(row) if isinstance(part, t.Formal) and rf"\{part.kind}" in least}
     said = "condition" if has_words and any(_SAYING.search(word.text) for word in _words(row)) else ""
-    kind = min(least, default=said)
+    least = _EXTREMA.intersection(token.text for token in reader.tokens)
+    kinds = [part.kind for part in t.walk(row) if isinstance(part, t.Formal) and rf"\{part.kind}" in least] if least else []
+    kind = kinds[0] if kinds else said
     return t.Formal(kind, (row,), span=row.span) if kind else row
 
 

@@ -67,8 +67,8 @@ def _label_part(reader: LatexReader) -> str:
         return f"{token.text[1:]}({label_after(reader, begun=True)})"
     if token.text == r"\frac":
         return f"{label_after(reader, begun=True)}/{label_after(reader, begun=True)}"
-    if token.text[1:] in FUNCTION_WORDS and token.end - token.start > len(token.text):
-        return token.text[1:]  # an upright word that is also a function: I_{\mathrm{sec}}
+    if token.text[1:] in FUNCTION_WORDS and token.end - token.start != len(token.text):
+        return token.text[1:]  # a word that is also a function: I_{\mathrm{sec}}
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
 
 
@@ -76,6 +76,8 @@ def label_above(reader: LatexReader) -> str:
     """Pass ^{ext}, ^{(1)}, ^{_{rel}}, ^*, ^\\perp, which name and raise nothing; "" if the superscript is something else."""
     tokens = reader.tokens[reader.position + 1 : reader.position + 6]
     braces = tokens[0].text == "{"
+    if braces and tokens[1].text == "_":
+        return label_after(reader)
     inner = tokens[braces:]
     bracketed = inner[0].text == "(" and inner[1].kind in ("letter", "digit") and inner[2].text == ")"
     marked = inner[0].text in ("*", "+", "-", *_NAMED)

@@ -31,7 +31,7 @@ _MARK = r"(?:\\textcircled\s*\{[\w*]+\}|[①-⑳]|\\circledast(?![A-Za-z]))"  # 
 _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}|\{\}(?=\s*\})"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|(?:display|no)?limits|thinspace"
-    r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
+    r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|math(?:op|open|close|inner|ord|rel|bin)(?:\s*\{\})?"
     r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|begingroup|endgroup|boxed|fbox|Aboxed|[pb]qty|ab|smash|lefteqn|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
     r"|\\operatorname\*?(?=\s*\{\s*\\(?:text|math))|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
@@ -102,7 +102,8 @@ _ALIASES = {other: text for text, others in {
     r"\Vert": r"\|", r"\lvert": r"\lVert", r"\rvert": r"\rVert", r"\frac": r"\dfrac \tfrac \cfrac",
     r"\to": r"\rightarrow \longrightarrow \leadsto \rightsquigarrow", r"\hbar": r"\hslash",
     r"\boldsymbol": r"\mathbf \bm \bf \vb \vb* \boldmath \bold", r"\bar": r"\overline", r"\mathcal": r"\mathscr \cal",
-    r"\hat": r"\widehat \vu \vu*", r"\tilde": r"\widetilde", r"\gg": ">>", r"\ll": "<<", r"\vec": r"\overrightarrow \va \va*",
+    r"\hat": r"\widehat \vu \vu*", r"\tilde": r"\widetilde", r"\gg": ">>", r"\ll": "<<",
+    r"\vec": r"\overrightarrow \va \va* \vv \Vec",
     r"\approx": r"\simeq \cong", "=": r"\equiv \triangleq \coloneqq \doteq := =:", r"\wedge": r"\land", "<": r"\lt",
     ">": r"\gt", "/": r"\div", r"\propto": r"\varpropto", r"\cdot": r"\vdot", r"\times": r"\cross",
     r"\mathit": r"\mathsf \mathsfit", r"\pdv": r"\partialderivative \pd \dpd", r"\dv": r"\derivative \odv \od \dod",
@@ -116,8 +117,8 @@ JOINING = frozenset({
     "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com", "o", "car", "comme", r"\&",
 })  # fmt: skip
 CONDITIONAL = frozenset({
-    "as", "whenever", "s.t", "such that", "subject to", "for", "if", "when", "at", "as long as", "provided", "provided that", "para", "si",
-    "cuando", "mientras", "siempre que", "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
+    "as", "whenever", "s.t", "such that", "subject to", "for", "if", "when", "at", "as long as", "provided", "provided that", "para",
+    "si", "cuando", "mientras", "siempre que", "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
 })  # fmt: skip
 CONDITIONS = re.compile(
     r"\b(for|if|when|where|while|until|only|unless|except|provided|small|large|near|assum\w*|approx\w*|at|on|in|since|initial\w*"
@@ -326,21 +327,24 @@ def _single(source: SourceText, position: int) -> list[Token]:
     """A character beyond ASCII: a letter, or the tokens of what it stands for. Raises ReadError for others."""
     char = source.text[position]
     latex, end = as_latex(source.text, position)
-    if (letter := SAME_LETTER.get(char, char)) in NAME_OF_LETTER and (end == position + 1 or latex.startswith("^")) and char not in "∑∏":
+    letter = SAME_LETTER.get(char, char) if end == position + 1 and char not in "∑∏" else ""
+    if letter in NAME_OF_LETTER:
         return [Token("letter", letter, position, position + 1)]
+    if not latex and char.isalpha() and SCRIPTED.search(source.text, 0, position):
+        return [Token("text", char, position, position + 1)]
     if not latex:
         raise refused(source, char, position)
     return [replace(token, start=position, end=end) for token in _tokens(SourceText(latex))]
 
 
-_SCRIPTED = re.compile(r"[_^]\s*\{?\s*(?:\\[a-z]+\s*)?$")  # where a word is a mark, and joins nothing
+SCRIPTED = re.compile(r"[_^]\s*(?:\{[^{}]*)?$")  # where a word is a mark, and joins nothing
 
 
 def _token(source: SourceText, found: re.Match[str]) -> Token:
     kind, text = found.lastgroup or "", found[0]
     if kind == "begin":
         return _environment(source, text, *found.span())
-    if kind == "text" and (drawn := _text(text))[0] == "row" and _SCRIPTED.search(source.text, 0, found.start()):
+    if kind == "text" and (drawn := _text(text))[0] == "row" and SCRIPTED.search(source.text, 0, found.start()):
         return Token("text", re.sub(r".*\{|\}.*", "", text).strip(), *found.span())
     return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, _ALIASES.get(text, text))), *found.span())
 

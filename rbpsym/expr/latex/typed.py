@@ -5,18 +5,16 @@ from __future__ import annotations
 import re
 from unicodedata import category, decomposition, name, normalize
 
-_MARKS = dict(zip("\u0307\u0308\u20db\u20d7\u0302\u0303\u0304\u0305", r"\dot \ddot \dddot \vec \hat \tilde \bar \bar".split(), strict=True))
+_MARKS = {"\u0307": r"\dot", "\u0308": r"\ddot", "\u20db": r"\dddot", "\u20d7": r"\vec", "\u0302": r"\hat", "\u0304": r"\bar"}
 _ALPHABETS = {"BOLD": r"\boldsymbol", "SCRIPT": r"\mathcal", "FRAKTUR": r"\mathfrak", "DOUBLE-STRUCK": r"\mathbb"}
-_SIGNS = {
-    **dict(zip("−×·⋅⋆∗∘⊗⊕∧∨∩∪∖÷±∓≤≥⩽⩾≠≈≃≅≡≔∝∼≪≫≲≳⊥∥‖∈∉⊂⊆", (
-        r"- \times \cdot \cdot \star * \circ \otimes \oplus \wedge \vee \cap \cup \setminus / \pm \mp \le \ge \le \ge \ne \approx "
-        r"\approx \approx = = \propto \sim \ll \gg \lesssim \gtrsim \perp \parallel \| \in \notin \subset \subseteq"
-    ).split(), strict=True)),
-    **dict(zip("→←↔↦⇒⟹⇔⟺∴∵∀∃∇∞∅□∂∑∏∫∮⟨⟩′º⋯∠†", (
-        r"\to \gets \leftrightarrow \mapsto \Rightarrow \Rightarrow \iff \iff \therefore \because \forall \exists \nabla \infty "
-        r"\emptyset \Box \partial \sum \prod \int \oint \langle \rangle ' ° \dots \angle \dagger"
-    ).split(), strict=True)), "ħ": r"\hbar",
-}  # fmt: skip
+_WRITTEN = (  # each character with its LaTeX
+    r"−- ×\times ·\cdot ⋅\cdot ⋆\star ∗* ∘\circ ⊗\otimes ⊕\oplus ∧\wedge ∨\vee ∩\cap ∪\cup ∖\setminus ÷/ ±\pm ∓\mp ≤\le "
+    r"≥\ge ⩽\le ⩾\ge ≠\ne ≈\approx ≃\approx ≅\approx ≡= ≔= ∝\propto ∼\sim ≪\ll ≫\gg ≲\lesssim ≳\gtrsim ⊥\perp "
+    r"∥\parallel ‖\| ∈\in ∉\notin ⊂\subset ⊆\subseteq →\to ←\gets ↔\leftrightarrow ↦\mapsto ⇒\Rightarrow ⟹\Rightarrow "
+    r"⇔\iff ⟺\iff ∴\therefore ∵\because ∀\forall ∃\exists ∇\nabla ∞\infty ∅\emptyset □\Box ∂\partial ∑\sum ∏\prod ∫\int "
+    r"∮\oint ⟨\langle ⟩\rangle ′' º° ⋯\dots ∠\angle †\dagger ħ\hbar"
+)
+_SIGNS = {written[0]: written[1:] for written in _WRITTEN.split()}
 TYPED = re.compile(r"[^\W\d_][\u0300-\u036f\u20d0-\u20ff]+|[^\x00-\x7f]")
 
 
@@ -37,7 +35,7 @@ def as_latex(text: str, start: int) -> tuple[str, int]:
     if tag == "<font":
         heads = [head for word, head in _ALPHABETS.items() if word in name(char)]
         return f"{''.join(f'{head}{{' for head in heads)}{plain}{'}' * len(heads)}", end
-    base, *marks = normalize("NFD", char)
+    base, *marks = list(normalize("NFD", char))
     dotted = marks == ["\u0307"] or len(char) > 1  # ü is a letter
     if marks and dotted and _MARKS.keys() >= set(marks):
         return f"{''.join(_MARKS[mark] for mark in reversed(marks))}{{{base}}}", end
