@@ -207,7 +207,7 @@ def disorder(low: Scalar, high: Scalar, question: EqualityQuestion, *, strict: b
     for pair, when in on_path(tuple(question.seen(value, "start") for value in values), motion):
         if any(map(_holds_speed, pair)) and not motion.is_free:
             return undecided("the sign of the difference is not known for the motion from the start")
-        domain = [*(reachable(motion) if path.names else motion.kept), *when]
+        domain = [*(reachable(motion) if path.names else motion.kept), *motion.pushed(), *when]
         found = witness_of(pair[0], pair[1], motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs, path)
         if not found.is_refuted:
             found = _inside_ranges(pair, _up_to_rest(path), domain, signs, path)

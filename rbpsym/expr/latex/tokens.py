@@ -12,7 +12,7 @@ from unicodedata import combining
 
 from rbpsym.errors import LimitError
 from rbpsym.expr.hyperbolic import HYPERBOLIC
-from rbpsym.expr.latex.typed import as_latex
+from rbpsym.expr.latex.spelled import as_latex, spelled, words
 from rbpsym.expr.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.expr.source import SourceText, refused
 from rbpsym.frozen import Frozen, replace
@@ -97,29 +97,6 @@ _PATTERNS = (
     r"|(?P<digit>[0-9])|(?P<mark>\{[,.]\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!?])"
 )
-_ALIASES = {other: text for text, others in {
-    r"\le": r"\leq \leqslant", r"\ge": r"\geq \geqslant", r"\ne": r"\neq", "[": r"\lbrack", "]": r"\rbrack", "|": r"\vert \mid",
-    r"\Vert": r"\|", r"\lvert": r"\lVert", r"\rvert": r"\rVert", r"\frac": r"\dfrac \tfrac \cfrac",
-    r"\to": r"\rightarrow \longrightarrow \leadsto \rightsquigarrow", r"\hbar": r"\hslash",
-    r"\boldsymbol": r"\mathbf \bm \bf \vb \vb* \boldmath \bold", r"\bar": r"\overline", r"\mathcal": r"\mathscr \cal",
-    r"\hat": r"\widehat \vu \vu*", r"\tilde": r"\widetilde", r"\gg": ">>", r"\ll": "<<",
-    r"\vec": r"\overrightarrow \va \va* \vv \Vec",
-    r"\approx": r"\simeq \cong", "=": r"\equiv \triangleq \coloneqq \doteq := =:", r"\wedge": r"\land", "<": r"\lt",
-    ">": r"\gt", "/": r"\div", r"\propto": r"\varpropto", r"\cdot": r"\vdot", r"\times": r"\cross",
-    r"\mathit": r"\mathsf \mathsfit", r"\pdv": r"\partialderivative \pd \dpd", r"\dv": r"\derivative \odv \od \dod",
-    "*": r"\ast", r"\{": r"\lbrace", r"\}": r"\rbrace", r"\setminus": r"\backslash", r"\delta": r"\var \variation",
-    r"\gets": r"\leftarrow", "⟨": r"\langle", "⟩": r"\rangle", "'": r"\prime", r"\?": "?",
-}.items() for other in others.split()}  # fmt: skip
-JOINING = frozenset({
-    "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
-    "y", "de modo que", "luego", "por tanto", "por lo tanto", "con", "donde", "es decir", "entonces", "o sea",
-    "e", "quindi", "da cui", "dove", "cioè", "ovvero", "oppure", "et", "ou", "donc", "avec", "où", "soit", "d'où",
-    "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com", "o", "car", "comme", r"\&",
-})  # fmt: skip
-CONDITIONAL = frozenset({
-    "as", "whenever", "s.t", "such that", "subject to", "for", "if", "when", "at", "as long as", "provided", "provided that", "para",
-    "si", "cuando", "mientras", "siempre que", "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
-})  # fmt: skip
 CONDITIONS = re.compile(
     r"\b(for|if|when|where|while|until|only|unless|except|provided|small|large|near|assum\w*|approx\w*|at|on|in|since|initial\w*"
     r"|para|si|cuando|donde|solo|pequeñ\w*|en|per|se|quando|dove|piccol\w*|pour|lorsque|quand|où|petit\w*|für|wenn|falls|bei|klein\w*|nur)\b",
@@ -155,8 +132,8 @@ def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
         what = f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read"
         raise LimitError(what, instead="Split it into smaller parts.")
     found = [token for token in _tokens(source) if gaps or token.kind != "gap"]
-    for spelled in (_arrayed, _underset, _divided, _unraised, _unbraced, _lowered, _given):
-        found = spelled(found)
+    for pass_over in (_arrayed, _underset, _divided, _unraised, _unbraced, _lowered, _given):
+        found = pass_over(found)
     return (*found, Token("end", "", len(source.text), len(source.text)))
 
 
@@ -344,9 +321,9 @@ def _token(source: SourceText, found: re.Match[str]) -> Token:
     kind, text = found.lastgroup or "", found[0]
     if kind == "begin":
         return _environment(source, text, *found.span())
-    if kind == "text" and (drawn := _text(text))[0] == "row" and SCRIPTED.search(source.text, 0, found.start()):
+    if kind == "text" and _text(text)[0] == "row" and SCRIPTED.search(source.text, 0, found.start()):
         return Token("text", re.sub(r".*\{|\}.*", "", text).strip(), *found.span())
-    return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, _ALIASES.get(text, text))), *found.span())
+    return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, spelled().get(text, text))), *found.span())
 
 
 def _text(text: str) -> tuple[str, str]:
@@ -360,17 +337,18 @@ def _text(text: str) -> tuple[str, str]:
     if word == "d" and text[0] == "{":
         return "differential", word
     plain = "" if text.startswith((r"\mathrm", r"\operatorname")) or re.fullmatch(r"\\[a-z]+\s+\w", text) else word.strip(" ,;:.")
-    if plain in CONDITIONAL:
+    if plain in words("conditional"):
         return "row", CONDITION
     if text.startswith(r"\qc"):
         return "row", ""
     if word in (*PUNCTUATION, *"+-=()[]"):
         return "sign", word
-    return "row" if plain in JOINING or (plain and JOINING.issuperset(plain.split())) else "text", word
+    joining = words("joining")
+    return "row" if plain in joining or (plain and joining.issuperset(plain.split())) else "text", word
 
 
 def _command(text: str) -> tuple[str, str]:
-    text = _ALIASES.get(text, text)
+    text = spelled().get(text, text)
     letter = LETTERS.get(text[1:].removesuffix("up")) or (LETTERS.get(text[4:]) if text.startswith(r"\var") else None)
     return ("letter", letter) if letter else ("command" if text.startswith("\\") else "sign", text)
 

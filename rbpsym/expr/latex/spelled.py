@@ -1,21 +1,40 @@
-"""Characters beyond ASCII -> the LaTeX that they stand for: ½ m v², ∂u/∂t, ẋ, 𝑥, as keyboards and other programs give them."""
+"""What is read as another spelling: of commands, of words between formulas, and characters beyond ASCII, ½ m v², ∂u/∂t, ẋ, 𝑥."""
 
 from __future__ import annotations
 
 import re
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
 from unicodedata import category, decomposition, name, normalize
 
 _MARKS = {"\u0307": r"\dot", "\u0308": r"\ddot", "\u20db": r"\dddot", "\u20d7": r"\vec", "\u0302": r"\hat", "\u0304": r"\bar"}
 _ALPHABETS = {"BOLD": r"\boldsymbol", "SCRIPT": r"\mathcal", "FRAKTUR": r"\mathfrak", "DOUBLE-STRUCK": r"\mathbb"}
-_WRITTEN = (  # each character with its LaTeX
-    r"−- ×\times ·\cdot ⋅\cdot ⋆\star ∗* ∘\circ ⊗\otimes ⊕\oplus ∧\wedge ∨\vee ∩\cap ∪\cup ∖\setminus ÷/ ±\pm ∓\mp ≤\le "
-    r"≥\ge ⩽\le ⩾\ge ≠\ne ≈\approx ≃\approx ≅\approx ≡= ≔= ∝\propto ∼\sim ≪\ll ≫\gg ≲\lesssim ≳\gtrsim ⊥\perp "
-    r"∥\parallel ‖\| ∈\in ∉\notin ⊂\subset ⊆\subseteq →\to ←\gets ↔\leftrightarrow ↦\mapsto ⇒\Rightarrow ⟹\Rightarrow "
-    r"⇔\iff ⟺\iff ∴\therefore ∵\because ∀\forall ∃\exists ∇\nabla ∞\infty ∅\emptyset □\Box ∂\partial ∑\sum ∏\prod ∫\int "
-    r"∮\oint ⟨\langle ⟩\rangle ′' º° ⋯\dots ∠\angle †\dagger ħ\hbar"
-)
-_SIGNS = {written[0]: written[1:] for written in _WRITTEN.split()}
 TYPED = re.compile(r"[^\W\d_][\u0300-\u036f\u20d0-\u20ff]+|[^\x00-\x7f]")
+
+
+@cache
+def _tables() -> dict[str, Any]:
+    return tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+
+
+@cache
+def spelled() -> Mapping[str, str]:
+    """The spelling that is read, by each other of the same."""
+    return {other: text for text, others in _tables()["same"].items() for other in others.split()}
+
+
+@cache
+def words(kind: str) -> frozenset[str]:
+    """Words between formulas: those that are `joining` two, and `conditional` ones, behind which stands when a formula holds."""
+    return frozenset(_tables()["words"][kind])
+
+
+@cache
+def _signs() -> Mapping[str, str]:
+    return {char: latex for chars, latex in _tables()["typed"].items() for char in chars}
 
 
 def as_latex(text: str, start: int) -> tuple[str, int]:
@@ -23,8 +42,8 @@ def as_latex(text: str, start: int) -> tuple[str, int]:
     found = TYPED.match(text, start)
     char, end = (found[0], found.end()) if found else (text[start], start + 1)
     tag, plain = decomposition(char[0]).partition(">")[0], normalize("NFKC", char)
-    if char in _SIGNS or category(char[0]) == "Lo":
-        return _SIGNS.get(char, ""), end
+    if char in _signs() or category(char[0]) == "Lo":
+        return _signs().get(char, ""), end
     if tag in ("<super", "<sub"):
         while end < len(text) and decomposition(text[end]).startswith(tag):
             end += 1
