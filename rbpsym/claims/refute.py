@@ -69,8 +69,9 @@ def _at_start(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
 
 
 def begun_within(question: EqualityQuestion) -> list[Condition]:
-    """What the conditions of a claim, ranges of what changes, ask of the start for it to be a state of which the claim tells."""
-    given, found = question.motion.assumptions, []
+    """What the conditions of a claim, ranges of what changes, ask of the start for it to be a state of which the claim tells;
+    and what contacts ask, which push."""
+    given, found = question.motion.assumptions, [replace(c, value=question.begin(c.value)) for c in question.motion.pushed()]
     for name, value in question.motion.scope.start.items() if question.ground.assumed is not None else ():
         for side, end in enumerate(given.range_of(name)):
             gap, op = (None if end is None else (value - end) * (1 - 2 * side)), ">=" if side in given.sides_of(name) else ">"
@@ -96,7 +97,7 @@ def _at_any_state(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
         return undecided("")
     if not _may_be_met((x, y), motion):
         return undecided("")
-    kept = motion.kept if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else ()
+    kept = motion.asked if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else motion.pushed()
     for pair, domain in with_energy((x, y), motion):
         found = witness_of(pair[0], pair[1], motion.assumptions, [*domain, *kept])
         if found.is_refuted:
@@ -207,7 +208,7 @@ def disorder(low: Scalar, high: Scalar, question: EqualityQuestion, *, strict: b
     for pair, when in on_path(tuple(question.seen(value, "start") for value in values), motion):
         if any(map(_holds_speed, pair)) and not motion.is_free:
             return undecided("the sign of the difference is not known for the motion from the start")
-        domain = [*(reachable(motion) if path.names else motion.kept), *motion.pushed(), *when]
+        domain = [*(reachable(motion) if path.names else motion.asked), *when]
         found = witness_of(pair[0], pair[1], motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs, path)
         if not found.is_refuted:
             found = _inside_ranges(pair, _up_to_rest(path), domain, signs, path)
