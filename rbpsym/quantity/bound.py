@@ -110,11 +110,6 @@ class Motion(Frozen):
     ledger: dict[str, Scalar] = field(default_factory=dict)
     states: list[tuple[int, dict[str, float]]] = field(default_factory=list, compare=False, repr=False)
 
-    @property
-    def asked(self) -> tuple[Condition, ...]:
-        """What a state is asked for to be one of the motion, beside its energy."""
-        return (*self.kept, *self.pushed())
-
     def is_lawless(self, value: Scalar) -> bool:
         """Does it hold something of which no rate is known?"""
         return any(depends_on(value, name) for name in self.lawless)

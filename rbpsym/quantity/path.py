@@ -88,9 +88,9 @@ def even(value: Scalar) -> Scalar:
 
 
 def reachable(motion: Motion) -> list[Condition]:
-    """What holds on the path: the squares of the speeds are not negative, declared ranges are kept, contacts push."""
+    """What holds on the path: the squares of the speeds are not negative, declared ranges are kept."""
     squares = [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in motion.squares.items()]
-    return [*squares, *motion.asked]
+    return [*squares, *motion.kept]
 
 
 def work_done(power: Scalar, motion: Motion) -> Scalar | None:
