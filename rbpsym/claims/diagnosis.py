@@ -83,13 +83,19 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground, near: Neighbours 
             if told and repair.words.startswith(("the term", "factor")):
                 break  # nobody's slip is a constant
             found = Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
-            if looks and looks[0].is_identity(repair.relation, repair.ground or ground):
+            if looks and (looks[0].is_identity(repair.relation, repair.ground or ground) or _repeats(repair.relation)):
                 empty = empty or found
                 continue
             if all(_holds_beside(one, holds, relation, repair, claim, ground) for one, holds in near.items()):
                 return found
             first = first or found
     return first or empty or Diagnosis(told or loosely or _actual(relation, ground))
+
+
+def _repeats(relation: t.Chain) -> bool:
+    """Is a factor printed twice? Nobody meant it."""
+    products = [part.factors for part in t.walk(relation) if isinstance(part, t.Mul)]
+    return any(factors.count(one) > 1 for factors in products for one in factors if isinstance(one, t.Sym))
 
 
 def _says_nothing(repair: Repair, ground: Ground) -> bool:
