@@ -101,8 +101,9 @@ def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
 
 def _dots(_path: Path, node: t.Node) -> Iterator[Change]:
     """A dot more, or less."""
-    for order in (node.order - 1, node.order + 1) if isinstance(node, t.Deriv) and node.wrt == "t" else ():
-        yield replace(node, order=order) if order else node.of, "the number of dots"
+    if isinstance(node, t.Deriv) and node.wrt == "t":
+        for order in (node.order - 1, node.order + 1):
+            yield replace(node, order=order) if order else node.of, "the number of dots"
 
 
 def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
@@ -274,9 +275,10 @@ def _lost(phrases: dict[str, str], pairs: Pairs, moving: set[t.Sym], path: Path,
 
 def _excess(path: Path, node: t.Node) -> Iterator[Change]:
     """A factor of a product that is too much."""
-    for k, one in enumerate(node.factors if isinstance(node, t.Mul) else ()):
+    factors = node.factors if isinstance(node, t.Mul) else ()
+    for k, one in enumerate(factors):
         if isinstance(one, t.Sym):
-            yield t.mul(*node.factors[:k], *node.factors[k + 1 :]), f"the factor {to_text(one)} is too much"
+            yield t.mul(*factors[:k], *factors[k + 1 :]), f"the factor {to_text(one)} is too much"
 
 
 def _lost_inside(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
@@ -379,6 +381,8 @@ def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str
         return latex[_begin(latex, node) : _end(node)].strip()
     if isinstance(node, t.Neg):
         return f"-{_written(node.arg, latex, kept, symbols)}"
+    if isinstance(node, t.Deriv) and r"dot{" in latex and node.wrt == "t":
+        return rf"\{'d' * node.order}ot{{{_written(node.of, latex, kept, symbols)}}}"
     if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[1:]):
         rest = latex[_begin(latex, node.terms[1]) : _end(node.terms[-1])].strip()
         sign = "" if t.is_negative(node.terms[1]) else "+ "
