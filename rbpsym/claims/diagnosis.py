@@ -23,7 +23,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.places import Path, put, sites
-from rbpsym.field import Scalar, Space, depends_on, symbol
+from rbpsym.field import Space, depends_on, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.present.forms import present
@@ -156,15 +156,11 @@ def _actual(relation: t.Chain, ground: Ground) -> str:
         found = question.seen(scalar(alone, ground.scope), "start")
     except RbpsymError:  # it is not known on the motion
         return ""
-    if found == symbol(alone.name) or holds_unknowns(found, question) or tells_of_work(found, question):
+    told_of_work = any(depends_on(found, work) for work in question.motion.ledger)
+    if told_of_work or found == symbol(alone.name) or holds_unknowns(found, question):
         return ""
     told = to_text(present(found))
     return f"{FACT} {to_text(alone)} is {told}" if len(told) <= LONGEST else ""
-
-
-def tells_of_work(found: Scalar, question: EqualityQuestion) -> bool:
-    """Does it hold a work that was not carried out?"""
-    return any(depends_on(found, name) for name in question.motion.ledger)
 
 
 def _is_loose(relation: t.Chain, ground: Ground) -> bool:
@@ -223,10 +219,6 @@ def _doubled(path: Path, node: t.Node) -> Iterator[Change]:
     for k, pair in enumerate(pairwise(digits)):
         if len({*pair}) == 1 and digits.isdigit():
             yield t.Num(int(digits[:k] + digits[k + 1 :])), f"{pair[0]} is printed twice"
-
-
-def _coefficients(path: Path, node: t.Node) -> Iterator[Change]:
-    return iter(()) if is_in_exponent(path) else numbers(path, node)
 
 
 def _extra(relation: t.Chain) -> Iterator[Repair]:
@@ -309,7 +301,8 @@ def _turned(path: Path, node: t.Node) -> Iterator[Change]:
 
 
 RULES: tuple[Rule, ...] = (
-    anywhere(_doubled), anywhere(_products), _signs, anywhere(_functions), anywhere(_coefficients), _factors, _extra,
+    anywhere(_doubled), anywhere(_products), _signs, anywhere(_functions),
+    anywhere(lambda path, node: iter(()) if is_in_exponent(path) else numbers(path, node)), _factors, _extra,
     *map(anywhere, (_exponents, _limits, _turned)), _symbols,
 )  # fmt: skip
 

@@ -136,7 +136,8 @@ class _Walker:
                     yield from self._environment(name, bool(star), position, end)
                 position = behind
             elif opening := next(filter(None, openings), None):
-                end, behind, fault = self._end(found, _closing(opening), _NEVER[opening])
+                closing = r"(?<!\\)" * (opening[0] == "$") + re.escape(_CLOSE[opening])
+                end, behind, fault = self._end(found, closing, _NEVER[opening])
                 yield self._formula(position, end, "", opening in (r"\[", "$$"), fault=fault)
                 position = behind
 
@@ -201,10 +202,6 @@ def _ends_of(name: str) -> tuple[str, str]:
     """What ends an environment, and where it can't go on."""
     drawn = re.escape(name)
     return rf"\\end\s*+\{{{drawn}\}}", rf"\\begin\s*+\{{{drawn}\}}|{_LEVEL}"
-
-
-def _closing(opening: str) -> str:
-    return r"(?<!\\)" + re.escape(_CLOSE[opening]) if opening.startswith("$") else re.escape(_CLOSE[opening])
 
 
 def _rows(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:

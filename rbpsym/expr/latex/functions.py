@@ -15,7 +15,7 @@ from itertools import dropwhile
 
 from rbpsym.errors import Incomplete, RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.hyperbolic import FUNCTION_WORDS, HYPERBOLIC
 from rbpsym.expr.latex.grammar import (
     SPACING,
     argument,
@@ -31,7 +31,7 @@ from rbpsym.expr.latex.grammar import (
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.numerals import measured, number
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token, closed
+from rbpsym.expr.latex.tokens import LOOSE, Token, closed
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 

@@ -276,8 +276,7 @@ def _change(reader: LatexReader, drawn: Drawn, start: int, first: int) -> t.Node
     before = reader.position
     if begins_name(reader.token):
         inner, vector = _scripted(reader)
-        if reader.table.draws_prefix(inner):
-            whole = replace(inner, prefix="Δ")
+        if (whole := replace(inner, prefix="Δ")) in reader.table.names:
             return reader.spanned(_known(reader, whole, vector, None, first), start)
         reader.position = before
     return reader.spanned(t.Delta(_changed(reader)), start)

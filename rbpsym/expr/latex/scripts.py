@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 from rbpsym.errors import Incomplete
-from rbpsym.expr.latex.tokens import FUNCTION_WORDS
+from rbpsym.expr.hyperbolic import FUNCTION_WORDS
 from rbpsym.expr.symbol_table import Drawn, LatexReader
 
 DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}

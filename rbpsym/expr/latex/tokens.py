@@ -11,7 +11,7 @@ from functools import cache
 from unicodedata import combining
 
 from rbpsym.errors import LimitError
-from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.hyperbolic import FUNCTION_WORDS
 from rbpsym.expr.latex.spelled import as_latex, spelled, words
 from rbpsym.expr.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.expr.source import SourceText, refused
@@ -19,13 +19,6 @@ from rbpsym.frozen import Frozen, replace
 
 MAX_LENGTH = 8000
 
-# Names of functions in the languages whose papers are read; behind a backslash, or upright: \\operatorname{sen}.
-FUNCTION_WORDS = {
-    **{name: name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
-    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "log": "ln",
-    "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot", "cosec": "csc",
-    "arcsen": "asin", "arctg": "atan", **{name: name for name in HYPERBOLIC},
-}  # fmt: skip
 _SYSTEMS = "array|aligned|alignedat|gathered|split|cases"  # what one brace may open for all rows
 _MARK = r"(?:\\textcircled\s*\{[\w*]+\}|[①-⑳]|\\circledast(?![A-Za-z]))"  # the number of an equation in a circle
 _SILENT = (
