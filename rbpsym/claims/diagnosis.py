@@ -300,10 +300,17 @@ def _turned(path: Path, node: t.Node) -> Iterator[Change]:
         yield replace(node, num=node.den, den=node.num, span=None), f"the fraction {to_text(node)} is upside down"
 
 
+def _dots(_path: Path, node: t.Node) -> Iterator[Change]:
+    """A dot more, or less."""
+    if isinstance(node, t.Deriv) and node.wrt == "t":
+        for order in (node.order - 1, node.order + 1):
+            yield replace(node, order=order) if order else node.of, "the number of dots"
+
+
 RULES: tuple[Rule, ...] = (
     anywhere(_doubled), anywhere(_products), _signs, anywhere(_functions),
     anywhere(lambda path, node: iter(()) if is_in_exponent(path) else numbers(path, node)), _factors, _extra,
-    *map(anywhere, (_exponents, _limits, _turned)), _symbols,
+    *map(anywhere, (_exponents, _limits, _turned, _dots)), _symbols,
 )  # fmt: skip
 
 

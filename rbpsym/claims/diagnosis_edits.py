@@ -91,19 +91,12 @@ def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
     rank = {t.Sym(name): key for name, key in getattr(getattr(ground.world, "study", None), "style", PLAIN).rank.items()}
     pairs |= {(a, b) for a in rank for b in rank if rank[a] < rank[b] and (b, a) not in pairs}  # as one is used to print them
     lost = partial(_lost, phrases, pairs, moving)
-    for change in (_dots, _degrees, numbers, _angles, partial(_others, phrases), _excess, lost, partial(_lost_inside, phrases)):
+    for change in (_degrees, numbers, _angles, partial(_others, phrases), _excess, lost, partial(_lost_inside, phrases)):
         yield from anywhere(change, wide)(relation)
     wider, others = known(claim, ground, far=True)
     yield from anywhere(partial(_others, others), wider)(relation)
     yield from _missing(relation, wide, phrases)
     yield from anywhere(partial(_lost, others, pairs, moving), wider)(relation)
-
-
-def _dots(_path: Path, node: t.Node) -> Iterator[Change]:
-    """A dot more, or less."""
-    if isinstance(node, t.Deriv) and node.wrt == "t":
-        for order in (node.order - 1, node.order + 1):
-            yield replace(node, order=order) if order else node.of, "the number of dots"
 
 
 def _degrees(path: Path, node: t.Node) -> Iterator[Change]:
