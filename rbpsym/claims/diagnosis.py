@@ -23,7 +23,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.expr import tree as t
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.places import Path, put, sites
-from rbpsym.field import Scalar, Space, depends_on, symbol
+from rbpsym.field import Space, depends_on, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen, replace
 from rbpsym.present.forms import present
@@ -83,13 +83,19 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground, near: Neighbours 
             if told and repair.words.startswith(("the term", "factor")):
                 break  # nobody's slip is a constant
             found = Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
-            if looks and looks[0].is_identity(repair.relation, repair.ground or ground):
+            if looks and (looks[0].is_identity(repair.relation, repair.ground or ground) or _repeats(repair.relation)):
                 empty = empty or found
                 continue
             if all(_holds_beside(one, holds, relation, repair, claim, ground) for one, holds in near.items()):
                 return found
             first = first or found
     return first or empty or Diagnosis(told or loosely or _actual(relation, ground))
+
+
+def _repeats(relation: t.Chain) -> bool:
+    """Is a factor printed twice? Nobody meant it."""
+    products = [part.factors for part in t.walk(relation) if isinstance(part, t.Mul)]
+    return any(factors.count(one) > 1 for factors in products for one in factors if isinstance(one, t.Sym))
 
 
 def _says_nothing(repair: Repair, ground: Ground) -> bool:
@@ -150,15 +156,11 @@ def _actual(relation: t.Chain, ground: Ground) -> str:
         found = question.seen(scalar(alone, ground.scope), "start")
     except RbpsymError:  # it is not known on the motion
         return ""
-    if found == symbol(alone.name) or holds_unknowns(found, question) or tells_of_work(found, question):
+    told_of_work = any(depends_on(found, work) for work in question.motion.ledger)
+    if told_of_work or found == symbol(alone.name) or holds_unknowns(found, question):
         return ""
     told = to_text(present(found))
     return f"{FACT} {to_text(alone)} is {told}" if len(told) <= LONGEST else ""
-
-
-def tells_of_work(found: Scalar, question: EqualityQuestion) -> bool:
-    """Does it hold a work that was not carried out?"""
-    return any(depends_on(found, name) for name in question.motion.ledger)
 
 
 def _is_loose(relation: t.Chain, ground: Ground) -> bool:
@@ -217,10 +219,6 @@ def _doubled(path: Path, node: t.Node) -> Iterator[Change]:
     for k, pair in enumerate(pairwise(digits)):
         if len({*pair}) == 1 and digits.isdigit():
             yield t.Num(int(digits[:k] + digits[k + 1 :])), f"{pair[0]} is printed twice"
-
-
-def _coefficients(path: Path, node: t.Node) -> Iterator[Change]:
-    return iter(()) if is_in_exponent(path) else numbers(path, node)
 
 
 def _extra(relation: t.Chain) -> Iterator[Repair]:
@@ -302,9 +300,17 @@ def _turned(path: Path, node: t.Node) -> Iterator[Change]:
         yield replace(node, num=node.den, den=node.num, span=None), f"the fraction {to_text(node)} is upside down"
 
 
+def _dots(_path: Path, node: t.Node) -> Iterator[Change]:
+    """A dot more, or less."""
+    if isinstance(node, t.Deriv) and node.wrt == "t":
+        for order in (node.order - 1, node.order + 1):
+            yield replace(node, order=order) if order else node.of, "the number of dots"
+
+
 RULES: tuple[Rule, ...] = (
-    anywhere(_doubled), anywhere(_products), _signs, anywhere(_functions), anywhere(_coefficients), _factors, _extra,
-    *map(anywhere, (_exponents, _limits, _turned)), _symbols,
+    anywhere(_doubled), anywhere(_products), _signs, anywhere(_functions),
+    anywhere(lambda path, node: iter(()) if is_in_exponent(path) else numbers(path, node)), _factors, _extra,
+    *map(anywhere, (_exponents, _limits, _turned, _dots)), _symbols,
 )  # fmt: skip
 
 

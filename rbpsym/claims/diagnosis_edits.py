@@ -18,6 +18,7 @@ from rbpsym.expr.places import Path, put, sites
 from rbpsym.field import NOTHING, Scalar, Space, depends_on, without_even_roots
 from rbpsym.frozen import Frozen, replace
 from rbpsym.present.forms import present
+from rbpsym.present.style import PLAIN
 from rbpsym.typeset.latex import to_latex
 from rbpsym.typeset.text import to_text
 
@@ -87,8 +88,10 @@ def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair]:
     pairs = {(one, other) for factors in products for k, one in enumerate(factors) for other in factors[k + 1 :]}
     values = {name: own for name in {*t.names(relation), *phrases} if (own := _value_of(name, wide)) is not None}
     moving = {t.Sym(name) for name, own in values.items() if any(depends_on(own, other) for other in wide.motion.scope.rates)}
+    rank = {t.Sym(name): key for name, key in getattr(getattr(ground.world, "study", None), "style", PLAIN).rank.items()}
+    pairs |= {(a, b) for a in rank for b in rank if rank[a] < rank[b] and (b, a) not in pairs}  # as one is used to print them
     lost = partial(_lost, phrases, pairs, moving)
-    for change in (_degrees, numbers, _angles, partial(_others, phrases), lost, partial(_lost_inside, phrases)):
+    for change in (_degrees, numbers, _angles, partial(_others, phrases), _excess, lost, partial(_lost_inside, phrases)):
         yield from anywhere(change, wide)(relation)
     wider, others = known(claim, ground, far=True)
     yield from anywhere(partial(_others, others), wider)(relation)
@@ -124,7 +127,7 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
     """The one term by which the sides differ."""
     named = {phrase: name for name, phrase in sorted(phrases.items(), key=lambda item: item[0] in t.names(relation))}
     question = EqualityQuestion(ground)
-    found: dict[t.Chain, tuple[int, int, int, t.Node]] = {}
+    found: dict[t.Chain, tuple[int, int, bool, int, t.Node]] = {}
     sides = {_value_of(side, ground) for side in relation.items if isinstance(side, t.Sym)} - {None}
     alone = {name for name in {*t.names(relation), *phrases} if _value_of(name, ground) in sides}  # by whatever symbol
     values = {name: own for name in phrases if name not in t.names(relation) and (own := _value_of(name, ground))}
@@ -144,8 +147,9 @@ def _missing(relation: t.Chain, ground: Ground, phrases: dict[str, str]) -> Iter
                 known = known and not _bare(term) & inside
                 if known and size <= LONGEST and sums <= 1 and not isinstance(term, t.Add):
                     foreign = len(t.names(term) - t.names(relation))
-                    found.setdefault(put(relation, path, _joined(node, term)), (size, foreign, -len(path), term))
-    for repaired, (*_, term) in sorted(found.items(), key=lambda item: item[1][:3]):
+                    key = (size, foreign, t.is_negative(term), -len(path), term)
+                    found.setdefault(put(relation, path, _joined(node, term)), key)
+    for repaired, (*_, term) in sorted(found.items(), key=lambda item: item[1][:4]):
         yield Repair(repaired, f"the term {to_text(term)} is missing", ground)
 
 
@@ -258,10 +262,16 @@ def _lost(phrases: dict[str, str], pairs: Pairs, moving: set[t.Sym], path: Path,
                 yield t.Mul((node, factor)), f"the factor {to_text(factor)} is missing"
             if not _holds_quotient(node):  # above the bar, and behind the sign
                 yield _among_factors(node, factor, pairs, moving), f"the factor {to_text(factor)} is missing"
-        if symbol.name in t.names(node):
-            factors = list(node.factors) if isinstance(node, t.Mul) else []
-            rest = t.mul(*(part for part in factors if part is not factors[factors.index(symbol)])) if symbol in factors else None
-            yield rest or t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
+        if not isinstance(node, t.Add) and symbol.name in t.names(node) and symbol not in getattr(node, "factors", ()):
+            yield t.Div(node, symbol), f"the factor {to_text(symbol)} is too much"
+
+
+def _excess(path: Path, node: t.Node) -> Iterator[Change]:
+    """A factor of a product that is too much."""
+    factors = node.factors if isinstance(node, t.Mul) else ()
+    for k, one in enumerate(factors):
+        if isinstance(one, t.Sym):
+            yield t.mul(*factors[:k], *factors[k + 1 :]), f"the factor {to_text(one)} is too much"
 
 
 def _lost_inside(phrases: dict[str, str], path: Path, node: t.Node) -> Iterator[Change]:
@@ -364,6 +374,8 @@ def _written(node: t.Node, latex: str, kept: set[int], symbols: Mapping[str, str
         return latex[_begin(latex, node) : _end(node)].strip()
     if isinstance(node, t.Neg):
         return f"-{_written(node.arg, latex, kept, symbols)}"
+    if isinstance(node, t.Deriv) and r"dot{" in latex and node.wrt == "t":
+        return rf"\{'d' * node.order}ot{{{_written(node.of, latex, kept, symbols)}}}"
     if isinstance(node, t.Add) and all(id(term) in kept for term in node.terms[1:]):
         rest = latex[_begin(latex, node.terms[1]) : _end(node.terms[-1])].strip()
         sign = "" if t.is_negative(node.terms[1]) else "+ "

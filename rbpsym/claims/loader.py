@@ -79,7 +79,8 @@ def _settings(root: SourceTable) -> dict[str, Setting]:
 
 
 def _setting(name: str, table: SourceTable, known: Mapping[str, Setting]) -> Setting:
-    like = table.string("like") if "like" in table else WHOLE if WHOLE in known and _adds(table) else ""
+    goes_on = WHOLE in known and "problem" not in table and "theory" not in table  # from what the file says
+    like = table.string("like") if "like" in table else WHOLE * goes_on
     if like and like not in known:
         raise table.value_error("like", f"there is no setting “{like}” above", did_you_mean(like, known, "settings"))
     base = known.get(like) or Setting(name)
@@ -96,11 +97,6 @@ def _setting(name: str, table: SourceTable, known: Mapping[str, Setting]) -> Set
     fixed = table.flag("fixed_axis", base.fixed_axis)
     place = table.source.key(table.path) if table.path else table.source.key(("problem",))
     return Setting(name, problem, theory, fixed, symbols, given, place, phase)
-
-
-def _adds(table: SourceTable) -> bool:
-    """Does a setting name no problem of its own, so that it goes on from that of the file?"""
-    return "problem" not in table and "theory" not in table
 
 
 def _symbols(table: SourceTable) -> dict[str, Meaning]:

@@ -65,17 +65,22 @@ def _at_start(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
         return undecided("")
     x, y = question.begin(a), question.begin(b)
     given = question.motion.assumptions
-    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, given, begun_within(question))
+    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, given, _pushing(question))
 
 
 def begun_within(question: EqualityQuestion) -> list[Condition]:
     """What the conditions of a claim, ranges of what changes, ask of the start for it to be a state of which the claim tells."""
-    given, found = question.motion.assumptions, []
+    given, found = question.motion.assumptions, list[Condition]()
     for name, value in question.motion.scope.start.items() if question.ground.assumed is not None else ():
         for side, end in enumerate(given.range_of(name)):
             gap, op = (None if end is None else (value - end) * (1 - 2 * side)), ">=" if side in given.sides_of(name) else ">"
             found += [] if gap is None else [Condition(t.Sym(name), op, gap)]
     return found
+
+
+def _pushing(question: EqualityQuestion) -> list[Condition]:
+    """At the start: those of the claim, and that contacts push."""
+    return [*begun_within(question), *(replace(c, value=question.begin(c.value)) for c in question.motion.pushed())]
 
 
 def is_timed(question: EqualityQuestion) -> bool:
@@ -98,7 +103,7 @@ def _at_any_state(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
         return undecided("")
     kept = motion.kept if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else ()
     for pair, domain in with_energy((x, y), motion):
-        found = witness_of(pair[0], pair[1], motion.assumptions, [*domain, *kept])
+        found = witness_of(pair[0], pair[1], motion.assumptions, [*domain, *kept, *motion.pushed()])
         if found.is_refuted:
             return found
     return undecided("")
@@ -127,7 +132,7 @@ def _in_rates_at_start(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verd
     for order in ORDERS:
         x, y = (question.begin(value) for value in (a, b))
         if not holds_unknowns(x, question) and not holds_unknowns(y, question):
-            found = witness_of(x, y, question.motion.assumptions, begun_within(question))
+            found = witness_of(x, y, question.motion.assumptions, _pushing(question))
             if found.witness is not None:
                 return replace(found, witness=replace(found.witness, of=order))
         a, b = (question.rate(value) for value in (a, b))
@@ -156,7 +161,7 @@ def _differ(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     for pair, when in on_path((a, b), motion):
         if holds_unknowns(pair[0] - pair[1], question) or (not motion.is_free and any(map(_holds_speed, pair))):
             continue
-        found = witness_of(pair[0], pair[1], motion.assumptions, [*reachable(motion), *when], path=path)
+        found = witness_of(pair[0], pair[1], motion.assumptions, [*reachable(motion), *motion.pushed(), *when], path=path)
         if found.is_refuted:
             return found
     return undecided("")

@@ -76,8 +76,8 @@ def _spellings(latex: str, fix: str) -> Iterator[tuple[re.Pattern[str], str]]:
     parts = latex[:begin], old, latex[begin + len(old) :]
     for own, between in ((str, _BETWEEN), (lambda part: json.dumps(part)[1:-1], rf'(?:{_BETWEEN}|\\n(?:",\s*+")?)*+')):
         before, inside, behind = (between.join(re.escape(own(token)) for token in _TOKEN.findall(part)) for part in parts)
-        glue = between if before and (inside or behind) else ""
-        yield re.compile(f"{before}{glue}({inside}){between if behind else ''}{behind}"), own(new)
+        glue = between if (before or not inside) and (inside or behind) else ""  # what is put in stands in front of a part
+        yield re.compile(f"{before}{glue}({inside}){between if inside and behind else ''}{behind}"), own(new)
 
 
 def marked(file: str, results: Iterable[Result]) -> Iterator[tuple[str, Result | None]]:

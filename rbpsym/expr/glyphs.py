@@ -102,15 +102,10 @@ def glyph(name: str) -> Glyph:
     parts = re.findall(r"(?<=_)_[^_]+|[^_]+", name) or [name]
     script = parts[0] == "cal" and len(parts) > 1 and parts[1] not in DOTS
     parts = parts[1:] if script else parts
-    if _is_change(parts):
+    if parts[0] == "Delta" and len(parts) > 1 and parts[1] not in DOTS and parts[1][0].isalpha():  # Delta_x, but not Delta_0
         return replace(glyph("_".join(parts[1:])), prefix="Δ")
     drawn = _with_parts(_base(parts[0]), parts[1:])
     return replace(drawn, style="script") if script else drawn
-
-
-def _is_change(parts: list[str]) -> bool:
-    """Delta_x is a change of x, Delta_0 a Delta with a subscript."""
-    return parts[0] == "Delta" and len(parts) > 1 and parts[1] not in DOTS and parts[1][0].isalpha()
 
 
 def _base(part: str) -> Glyph:

@@ -33,3 +33,10 @@ HYPERBOLIC: Mapping[str, Made] = MappingProxyType({
     **dict.fromkeys(("acosh", "arccosh", "arcosh"), _ln_root(t.Neg(t.ONE))),
     **dict.fromkeys(("atanh", "arctanh", "artanh"), _ATANH),
 })  # fmt: skip
+# Names of functions in the languages whose papers are read; behind a backslash, or upright: \\operatorname{sen}.
+CIRCULAR: Mapping[str, str] = MappingProxyType({
+    **{name: name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "log": "ln", "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot",
+    "cosec": "csc", "arcsen": "asin", "arctg": "atan",
+})  # fmt: skip
+FUNCTION_WORDS: Mapping[str, str] = MappingProxyType({**CIRCULAR, **{name: name for name in HYPERBOLIC}})

@@ -7,11 +7,13 @@ import unicodedata
 from collections.abc import Callable, Iterator, Mapping
 from difflib import get_close_matches
 from fractions import Fraction
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.expr import tree as t
+from rbpsym.expr.hyperbolic import CIRCULAR
 from rbpsym.expr.letters import names_of_letter
 from rbpsym.expr.source import Cursor, SourceText, refused
 from rbpsym.frozen import Frozen, field, replace
@@ -174,17 +176,9 @@ _READERS: Mapping[str, Callable[[SourceText, Any, bool], InfixToken]] = MappingP
 })  # fmt: skip
 
 
-def _fn(name: str) -> Callable[[t.Node], t.Node]:
-    return lambda arg: t.Fn(name, arg)
-
-
 FUNCTIONS: Mapping[str, Callable[[t.Node], t.Node]] = MappingProxyType({
-    **{name: _fn(name) for name in ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos",
-                                    "atan", "exp", "ln", "elliptic_k", "elliptic_e")},
-    "log": _fn("ln"), "arcsin": _fn("asin"), "arccos": _fn("acos"), "arctan": _fn("atan"),
-    "sen": _fn("sin"), "tg": _fn("tan"), "ctg": _fn("cot"), "cotg": _fn("cot"), "cosec": _fn("csc"),
-    "arcsen": _fn("asin"), "arctg": _fn("atan"),
-    "sqrt": t.Sqrt, "abs": t.Abs,
+    **{word: partial(t.Fn, name) for word, name in CIRCULAR.items()}, "sqrt": t.Sqrt, "abs": t.Abs,
+    **{name: partial(t.Fn, name) for name in ("asin", "acos", "atan", "elliptic_k", "elliptic_e")},
 })  # fmt: skip
 
 
@@ -220,14 +214,9 @@ class InfixReader(Cursor[InfixToken]):
 
 def symbol_named(token: InfixToken, reader: InfixReader) -> str | None:
     """The symbol of the problem that a token names, by its own name or an alias."""
-    spellings = (*token.names, *_squeezed(token), *_spread(token))
+    spellings = (*token.names, *(name.replace("_", "") for name in token.names if name != token.text), *_spread(token))
     names = [reader.aliases.get(name, name) for name in spellings]
     return next((name for name in names if name in reader.symbols), None)
-
-
-def _squeezed(token: InfixToken) -> tuple[str, ...]:
-    """ω₁ may also be omega1."""
-    return tuple(name.replace("_", "") for name in token.names if name != token.text)
 
 
 def _spread(token: InfixToken) -> tuple[str, ...]:
@@ -283,12 +272,7 @@ def is_settled(node: t.Div, reader: InfixReader) -> bool:
     """Was the quotient, or what stands below its bar, written in parentheses?"""
     text, (start, end) = reader.source.text, node.den.span or (0, 0)
     below = text[:start].rstrip().endswith(("(", "[")) and text[end:].lstrip().startswith((")", "]"))
-    return _is_closed(node, reader) or below
-
-
-def _is_closed(node: t.Node, reader: InfixReader) -> bool:
-    """Was the node written in parentheses?"""
-    return node.span is not None and reader.source.text[node.span[1] :].lstrip().startswith((")", "]"))
+    return below or (node.span is not None and text[node.span[1] :].lstrip().startswith((")", "]")))
 
 
 def is_bare_call(node: t.Node, reader: InfixReader) -> bool:

@@ -11,7 +11,7 @@ from rbpsym.expr.glyphs import DEFAULT, Glyph, Notation, glyph
 from rbpsym.expr.latex.tokens import Token, tokenize
 from rbpsym.expr.source import Cursor, SourceText
 from rbpsym.expr.tree import Node
-from rbpsym.frozen import Frozen, field, replace
+from rbpsym.frozen import Frozen, field
 
 
 class Drawn(Frozen):
@@ -55,11 +55,6 @@ class SymbolTable(Frozen):
     def has_e(self) -> bool:
         """Is e a symbol, so that it is not the base of the exponential function?"""
         return any(drawn.base == "e" for drawn in self.names) or any("e" in row[:1] for row in self.spellings)
-
-    def draws_prefix(self, drawn: Drawn) -> bool:
-        """Is Δ before `drawn` part of a name?"""
-        return replace(drawn, prefix="Δ") in self.names
-
 
 def equally(node: Node) -> int:
     """Faults that prefer no reading: for one who wants to see them all."""

@@ -34,11 +34,6 @@ def _differentials(*of: str) -> str:
     return UNBALANCED if any("[" in one for one in of) else " ".join(rf"\mathrm{{d}} {one}" for one in of)
 
 
-def _in_bold(body: str) -> str:
-    """In bold, a letter is a vector; a whole relation is but shown so."""
-    return body if _SUM.search(body) else rf"\boldsymbol{{{body}}}"
-
-
 def _before(sign: str, *of: str) -> str:
     return UNBALANCED if len(of) > 1 or _SUM.search(of[0]) else f"{sign} {of[0]}"
 
@@ -51,7 +46,7 @@ _TABLES: dict[str, dict[str, str]] = tomllib.loads(Path(__file__).with_name("typ
 SIGNS, NAMES, ROWS = (_TABLES[part] for part in ("signs", "names", "rows"))
 CALLS: dict[str, str | Callable[..., str]] = {
     **_TABLES["calls"],
-    "bold": _in_bold,
+    "bold": lambda body: body if _SUM.search(body) else rf"\boldsymbol{{{body}}}",  # a relation is but shown so
     **dict.fromkeys(("underbrace", "underbracket", "underparen"), partial(_braced, "under", "_")),
     **dict.fromkeys(("overbrace", "overbracket", "overparen"), partial(_braced, "over", "^")),
     # what the package physica adds

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from rbpsym.expr.latex.tokens import FUNCTION_WORDS
+from rbpsym.expr.hyperbolic import FUNCTION_WORDS
 from rbpsym.expr.letters import LETTERS
 from rbpsym.expr.typst_names import CALLS, NAMES, ROWS, SIGNS, UNBALANCED
 

@@ -89,8 +89,9 @@ class Motion(Frozen):
     speeds, from the start; ledger: the rates of quantities that are zero at the start (works);
     unsettled: unknown forces and accelerations; lawless: what changes with time in a way that is
     not known, if not replaced; is_free: any state may be the start. is_tied: conditions that are
-    not solved tie the coordinates. kept: what the declared ranges of tied coordinates ask for.
-    energy: what is conserved of it, None if that is not known. states: seeds with the numbers that they give, once looked at.
+    not solved tie the coordinates. kept: what the declared ranges of tied coordinates ask for;
+    pushed: that contacts push and strings pull. energy: what is conserved of it, None if that is not
+    known. states: seeds with the numbers that they give, once looked at.
     """
 
     scope: Meanings
@@ -104,6 +105,7 @@ class Motion(Frozen):
     is_free: bool = False
     is_tied: bool = False
     kept: tuple[Condition, ...] = ()
+    pushed: Callable[[], tuple[Condition, ...]] = tuple
     energy: Scalar | None = None
     ledger: dict[str, Scalar] = field(default_factory=dict)
     states: list[tuple[int, dict[str, float]]] = field(default_factory=list, compare=False, repr=False)

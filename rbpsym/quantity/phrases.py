@@ -319,7 +319,7 @@ PHRASES: tuple[Phrase, ...] = (
     *VECTORS,
     (r"kinetic energy of system relative to its centre of mass", _relative,
      "kinetic energy of the system relative to its centre of mass"),
-    (r"(.+), up to a constant", lambda world, phrase: Bound(world.bound(phrase).number, kind="up to a constant"), ""),
+    (r"(.+?),? up to a constant", lambda world, phrase: Bound(world.bound(phrase).number, kind="up to a constant"), ""),
     (r"minus (.+)", _minus, "minus work of FORCE"),
     (r"magnitude of (.+)", _magnitude, "magnitude of velocity of BODY.cm"),
     (r"unit vector (along|across) (.+)", _unit, "unit vector along position of BODY.cm"),

@@ -92,6 +92,7 @@ class ProblemWorld(Frozen):
             frozenset((*study.system.unknowns, *study.system.accelerations)),
             is_tied=bool(study.system.implicit),
             kept=tuple(self._kept),
+            pushed=lambda: tuple(Condition(Sym(side.force), ">=", side.value) for side in study.sides),
             energy=study.first_integral,
         )
 

@@ -124,6 +124,9 @@ def plain(latex: str) -> str:
     return latex
 
 
+_BARE = re.compile(r"_\s*(?:\{[^{}]*\}|\S)|(?<!\d)\(\s*[1-9]\d*,\d+\s*\)|(?<![\d,.])(\d+),(?=\d+(?![\d,]))")  # 0,5, but no (1,2)
+
+
 def printed(formula: Formula, paper: Paper) -> Printed:
     """The formula of the paper with its macros put in. Raises ReadError told in its line."""
     if formula.fault:
@@ -132,8 +135,10 @@ def printed(formula: Formula, paper: Paper) -> Printed:
         latex = expanded(formula.latex, paper.macros)
     except RbpsymError as error:
         raise told_at(error, paper.text, formula.offset) from None
-    if paper.decimal == ",":
+    if paper.decimal in (",", "{,}"):
         latex = re.sub(r"(?<=\d)\{,\}(?=\d)", "{.}", latex)  # of the same length, so that places are kept
+        if paper.decimal == ",":
+            latex = _BARE.sub(lambda found: f"{found[1]}." if found[1] else found[0], latex)
     elif paper.decimal:
         latex = _THOUSANDS.sub(lambda found: found[0].replace("{,}", "   ").replace(",", " "), latex)
     whole = _WRAPPED.fullmatch(latex)
@@ -198,7 +203,8 @@ class PaperChecker(Frozen):
 
     def _own(self, fix: str, formula: Formula) -> str:
         """A repaired formula with the macros of its author."""
-        fix = fix.replace("{.}", "{,}") if self.paper.decimal == "," else fix
+        fix = fix.replace("{.}", "{,}") if "," in self.paper.decimal else fix
+        fix = re.sub(r"(?<=\d)\.(?=\d)", ",", fix) if self.paper.decimal == "," else fix
         return unexpanded(formula.latex, fix, self.paper.macros) if fix else ""
 
     def _only_claimed(self, claim: Claim) -> Result:

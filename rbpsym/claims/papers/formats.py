@@ -140,10 +140,6 @@ def _html_piece(text: Rewriting, found: re.Match[str]) -> tuple[str, int]:
     return blank(found[0] + body), closed[1]
 
 
-def _of_rst(text: str) -> str:
-    return _RST.sub(_rst_piece, text)
-
-
 def _rst_piece(found: re.Match[str]) -> str:
     told = found.groupdict()
     if told["kind"] == "math::":
@@ -191,7 +187,7 @@ def _told(part: Mapping[str, Any]) -> list[str]:
 FORMATS: Mapping[str, Callable[[str], str]] = {
     **dict.fromkeys((".md", ".markdown", ".myst"), _of_markdown),
     **dict.fromkeys((".html", ".htm"), _of_html),
-    ".rst": _of_rst,
+    ".rst": lambda text: _RST.sub(_rst_piece, text),
     ".typ": of_typst,
 }
 NOTEBOOK = ".ipynb"

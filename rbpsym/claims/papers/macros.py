@@ -98,7 +98,9 @@ def closing(text: str, start: int, most: int = sys.maxsize) -> int:
     raise ReadError("a brace is never closed")
 
 
-_OWN = {r"\mathchoice": Macro("#1", 4)}  # in displays, the first
+_OWN = {  # in displays, the first; and brackets that grow
+    r"\mathchoice": Macro("#1", 4), r"\del": Macro(r"\left(#1\right)", 1), r"\sbr": Macro(r"\left[#1\right]", 1),
+}  # fmt: skip
 _LOOKS = (r"\vec", r"\hat", r"\bar", r"\tilde", r"\dot", r"\ddot")  # defined anew, they look otherwise and mean the same
 
 
@@ -136,7 +138,8 @@ def unexpanded(latex: str, fix: str, macros: Mapping[str, Macro]) -> str:
     """The formula as the author wrote it with the one change that leads to `fix` when its macros are put in; else `fix`."""
     _, old, new = changed(expanded(latex, macros).strip(), fix.strip())
     wanted = "".join(fix.split())
-    spots = ((place, old, new) for place in range(len(latex) + 1) if latex.startswith(old, place))
+    begin = len(latex) - len(latex.lstrip())
+    spots = ((place, old, new) for place in range(begin, len(latex) + 1) if latex.startswith(old, place))
     bodies = ((one.start(), one[0], _filled(macros[one[0]], [])) for one in _COMMAND.finditer(latex) if one[0] in macros)
     inside = ((place, name, body.lstrip().replace(old, new, 1)) for place, name, body in bodies if old in body)
     for place, part, other in (*spots, *inside):

@@ -71,7 +71,7 @@ class Paper(Frozen):
     formulas: tuple[Formula, ...]
     macros: dict[str, Macro]
     remarks: tuple[tuple[str, int, str], ...] = ()
-    decimal: str = ""  # the decimal mark that all its numbers show; "" where they don't
+    decimal: str = ""  # the decimal mark that it says to have, or that all its numbers show; "" where they don't
 
     @property
     def displayed(self) -> tuple[Formula, ...]:
@@ -92,12 +92,14 @@ def walked(text: PaperText) -> Paper:
     formulas = tuple(_Walker(text).walk())
     remarks = [(*text.origin(offset), said) for offset, said in faults]
     remarks += [(formula.file, formula.line, formula.fault) for formula in formulas if formula.fault]
-    return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)), _decimal_mark(formulas))
+    mark = "," if _COMMA_SAID.search(text.text + text.packages) else _decimal_mark(formulas)
+    return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)), mark)
 
 
+_COMMA_SAID = re.compile(r"decimal-marker\s*=\s*\{?,|\{icomma\}|locale\s*=\s*(?:DE|FR)|\\decimalcomma")
 _DECIMAL = {
     mark: re.compile(rf"(?<![\d.,}}])(?:0{sign}\d|\d+{sign}(?:\d{{1,2}}|\d{{4,}})(?![\d{{]))")
-    for mark, sign in ((",", r"\{,\}"), (".", r"\."))
+    for mark, sign in (("{,}", r"\{,\}"), (".", r"\."))
 }
 
 
@@ -134,7 +136,8 @@ class _Walker:
                     yield from self._environment(name, bool(star), position, end)
                 position = behind
             elif opening := next(filter(None, openings), None):
-                end, behind, fault = self._end(found, _closing(opening), _NEVER[opening])
+                closing = r"(?<!\\)" * (opening[0] == "$") + re.escape(_CLOSE[opening])
+                end, behind, fault = self._end(found, closing, _NEVER[opening])
                 yield self._formula(position, end, "", opening in (r"\[", "$$"), fault=fault)
                 position = behind
 
@@ -199,10 +202,6 @@ def _ends_of(name: str) -> tuple[str, str]:
     """What ends an environment, and where it can't go on."""
     drawn = re.escape(name)
     return rf"\\end\s*+\{{{drawn}\}}", rf"\\begin\s*+\{{{drawn}\}}|{_LEVEL}"
-
-
-def _closing(opening: str) -> str:
-    return r"(?<!\\)" + re.escape(_CLOSE[opening]) if opening.startswith("$") else re.escape(_CLOSE[opening])
 
 
 def _rows(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:

@@ -9,7 +9,7 @@ from rbpsym.expr.latex.tokens import COLUMN, CONDITION, CONDITIONS, PUNCTUATION,
 
 _NUMBER = re.compile(r"\d{1,2}(?:[.-]\d{1,3}){0,2}[a-z]?'?|\*{1,3}|[a-zA-Z]'{0,2}|[A-Z]\.\d{1,2}")
 _WIDE = re.compile(r"\\q?quad|\\hspace|\\hfil")
-_ARROWS = frozenset((r"\to", r"\leftarrow", r"\uparrow", r"\downarrow"))  # (→): which way, said beside a number
+_ARROWS = frozenset((r"\to", r"\gets", r"\uparrow", r"\downarrow"))  # (→): which way, said beside a number
 Span = tuple[int, int]
 
 
@@ -67,7 +67,8 @@ def _labelled(tokens: tuple[Token, ...], relations: frozenset[str]) -> tuple[Tok
         row = next((k for k in range(len(found), 0, -1) if found[k - 1].kind in ("row", "begin")), 0)
         about = [one for one in found[row:] if one.kind != "gap" and one.text != "&"]
         gap = tokens[min(place + 1, len(tokens) - 1)]
-        clear = gap.kind == "gap" or gap.text == "&" or (about[:1] and (about[0].text == r"\sum" or about[0].kind == "text"))
+        clear = gap.kind in ("gap", "begin") or gap.text == "&" or "".join(one.text for one in about[:1]) == r"\sum"
+        clear |= bool(about) and about[0].kind == "text"
         relates = _relates(tuple(about), relations)
         if not about or relates or not clear:
             depth = sum((one.text in "([{") - (one.text in ")]}") for one in about if relates and one.kind == "sign")

@@ -9,7 +9,7 @@ from rbpsym.expr.latex.functions import FUNCTIONS, SIGNS, operand
 from rbpsym.expr.latex.grammar import argument, atom, begins_factor, between, expression, factor, goes_on, multiplied
 from rbpsym.expr.latex.names import begins_name, read_name, read_symbol
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.small import is_small
+from rbpsym.expr.latex.small import is_material, is_small
 from rbpsym.expr.latex.tokens import COLUMN, Token, closed
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 from rbpsym.frozen import replace
@@ -21,6 +21,8 @@ Limits = tuple[t.Node | str | None, t.Node | str | None]
 def _fraction(reader: LatexReader) -> t.Node:
     """A fraction, or a derivative if d stands above and below."""
     start = reader.take().start
+    if reader.table.open and is_material(reader):
+        return formal(reader, start, "material", argument(reader), argument(reader))
     num = _with_differential(reader)
     if num is None and (derivative := _derivative(reader, start)):
         return derivative
@@ -261,7 +263,7 @@ def _differential(reader: LatexReader) -> t.Node:
         found = between(reader, ")" if reader.sees_sign("(") else "}")
     elif begins_name(token):
         mass = token.text == "m" and reader.ahead().text not in ("_", "'")
-        found = _mass(reader) if mass else read_name(reader)
+        found = reader.spanned(t.Sym("m"), reader.take().start) if mass else read_name(reader)
     elif reader.sees_sign(COLUMN):
         found = atom(reader)
     else:
@@ -269,11 +271,6 @@ def _differential(reader: LatexReader) -> t.Node:
     texts = [reader.ahead(k).text for k in range(4)]
     of_way = texts[0] == "[" and texts[2] == "]" and texts[3] and texts[3] not in SIGNS
     return COMMANDS["called"](reader, found) if of_way else found  # dμ[c] of a way c
-
-
-def _mass(reader: LatexReader) -> t.Node:
-    token = reader.take()
-    return t.Sym("m", span=(token.start, token.end))
 
 
 def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:

@@ -302,7 +302,7 @@ def _column(reader: LatexReader) -> t.Node:
     reader.take()
     before, begun = reader.source.text[: opening.start], reader.source.text[opening.start : opening.end]
     kind = next((kind for word, kind in _SHAPES.items() if word in begun), "matrix")
-    braced = before.rstrip().endswith(r"\{") and bool(re.search(r"array|\{matrix|aligned", begun))
+    braced = re.search(r"\\(?:\{|lbrace)\s*$", before) and re.search(r"array|\{matrix|aligned", begun)
     kind = "cases" if braced else kind
     cells = [cell for row in rows for cell in row]
     line = 1 in (len(rows), len(rows[0])) and 1 < len(cells) <= 3 and not any(map(is_vector, cells))

@@ -15,7 +15,7 @@ from itertools import dropwhile
 
 from rbpsym.errors import Incomplete, RbpsymError
 from rbpsym.expr import tree as t
-from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.hyperbolic import FUNCTION_WORDS, HYPERBOLIC
 from rbpsym.expr.latex.grammar import (
     SPACING,
     argument,
@@ -31,7 +31,7 @@ from rbpsym.expr.latex.grammar import (
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.numerals import measured, number
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import FUNCTION_WORDS, LOOSE, Token, closed
+from rbpsym.expr.latex.tokens import LOOSE, Token, closed
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 
@@ -60,7 +60,12 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     if not reader.sees_sign(*LOOSE):
         return found
     loose = LOOSE[_pass_word(reader, reader.take())]
-    return reader.spanned(t.Formal(loose, (found, chained(reader, [expression(reader)], []))), (items[0].span or (0, 0))[0])
+    others, start = chained(reader, [expression(reader)], []), (items[0].span or (0, 0))[0]
+    if loose == ":" and isinstance(others, t.Formal) and others.kind == ":" and isinstance(others.parts[0], t.Chain):  # a:b = c:d
+        sides = (found, *others.parts[0].items, *others.parts[1:])
+        if len(sides) == 4 and not any(isinstance(side, (t.Add, t.Chain)) for side in sides):
+            return reader.spanned(t.Chain((t.Div(*sides[:2]), t.Div(*sides[2:])), others.parts[0].ops), start)
+    return reader.spanned(t.Formal(loose, (found, others)), start)
 
 
 def _pass_word(reader: LatexReader, sign: Token) -> str:
@@ -269,8 +274,8 @@ def _function(reader: LatexReader) -> t.Node:
             asked = f"this power of {name} can be read in two ways", rf"Write \arc{name}, or ({token.text} x)^n."
             name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
         elif name in _INVERSE_POWER or (number_of(exponent) is None and not t.names(exponent)):  # sin^n x is no n-th inverse
-            raise reader.error(f"this power of {name} can be read in two ways",
-                               rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
+            hint = "" if name in _INVERSE_POWER else rf"\arc{name}, or "
+            raise reader.error(f"this power of {name} can be read in two ways", f"Write {hint}({token.text} x)^n.", token)
     arg = _argument(reader, token)
     if token.text == r"\log" and base is None:
         return reader.spanned(t.Formal("log", (arg,)), token.start)

@@ -240,7 +240,10 @@ def factor(reader: LatexReader) -> t.Node:
         is_value = isinstance(base, t.Formal) and base.kind == "value"  # b(t - u)² may be the square of the brackets alone
         is_sign = named or isinstance(base, t.Delta) or (isinstance(base, t.Formal) and base.kind in ("∂", "∇", "varied"))
         several = isinstance(exponent, t.Num) and isinstance(exponent.value, int) and exponent.value > 9  # g^{12}
-        index = is_open and (is_value or (is_sign and (several or bool(t.names(exponent) - {"pi"}))))
+        counted = number_of(exponent) is not None and not isinstance(exponent, t.Num) and _COUNTED.search(reader.source.text)
+        listed = reader.tokens[first].text == "[" and isinstance(exponent, t.Sym) and exponent.name in "ijkmn"  # [D_t u]^n
+        named_above = bool(t.names(exponent) - {"pi"}) or several or counted
+        index = is_open and (is_value or listed or (is_sign and named_above))
         power = t.Formal("raised", (base, exponent)) if index else reader.power(base, exponent, start)
         base = COMMANDS["called"](reader, reader.spanned(power, start)) if named else power
     while reader.sees_sign("_", "'", "!", r"\prime"):
@@ -250,6 +253,9 @@ def factor(reader: LatexReader) -> t.Node:
         if reader.pass_sign("^"):
             base = reader.power(base, argument(reader), start)
     return base
+
+
+_COUNTED = re.compile(r"[A-Za-df-z}]\s*\^\s*(?:\{\s*)?[01](?![\d/.])")  # where u^0 stands, u^{-1} is no 1/u
 
 
 def _exponent(reader: LatexReader) -> t.Node:
@@ -314,7 +320,8 @@ def _exponential(reader: LatexReader) -> t.Node | None:
     token, begin = reader.token, reader.position
     if token.text != "e" or token.kind not in ("letter", "text") or reader.ahead().text != "^" or reader.table.has_e:
         return None
-    if reader.ahead(3).text in ("+", "-") and reader.ahead(4).text == "}":  # e^{+}, a particle
+    braces = reader.ahead(2).text == "{"
+    if reader.ahead(2 + braces).text in ("+", "-") and (not braces or reader.ahead(4).text == "}"):  # e^{+}, a particle
         return None
     reader.position += 2
     exponent = argument(reader)

@@ -20,7 +20,7 @@ from rbpsym.expr.latex.scripts import (
     numbered,
     primes_ahead,
 )  # fmt: skip
-from rbpsym.expr.latex.tokens import Token, closed, tokenize
+from rbpsym.expr.latex.tokens import SCRIPTED, Token, closed, tokenize
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, SymbolTable, spelling
 
@@ -46,6 +46,7 @@ def as_words(text: str, tokens: list[Token]) -> list[Token]:
             indexed = tokens[inside[-1] + 1].text == "_" and found[0] in ("Re", "Im")  # the number of Reynolds
             is_command = rf"\{found[0]}" in COMMANDS and not indexed
             kind, word = ("command", rf"\{found[0]}") if is_command else ("letter", found[0])
+            kind, word = ("text", found[0]) if SCRIPTED.search(text, 0, found.start()) else (kind, word)
             tokens[inside[0] : inside[-1] + 1] = [Token(kind, word, *found.span())]
     return tokens
 
@@ -62,8 +63,10 @@ def letter_run(reader: LatexReader) -> t.Node | None:
         run += token.text
     word, scripts = token.text in ("(", "[") or len(run) > 3, ("^", "'") if len(run) > 3 else ("_", "^", "'")
     closed_in = len(run) > 3 and token.text == ")" and reader.ahead(-1).text == "("  # (poids)
-    logarithm = run in ("ln", "lg", "log") and token.text in ("_", r"\frac")
-    if len(run) < 2 or not (word or logarithm) or (token.text in scripts and not logarithm) or ("d" in run and not closed_in):
+    behind = [one.text for one in reader.tokens[closed(reader.tokens, place + len(run) + 1) + 1 :][:1]]
+    titled = len(run) > 2 and run.istitle() and token.text == "_" and behind == ["("]  # Sol_φ(h)
+    clear = titled or (run in ("ln", "lg", "log") and token.text in ("_", r"\frac"))
+    if len(run) < 2 or not (word or clear) or (token.text in scripts and not clear) or ("d" in run and not closed_in):
         return None
     start = reader.token.start
     return reader.spanned(t.Formal("run", tuple(read_name(reader) for _ in run)), start)
@@ -273,8 +276,7 @@ def _change(reader: LatexReader, drawn: Drawn, start: int, first: int) -> t.Node
     before = reader.position
     if begins_name(reader.token):
         inner, vector = _scripted(reader)
-        if reader.table.draws_prefix(inner):
-            whole = replace(inner, prefix="Δ")
+        if (whole := replace(inner, prefix="Δ")) in reader.table.names:
             return reader.spanned(_known(reader, whole, vector, None, first), start)
         reader.position = before
     return reader.spanned(t.Delta(_changed(reader)), start)

@@ -184,7 +184,7 @@ def _parted(reading: Reading) -> tuple[bool, ...]:
 
 
 _FRAME = re.compile(
-    r"\\(?:A?boxed|fbox|shrunk|small|large|underline|lefteqn)\s*\{|\{(?=\s*\\color(?![A-Za-z]))"
+    r"\\(?:textcolor\s*\{[^{}]*\}|A?boxed|fbox|shrunk|small|large|underline|lefteqn)\s*\{|\{(?=\s*\\color(?![A-Za-z]))"
     r"|(?:(?<=quad)|(?<=quad )|(?<=\\ )|(?<=~)|\A\s*)\{"
 )
 _RELATES = re.compile(r"=|<|>|&|\\(?:approx|[lg]eq?|to)(?![A-Za-z])")
@@ -221,8 +221,9 @@ def _rows(reader: LatexReader) -> t.Node:
             row = t.Relations((row,), sources=tuple(map(_as_small, line)), span=row.span)
         elif reader.source.text.startswith("\\\\", parting.start):
             line = []
-        alone = bool(rows) and not isinstance(rows[-1], (t.Chain, t.Formal, t.Relations, t.Word))
-        if alone and isinstance(row, t.Chain) and reader.source.text[parting.start] == ",":  # x, y = 0
+        alone = rows and not (conditions or isinstance(rows[-1], (t.Chain, t.Formal, t.Relations, t.Word)))
+        alone = alone and parting.text != CONDITION and reader.source.text[parting.start] == ","
+        if alone and isinstance(row, t.Chain):  # x, y = 0
             row = replace(row, items=(t.Formal("list", (rows.pop(), row.items[0]), span=row.span), *row.items[1:]))
         line += row.rows if isinstance(row, t.Relations) else () if _is_text(row) else (row,)
         if _is_condition(row, parting.text, rows, conditions):
@@ -269,14 +270,20 @@ def _is_text(row: t.Node) -> bool:
     return words and not any(CONDITIONS.search(word.text) for word in _words(row))
 
 
+_EXTREMA = frozenset((r"\min", r"\max", r"\argmin", r"\argmax", r"\sup", r"\inf"))
 _SAYING = re.compile(rf"{CONDITIONS.pattern}|[^\W\d_]{{2,}}\s+[^\W\d_]{{2,}}", re.I)  # or several words, whatever they say
 
 
 def _as_condition(row: t.Node, reader: LatexReader) -> t.Node:
     """The row; words with what they are about are a condition that nothing can be computed of."""
     has_words = "text" in {token.kind for token in reader.tokens}
-    said = has_words and not isinstance(row, (t.Chain, t.Formal)) and any(_SAYING.search(word.text) for word in _words(row))
-    return t.Formal("condition", (row,), span=row.span) if said else row
+    if isinstance(row, (t.Chain, t.Formal)):
+        return row
+    said = "condition" if has_words and any(_SAYING.search(word.text) for word in _words(row)) else ""
+    least = _EXTREMA.intersection(token.text for token in reader.tokens)
+    kinds = [part.kind for part in t.walk(row) if isinstance(part, t.Formal) and rf"\{part.kind}" in least] if least else []
+    kind = kinds[0] if kinds else said
+    return t.Formal(kind, (row,), span=row.span) if kind else row
 
 
 _SMALL = re.compile(

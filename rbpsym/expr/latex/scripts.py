@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 from rbpsym.errors import Incomplete
-from rbpsym.expr.latex.tokens import FUNCTION_WORDS
+from rbpsym.expr.hyperbolic import FUNCTION_WORDS
 from rbpsym.expr.symbol_table import Drawn, LatexReader
 
 DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
@@ -20,7 +20,7 @@ HEADS = {*DOTS, *ACCENTS, *VECTORS, *SCRIPTS, *PLAIN, *DOTLESS}
 _MARKED = frozenset("+-*=()/<>|;:.^[]")  # what a label may hold beside letters and digits
 _NAMED = frozenset(rf"\{word}" for word in (
     "pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top", "ne",
-    "in", "dots", "sim", "Vert", "leftarrow", "le", "ge", "complement", "cup", "cap", "lvert", "rvert",
+    "in", "dots", "sim", "Vert", "gets", "le", "ge", "complement", "cup", "cap", "lvert", "rvert",
     "square", "Box", "ldots", "cdots", "cdot", "uparrow", "downarrow",
 ))  # fmt: skip
 
@@ -67,8 +67,8 @@ def _label_part(reader: LatexReader) -> str:
         return f"{token.text[1:]}({label_after(reader, begun=True)})"
     if token.text == r"\frac":
         return f"{label_after(reader, begun=True)}/{label_after(reader, begun=True)}"
-    if token.text[1:] in FUNCTION_WORDS and token.end - token.start > len(token.text):
-        return token.text[1:]  # an upright word that is also a function: I_{\mathrm{sec}}
+    if token.text[1:] in FUNCTION_WORDS and token.end - token.start != len(token.text):
+        return token.text[1:]  # a word that is also a function: I_{\mathrm{sec}}
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
 
 
@@ -76,6 +76,8 @@ def label_above(reader: LatexReader) -> str:
     """Pass ^{ext}, ^{(1)}, ^{_{rel}}, ^*, ^\\perp, which name and raise nothing; "" if the superscript is something else."""
     tokens = reader.tokens[reader.position + 1 : reader.position + 6]
     braces = tokens[0].text == "{"
+    if braces and tokens[1].text == "_":
+        return label_after(reader)
     inner = tokens[braces:]
     bracketed = inner[0].text == "(" and inner[1].kind in ("letter", "digit") and inner[2].text == ")"
     marked = inner[0].text in ("*", "+", "-", *_NAMED)
@@ -131,9 +133,5 @@ def primes_ahead(reader: LatexReader) -> int:
         count += 1
     if not count:
         return 0
-    powered = braces and tokens[count + 1].text != "}"  # t^{\prime 2}: the power stays
-    if powered:
-        place, primes = reader.position, tokens[1 : count + 1]
-        reader.tokens = (*reader.tokens[:place], *primes, *reader.tokens[place : place + 2], *tokens[count + 1 :])
-    reader.position += count if powered else 1 + count + 2 * braces
+    reader.position += 1 + count + 2 * braces
     return count

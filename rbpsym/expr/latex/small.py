@@ -6,6 +6,8 @@ from fractions import Fraction
 from itertools import product
 
 from rbpsym.expr import tree as t
+from rbpsym.expr.latex.tokens import closed
+from rbpsym.expr.symbol_table import LatexReader
 
 Orders = frozenset[int | Fraction]
 _JOINED, _SUMMED = ("dotted", "crossed"), ("sum", "named", "marked", "±", "∓")
@@ -49,3 +51,10 @@ def _orders(node: t.Node) -> Orders:
     whole = isinstance(node, (t.Integral, t.PathIntegral, t.BodyIntegral)) or kind in _WHOLE
     known = all(parts) and not isinstance(node, (t.Delta, t.Word)) and kind not in _REACHING and node != t.ZERO
     return frozenset([0]) if whole or (known and {*parts} <= {frozenset([0])}) else frozenset()
+
+
+def is_material(reader: LatexReader) -> bool:
+    """Does a D stand in front above and below, as in Dv/Dt?"""
+    places = (reader.position, closed(reader.tokens, reader.position) + 1)
+    texts = ["".join(token.text for token in reader.tokens[place : place + 3]) for place in places]
+    return texts[0][:2] == texts[1][:2] == "{D" and texts[0][2:] not in ("_", "^", "'") and texts[1][2:].isalpha()

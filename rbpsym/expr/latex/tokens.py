@@ -8,30 +8,25 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
+from unicodedata import combining
 
 from rbpsym.errors import LimitError
-from rbpsym.expr.hyperbolic import HYPERBOLIC
+from rbpsym.expr.hyperbolic import FUNCTION_WORDS
+from rbpsym.expr.latex.spelled import as_latex, spelled, words
 from rbpsym.expr.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.expr.source import SourceText, refused
 from rbpsym.frozen import Frozen, replace
 
 MAX_LENGTH = 8000
 
-# Names of functions in the languages whose papers are read; behind a backslash, or upright: \\operatorname{sen}.
-FUNCTION_WORDS = {
-    **{name: name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
-    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "log": "ln",
-    "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot", "cosec": "csc",
-    "arcsen": "asin", "arctg": "atan", **{name: name for name in HYPERBOLIC},
-}  # fmt: skip
 _SYSTEMS = "array|aligned|alignedat|gathered|split|cases"  # what one brace may open for all rows
 _MARK = r"(?:\\textcircled\s*\{[\w*]+\}|[①-⑳]|\\circledast(?![A-Za-z]))"  # the number of an equation in a circle
 _SILENT = (
     r"\.{5,}\s*+\(\d+[a-z]?\)(?=\s*+(?:\\\\|$))|\\(?:,|:|!|>)|\^\s*\{\s*\}|\{\}(?=\s*\})"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|(?:display|no)?limits|thinspace"
-    r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
-    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|begingroup|endgroup|boxed|fbox|Aboxed|[pb]qty|ab|smash|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
-    r"|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
+    r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|math(?:op|open|close|inner|ord|rel|bin)(?:\s*\{\})?"
+    r"|tiny|small|footnotesize|normalsize|large|Large|LARGE|huge|Huge|qedhere|scriptstyle|begingroup|endgroup|boxed|fbox|Aboxed|[pb]qty|ab|smash|lefteqn|break|checkmark|blacksquare|qedsymbol)(?![A-Za-z])"
+    r"|\\operatorname\*?(?=\s*\{\s*\\(?:text|math))|\\rm(?=(?:\s|~|\\ )*(?:[^A-Za-z\s~{\\]|\\[A-Za-z]|$))"
     rf"|(?:(?<=[\s}}])|\A){_MARK}(?=\s*(?:\\[\\ ]|\\q?quad|$))|(?<=[A-Za-z\d}}'])\{{\}}(?=[_^])"
     r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)|(?:(?<=\\SI)|(?<=\\num)|(?<=\\ang)|(?<=\\si)|(?<=\\unit)(?!\s*\[[-\d.,\s]+\]))\s*\[[^\]]*\]"
     r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
@@ -41,7 +36,7 @@ _INDEX = r"(?:[A-Za-z]|\\[a-z]+)'?"
 _DOTS = r"(?:\\[cl]?dots[bc]?(?![A-Za-z])|\.\.\.)"
 _APART = r"(?:(?<=[,;:(~])|(?<=[,;:(~] )|(?<=quad)|(?<=quad ))"  # in a = 2 b, i = 1, 2, ... the b is a factor
 _RUN = (  # i = 1, 2, ..., n; without dots only of what is an index, for x = 0, 1 says something
-    rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:\s*[-+]\s*\w)?|\d+))?"
+    rf"(?:{_APART}{_INDEX}(?:\s*,\s*{_INDEX})+|{_INDEX})\s*=\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+)(?:\s*,\s*(?:\d+|{_INDEX}\s*[-+]\s*\d+))*\s*,?\s*{_DOTS}(?:\s*,?\s*(?:\d*\s*{_INDEX}(?:_\w)?(?:\s*[-+]\s*\w)?|\d+))?"
     rf"|{_INDEX}(?:\s*,\s*{_INDEX})*\s*\\in\s*(?:\\left)?\s*\\\{{[\d\s,]*(?:{_DOTS})?[\w\s,]*(?:\\right)?\s*\\\}}"
     r"|[ijk]\s*=\s*x\s*,\s*y(?:\s*,\s*z)?|(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu))(?:\s*,\s*(?:[ijklnpqr]|\\(?:alpha|beta|mu|nu)))*\s*=\s*\d+(?:\s*,\s*\d+)+"
 )
@@ -49,7 +44,7 @@ _EACH = (  # (i = 1, 2, ..., n) behind a formula, perhaps with a word: for each 
     r"(?<=[\s,~(:;])"
     rf"(?:\\(?:text(?:rm)?|mbox)\s*\{{\s*(?:for|with|where|para|con)(?:\s+\w+)?\s*\}}(?:\s|\\[,:; ]|\\q?quad)*)?"
     rf"\(?\s*(?:{_RUN})(?:\s*[;,](?:\s|\\[,;])*(?:{_RUN}))*+\s*\)?"
-    rf"(?=\s*(?:\\[,;]\s*)?(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
+    rf"(?=\s*(?:\\(?:[,; ]|thinspace)\s*)?(?:[.,;]\s*)?(?:\Z|\\\\|\\end|\\q?quad|{_SO}))"
 )
 _ZERO = r"\\(?:vec|bar|tilde|overrightarrow|mathbf|boldsymbol|bm|vb|va|mathrm|bf)\s*(?:\{\s*0\s*\}|0)"
 _DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
@@ -77,7 +72,7 @@ _PATTERNS = (
     rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<gradient>\\(?:vec|mathbf|boldsymbol|bm|vb|va|overrightarrow)\s*(?:\{\s*\\nabla\s*\}|\\nabla(?![A-Za-z])))"
     r"|(?P<differential>\\(?:mathrm|text|textrm|textup|rm)\s*\{\s*d\s*\}|\\mathrm\s+d|\\(?:d|dd|o?dif|partial)(?![A-Za-z]))(?:\s*\{\s*\})?"
-    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up|tt)?|mbox|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
+    r"|(?P<text>\\(?:text(?:rm|sl|it|bf|up|tt)?|[mh]box|qq\*?)\s*\{(?:[^{}]|\{[^{}]*\})*\}"
     rf"|\\q(?:c|comma|{_QUICK})\*?(?![A-Za-z])"
     r"|\\(?:mathrm|operatorname\*?|rm)\s*\{(?:[^{}]|\^\{-?\d+\})*\}|\\(?:text(?:rm|it|bf)?|mathrm|mbox)\s+[A-Za-z\d]"
     rf"|(?<![_^])(?<![_^] )\{{\s*{_UPRIGHT}(?:[^{{}}\\]|\\[ ,])*\}}"
@@ -95,38 +90,6 @@ _PATTERNS = (
     r"|(?P<digit>[0-9])|(?P<mark>\{[,.]\})|(?P<letter>[A-Za-z])"
     r"|(?P<sign>:=|=:|<<|>>|[-+*/=<>()\[\]{}|_^',.;:&!?])"
 )
-_ALIASES = {
-    r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
-    r"\vert": "|", r"\|": r"\Vert", r"\lVert": r"\lvert", r"\rVert": r"\rvert",
-    r"\dfrac": r"\frac", r"\tfrac": r"\frac", r"\cfrac": r"\frac", r"\rightarrow": r"\to",
-    r"\hslash": r"\hbar", r"\leqslant": r"\le", r"\geqslant": r"\ge",
-    r"\mathbf": r"\boldsymbol", r"\bm": r"\boldsymbol", r"\overline": r"\bar",
-    r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat", r"\widetilde": r"\tilde", ">>": r"\gg", "<<": r"\ll",
-    r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
-    "∇": r"\nabla",
-    "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
-    r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", "=:": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
-    r"\va": r"\vec", r"\vu": r"\hat",
-    r"\vb*": r"\boldsymbol", r"\va*": r"\vec", r"\vu*": r"\hat", r"\land": r"\wedge",
-    r"\lt": "<", r"\gt": ">", "±": r"\pm", "⊥": r"\perp", "∥": r"\parallel", "∈": r"\in",
-    "∝": r"\propto", "≪": r"\ll", "≫": r"\gg", "∞": r"\infty",
-    "÷": "/", r"\div": "/", "∓": r"\mp", r"\varpropto": r"\propto",
-    r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
-    r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
-    r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
-    r"\backslash": r"\setminus", r"\var": r"\delta", r"\variation": r"\delta",
-    r"\leadsto": r"\to", r"\rightsquigarrow": r"\to", r"\langle": "⟨", r"\rangle": "⟩", r"\prime": "'", "?": r"\?",
-}  # fmt: skip
-JOINING = frozenset({
-    "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
-    "y", "de modo que", "luego", "por tanto", "por lo tanto", "con", "donde", "es decir", "entonces", "o sea",
-    "e", "quindi", "da cui", "dove", "cioè", "ovvero", "oppure", "et", "ou", "donc", "avec", "où", "soit", "d'où",
-    "und", "oder", "mit", "wobei", "d.h", "daher", "onde", "com", "o", "car", "comme", r"\&",
-})  # fmt: skip
-CONDITIONAL = frozenset({
-    "as", "whenever", "s.t", "such that", "for", "if", "when", "at", "as long as", "provided", "provided that", "para", "si",
-    "cuando", "mientras", "siempre que", "per", "se", "quando", "pour", "lorsque", "quand", "für", "wenn", "falls",
-})  # fmt: skip
 CONDITIONS = re.compile(
     r"\b(for|if|when|where|while|until|only|unless|except|provided|small|large|near|assum\w*|approx\w*|at|on|in|since|initial\w*"
     r"|para|si|cuando|donde|solo|pequeñ\w*|en|per|se|quando|dove|piccol\w*|pour|lorsque|quand|où|petit\w*|für|wenn|falls|bei|klein\w*|nur)\b",
@@ -161,7 +124,9 @@ def tokenize(source: SourceText, *, gaps: bool = False) -> tuple[Token, ...]:
     if len(source.text) > MAX_LENGTH:
         what = f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read"
         raise LimitError(what, instead="Split it into smaller parts.")
-    found = _given(_lowered(_unbraced(_divided(_arrayed([token for token in _tokens(source) if gaps or token.kind != "gap"])))))
+    found = [token for token in _tokens(source) if gaps or token.kind != "gap"]
+    for pass_over in (_arrayed, _underset, _divided, _unraised, _unbraced, _lowered, _given):
+        found = pass_over(found)
     return (*found, Token("end", "", len(source.text), len(source.text)))
 
 
@@ -173,6 +138,30 @@ def _arrayed(tokens: list[Token]) -> list[Token]:
         if (end := closed(tokens, k + 1)) < len(tokens):
             opening, closing = (replace(tokens[at], kind="sign", text=text) for at, text in ((k, COLUMN), (end, END_COLUMN)))
             return _arrayed([*tokens[:k], opening, *tokens[k + 2 : end], closing, *tokens[end + 1 :]])
+    return tokens
+
+
+def _underset(tokens: list[Token]) -> list[Token]:
+    r"""The tokens with \\underset{a}{b} as b_{a}, or as what a brace names where it stands below several."""
+    for k, token in enumerate(tokens):
+        end = closed(tokens, k + 1) if token.text == r"\underset" else len(tokens)
+        if (last := closed(tokens, end + 1)) < len(tokens):
+            named = [replace(token, text=r"\underbrace"), *tokens[end + 1 : last + 1]]
+            of = named if last > end + 3 else tokens[end + 2 : last]
+            behind = tokens[last + 1 :]
+            return _underset([*tokens[:k], *of, replace(token, kind="sign", text="_"), *tokens[k + 1 : end + 1], *behind])
+    return tokens
+
+
+def _unraised(tokens: list[Token]) -> list[Token]:
+    r"""The tokens with what is raised behind a mark as a power of its own, x^{\\prime 2}, c^{*2}."""
+    for k in range(len(tokens) - 4):
+        begin = end = k + 2
+        while tokens[k].text == "^" and tokens[k + 1].text == "{" and tokens[end].text in ("'", "*", r"\star", r"\dagger"):
+            end += 1
+        if end > begin and tokens[end].text not in ("}", ",", "^", "_"):
+            marks = tokens[begin:end] if tokens[begin].text == "'" else [tokens[k], *tokens[begin:end]]
+            return [*tokens[:k], *marks, *_unraised([*tokens[k : k + 2], *tokens[end:]])]
     return tokens
 
 
@@ -292,9 +281,9 @@ def _tokens(source: SourceText) -> Iterator[Token]:
     position = 0
     while position < len(source.text):
         found = _patterns().match(source.text, position)
-        if found is None:
-            yield _single(source, position)
-            position += 1
+        if found is None or (found.lastgroup == "letter" and combining(source.text[found.end() : found.end() + 1] or "x")):
+            yield from (made := _single(source, position))
+            position = made[-1].end
             continue
         if found.lastgroup not in ("blank", "silent", "each"):
             apart = found.lastgroup == "text" and found[0].startswith(r"\q")
@@ -304,22 +293,30 @@ def _tokens(source: SourceText) -> Iterator[Token]:
         position = found.end()
 
 
-def _single(source: SourceText, position: int) -> Token:
-    """A character beyond ASCII: a letter. Raises ReadError for others."""
+def _single(source: SourceText, position: int) -> list[Token]:
+    """A character beyond ASCII: a letter, or the tokens of what it stands for. Raises ReadError for others."""
     char = source.text[position]
-    letter = SAME_LETTER.get(char, char)
-    if char in _ALIASES:
-        return Token("sign", _ALIASES[char], position, position + 1)
+    latex, end = as_latex(source.text, position)
+    letter = SAME_LETTER.get(char, char) if end == position + 1 and char not in "∑∏" else ""
     if letter in NAME_OF_LETTER:
-        return Token("letter", letter, position, position + 1)
-    raise refused(source, char, position)
+        return [Token("letter", letter, position, position + 1)]
+    if not latex and char.isalpha() and SCRIPTED.search(source.text, 0, position):
+        return [Token("text", char, position, position + 1)]
+    if not latex:
+        raise refused(source, char, position)
+    return [replace(token, start=position, end=end) for token in _tokens(SourceText(latex))]
+
+
+SCRIPTED = re.compile(r"[_^]\s*(?:\{[^{}]*)?$")  # where a word is a mark, and joins nothing
 
 
 def _token(source: SourceText, found: re.Match[str]) -> Token:
     kind, text = found.lastgroup or "", found[0]
     if kind == "begin":
         return _environment(source, text, *found.span())
-    return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, _ALIASES.get(text, text))), *found.span())
+    if kind == "text" and _text(text)[0] == "row" and SCRIPTED.search(source.text, 0, found.start()):
+        return Token("text", re.sub(r".*\{|\}.*", "", text).strip(), *found.span())
+    return Token(*(_DRAWN[kind](text) if kind in _DRAWN else (kind, spelled().get(text, text))), *found.span())
 
 
 def _text(text: str) -> tuple[str, str]:
@@ -333,17 +330,18 @@ def _text(text: str) -> tuple[str, str]:
     if word == "d" and text[0] == "{":
         return "differential", word
     plain = "" if text.startswith((r"\mathrm", r"\operatorname")) or re.fullmatch(r"\\[a-z]+\s+\w", text) else word.strip(" ,;:.")
-    if plain in CONDITIONAL:
+    if plain in words("conditional"):
         return "row", CONDITION
     if text.startswith(r"\qc"):
         return "row", ""
     if word in (*PUNCTUATION, *"+-=()[]"):
         return "sign", word
-    return "row" if plain in JOINING or (plain and JOINING.issuperset(plain.split())) else "text", word
+    joining = words("joining")
+    return "row" if plain in joining or (plain and joining.issuperset(plain.split())) else "text", word
 
 
 def _command(text: str) -> tuple[str, str]:
-    text = _ALIASES.get(text, text)
+    text = spelled().get(text, text)
     letter = LETTERS.get(text[1:].removesuffix("up")) or (LETTERS.get(text[4:]) if text.startswith(r"\var") else None)
     return ("letter", letter) if letter else ("command" if text.startswith("\\") else "sign", text)
 
@@ -373,10 +371,11 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
         start = whole.rfind(rf"\begin{{{name}}}", 0, start)
     before = whole[: max(start, 0)].rstrip().removesuffix(r"\displaystyle").rstrip(" &")
     before = re.sub(r"(?<=[\[(|])\s*\{$", "", before)  # \left[ {\begin{array}
-    cut = before.removesuffix(r"\{").rstrip().removesuffix(r"\left").rstrip(" &")
+    cut = re.sub(r"(?:\\left\s*)?\\(?:\{|lbrace)$", "", before).rstrip(" &")
     if name == "aligned" and cut == before:
         return False
-    return cut[-1:] == "=" if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
+    related = re.search(r"(?:[=<>]|\\(?:approx|propto|sim|simeq|equiv|[lg]eq?))$", cut)
+    return bool(related) if name in ("cases", "dcases") or cut != before else before[-1:] in ("[", "(", "|")
 
 
 def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
