@@ -160,7 +160,7 @@ def least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapp
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
 
-    if time is None:
+    if time is None or not courses:
         with suppress(NotApplicable):
             courses = courses_of(study)
     at = {name: one.whole for name, one in courses.items()} | {f"{name}_dot": one.speed for name, one in courses.items()}

@@ -247,8 +247,8 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))
     if is_place:
-        timed = (moment.state.time, moment.courses) if moment.courses or not study.system.independent else ()
-        return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places, *timed)))
+        timed = partial(_on_way, study, moment.state.places, moment.state.time, moment.courses)
+        return _decided(lambda: (*slipping(study, moment.state), *timed()))
     state = moment.state
     way = partial(_on_way, study, None, state.time, moment.courses)
     return _decided(lambda: (*slipping(study, state), *never_lost(study, state, moment.courses), *way()))

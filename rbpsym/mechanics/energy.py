@@ -99,17 +99,25 @@ def _power(system: System, dynamics: Dynamics) -> Scalar:
 
 
 def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
-    """-∫ Q dq for one coordinate whose generalized force Q depends on position alone."""
-    if len(system.independent) != 1 or not all(dynamics.ideal.values()) or system.implicit:
+    """-∫ Q dq of generalized forces Q that depend on position alone and have one, whatever interactions they come from.
+
+    Q_i = f_i + d(Σ M_ij q̇_j)/dt - ∂T/∂q_i at kept speeds.
+    """
+    if not all(dynamics.ideal.values()) or system.implicit:
         return None
-    [name], [forcing] = system.independent, dynamics.forcing
-    [[inertia]] = dynamics.mass_matrix
-    speed = f"{name}_dot"
-    force = short(forcing + derivative(inertia, name) * symbol(speed) ** 2 * HALF)
-    if depends_on(force, speed) or depends_on(force, "t"):
-        return None
-    found = antiderivative(force, name)
-    return None if found is None else -found
+    names, speeds = system.independent, [symbol(speed) for speed in system.speeds]
+    momenta = [sum((m * v for m, v in zip(row, speeds, strict=True)), NOTHING) for row in dynamics.mass_matrix]
+    moving = sum((p * v for p, v in zip(momenta, speeds, strict=True)), NOTHING) * HALF
+    forces, found = [], NOTHING
+    for name, forcing, momentum in zip(names, dynamics.forcing, momenta, strict=True):
+        carried = sum((derivative(momentum, other) * v for other, v in zip(names, speeds, strict=True)), NOTHING)
+        forces.append(short(forcing + carried - derivative(moving, name)))
+        part = antiderivative(forces[-1] + derivative(found, name), name)
+        if part is None or any(depends_on(forces[-1], other) for other in ("t", *system.speeds)):
+            return None
+        found = found - part
+    closed = all(is_zero(force + derivative(found, name)) for name, force in zip(names, forces, strict=True))
+    return found if closed else None
 
 
 def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:

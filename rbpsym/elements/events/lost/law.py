@@ -21,7 +21,7 @@ def _ends(study: Study, phase: Phase) -> ArrivalState:
     if loss is not None and name is not None and name in loss.at:
         return replace(state_at(study, name, loss.at[name]), valid=loss.valid)
     if not along or name is None:
-        raise endings.no_closed_form(f"the place where “{phase.subject}” is lost")
+        return endings.first_moment(study, phase, "is lost", symbol(phase.subject), gives_way=True)
     return endings.first_place(study, phase, name, "is lost", along[phase.subject], gives_way=True)
 
 

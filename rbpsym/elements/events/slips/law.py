@@ -1,5 +1,6 @@
 """Where static friction is at its limit."""
 
+from rbpsym.field import symbol
 from rbpsym.mechanics import endings
 from rbpsym.mechanics.arrivals import ArrivalState, mover
 from rbpsym.mechanics.friction import spare
@@ -14,7 +15,7 @@ def _ends(study: Study, phase: Phase) -> ArrivalState:
         raise endings.cannot_end(phase, element, "slips, but its static friction has no limit", 'give it a limit = "mu".')
     along, name = study.reactions_along_motion, mover(study)
     if not along or name is None:
-        raise endings.no_closed_form(f"the place where “{phase.subject}” slips")
+        return endings.first_moment(study, phase, "slips", *spare(element, symbol), gives_way=True)
     return endings.first_place(study, phase, name, "slips", *spare(element, along.__getitem__), gives_way=True)
 
 
