@@ -1,14 +1,15 @@
 """When, or where, a slip has gone."""
 
-from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute
+from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute, time_derivative
 from rbpsym.mechanics import endings
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover
 from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.numbers import floating, samples
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import by_letters
 from rbpsym.statement.model import Phase
-from rbpsym.statement.scope import CLOCK
 
 
 def _ends(study: Study, phase: Phase) -> ArrivalState:
@@ -18,13 +19,20 @@ def _ends(study: Study, phase: Phase) -> ArrivalState:
         what = "stops slipping, but it has no kinetic friction"
         raise endings.cannot_end(phase, element, what, 'give it a coefficient = "mu".')
     slip = short(_gap(study, phase))
-    if not endings.are_uniform(study, CLOCK):
+    if not endings.are_uniform(study):
         return _at_rest(study, phase, slip)
+    gain = short(substitute(time_derivative(slip, study.system.scope), endings.uniform(study, phase)))
     start = at_start(study)
-    if is_zero(short(substitute(slip, by_letters(start.speeds) | dict(start.places)))):
+    first = short(substitute(slip, by_letters(start.speeds) | dict(start.places)))
+    if is_zero(first):
         cure = "where two contacts stop slipping at the same moment, let both roll from one phase on."
         raise endings.cannot_end(phase, element, "stops slipping, and it does not slip any more before", cure)
-    return endings.first_moment(study, phase, "stops slipping", slip)
+    asked = [Demand(-(first * gain))]
+    if is_zero(gain) or settle(asked, study.assumptions) is None:
+        raise endings.never(study, phase)
+    if all(floating(-(first / gain), numbers) < 0 for numbers in samples(study.problem)):
+        raise endings.never(study, phase, endings.UNKNOWN)
+    return endings.after(study, phase, start, short(-(first / gain)), asked)
 
 
 def _at_rest(study: Study, phase: Phase, slip: Scalar) -> ArrivalState:
