@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 
 from rbpsym.ask.limits import leading
@@ -15,7 +15,7 @@ from rbpsym.errors import NotApplicable, RbpsymError, Undecided, all_there
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.coupled import courses_of
-from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.endings import uniform_motion
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.led import sense_to
@@ -154,8 +154,11 @@ def by_speed(study: Study, demand: Demand) -> list[Demand] | None:
         raise Undecided(error.what) from None
 
 
-def least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime]) -> list[Demand]:
-    """What is asked for a value not to become negative up to a time (None: ever), as the courses tell it. Raises Undecided."""
+def least_until(
+    study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime], asked: Iterable[Demand] = ()
+) -> list[Demand]:
+    """What is asked for a value not to become negative up to a time (None: ever) that comes under conditions, as the courses
+    tell it. Raises Undecided."""
     from rbpsym.ask.seen import one_period
     from rbpsym.ask.wanted import Wanted
     from rbpsym.ask.yesno import least_values
@@ -164,7 +167,7 @@ def least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapp
         with suppress(NotApplicable):
             courses = courses_of(study)
     at = {name: one.whole for name, one in courses.items()} | {f"{name}_dot": one.speed for name, one in courses.items()}
-    told, given = short(substitute(demand.value, at)), study.assumptions
+    told, given = short(substitute(demand.value, at)), assuming(study.assumptions, asked)
     if names_in(told) & {*study.system.coordinates, *study.system.speeds} or not depends_on(told, "t"):
         raise Undecided("their forces are not known on the way")
     if time == symbol("t"):

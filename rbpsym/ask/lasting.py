@@ -247,11 +247,10 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))
     if is_place:
-        timed = partial(_on_way, study, moment.state.places, moment.state.time, moment.courses)
-        return _decided(lambda: (*slipping(study, moment.state), *timed()))
+        return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places, moment)))
     state = moment.state
-    way = partial(_on_way, study, None, state.time, moment.courses)
-    return _decided(lambda: (*slipping(study, state), *never_lost(study, state, moment.courses), *way()))
+    lost = partial(never_lost, study, state, moment.courses)
+    return _decided(lambda: (*slipping(study, state), *lost(), *_on_way(study, None, moment)))
 
 
 def _at_rest(study: Study, state: ArrivalState) -> Iterator[Demand]:
@@ -317,11 +316,10 @@ def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...
         return (), (f"whether the contacts and the friction last so far is not decided: {error.what}",)
 
 
-def _on_way(
-    study: Study, places: Mapping[str, Scalar] | None, time: Scalar | None = None, courses: Mapping[str, InTime] | None = None
-) -> Iterator[Demand]:
-    """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what `courses`
-    tell, up to a time). Raises Undecided, StatementError."""
+def _on_way(study: Study, places: Mapping[str, Scalar] | None, moment: Moment | None = None) -> Iterator[Demand]:
+    """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what the courses
+    of a moment tell, up to its time). Raises Undecided, StatementError."""
+    time = moment and moment.state.time
     for demand in running(study):
         then = until(study, demand.value, time)
         if then is not None:
@@ -340,7 +338,7 @@ def _on_way(
         elif len(names) > 1 or any(name not in study.squares and driven(study, name, places) is None for name in names):
             if time is None and places is not None:
                 raise Undecided("their forces are not known on the way")
-            found = least_until(study, demand, time, courses or {})
+            found = least_until(study, demand, time, moment.courses if moment else {}, moment.state.valid if moment else ())
         else:
             found = least_of(study, demand, *names, places=places) if names else [demand]
         what = "a contact is lost, or friction reaches its limit, before: the motion that is stated ends there"
