@@ -103,11 +103,10 @@ def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
 
     Q_i = f_i + d(Σ M_ij q̇_j)/dt - ∂T/∂q_i at kept speeds.
     """
-    if not all(dynamics.ideal.values()) or system.implicit:
+    if not (system.independent and all(dynamics.ideal.values())) or system.implicit:
         return None
     names, speeds = system.independent, [symbol(speed) for speed in system.speeds]
-    momenta = [sum((m * v for m, v in zip(row, speeds, strict=True)), NOTHING) for row in dynamics.mass_matrix]
-    moving = sum((p * v for p, v in zip(momenta, speeds, strict=True)), NOTHING) * HALF
+    momenta, moving = _momenta(system, dynamics), _moving(system, dynamics)
     forces, found = [], NOTHING
     for name, forcing, momentum in zip(names, dynamics.forcing, momenta, strict=True):
         carried = sum((derivative(momentum, other) * v for other, v in zip(names, speeds, strict=True)), NOTHING)
@@ -118,6 +117,17 @@ def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
         found = found - part
     closed = all(is_zero(force + derivative(found, name)) for name, force in zip(names, forces, strict=True))
     return found if closed else None
+
+
+def _momenta(system: System, dynamics: Dynamics) -> list[Scalar]:
+    """Σ M_ij q̇_j."""
+    speeds = [symbol(speed) for speed in system.speeds]
+    return [sum((m * v for m, v in zip(row, speeds, strict=True)), NOTHING) for row in dynamics.mass_matrix]
+
+
+def _moving(system: System, dynamics: Dynamics) -> Scalar:
+    """½ Σ M_ij q̇_i q̇_j."""
+    return sum((p * symbol(v) for p, v in zip(_momenta(system, dynamics), system.speeds, strict=True)), NOTHING) * HALF
 
 
 def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
@@ -137,13 +147,12 @@ def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
 
 
 def relative_energy(system: System, dynamics: Dynamics) -> Scalar | None:
-    """½ m(q) q̇² - ∫Q dq for one coordinate relative to supports that are driven (Jacobi's integral).
+    """½ Σ M q̇ q̇ - ∫Q dq relative to supports that are driven (Jacobi's integral).
 
     Goldstein, Classical Mechanics, 2.7. None if it is not constant.
     """
     potential = effective_potential(system, dynamics)
     if potential is None:
         return None
-    [name], [[inertia]] = system.independent, dynamics.mass_matrix
-    energy = short(inertia * symbol(f"{name}_dot") ** 2 * HALF + potential)
+    energy = short(_moving(system, dynamics) + potential)
     return energy if is_conserved(system, dynamics, energy) is not False else None
