@@ -131,28 +131,18 @@ def _moving(system: System, dynamics: Dynamics) -> Scalar:
 
 
 def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
-    """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq; None where masses are not stated."""
+    """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq, relative to supports that are driven ½ Σ M q̇ q̇ -
+    ∫Q dq (Jacobi's integral); None where masses are not stated.
+
+    Goldstein, Classical Mechanics, 2.7.
+    """
     if system.problem.unstated:
         return None
-    if system.has_clock:
-        return relative_energy(system, dynamics)
-    total = sum(kinetic_energy(system), NOTHING)
-    potential = potential_energy(system)
+    potential = None if system.has_clock else potential_energy(system)
     if potential is None:
         potential = effective_potential(system, dynamics)
     if potential is None:
         return None
-    energy = short(total + potential)
-    return energy if is_conserved(system, dynamics, energy) is not False else None
-
-
-def relative_energy(system: System, dynamics: Dynamics) -> Scalar | None:
-    """½ Σ M q̇ q̇ - ∫Q dq relative to supports that are driven (Jacobi's integral).
-
-    Goldstein, Classical Mechanics, 2.7. None if it is not constant.
-    """
-    potential = effective_potential(system, dynamics)
-    if potential is None:
-        return None
-    energy = short(_moving(system, dynamics) + potential)
+    moving = _moving(system, dynamics) if system.has_clock else sum(kinetic_energy(system), NOTHING)
+    energy = short(moving + potential)
     return energy if is_conserved(system, dynamics, energy) is not False else None
