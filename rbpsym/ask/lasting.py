@@ -319,7 +319,7 @@ def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...
 def _on_way(study: Study, places: Mapping[str, Scalar] | None, moment: Moment | None = None) -> Iterator[Demand]:
     """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what the courses
     of a moment tell, up to its time). Raises Undecided, StatementError."""
-    time = moment and moment.state.time
+    time = moment.state.time if moment else None
     for demand in running(study):
         then = until(study, demand.value, time)
         if then is not None:

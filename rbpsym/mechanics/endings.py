@@ -6,7 +6,7 @@ integral; the time is known in the first case only.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from rbpsym.decide.signs import sign
@@ -17,7 +17,7 @@ from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, 
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.arrivals import EDGE, ArrivalState, at_start, first_met, of_coordinate, positive_root, state_at
+from rbpsym.mechanics.arrivals import EDGE, ArrivalState, at_start, first_met, mover, of_coordinate, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.demands import Demand, existence, possible, settle
 from rbpsym.mechanics.forms import AccelerationForm, gathered
@@ -69,6 +69,26 @@ def first_moment(study: Study, phase: Phase, what: str, *gaps: Scalar, gives_way
             later = [Demand(time - first, ">=") for time, _ in ahead if time is not first]
             return after(study, phase, at_start(study), first, [*asked, *demands, *later])
     raise never(study, phase, UNKNOWN if met else "never reached")
+
+
+def first_of_forces(
+    study: Study, phase: Phase, what: str, gaps: Callable[[Callable[[str], Scalar]], Sequence[Scalar]], *, gives_way: bool = False
+) -> ArrivalState:
+    """The same for values of unknown forces: by the place along the motion, else by the time."""
+    along, name = study.reactions_along_motion, mover(study)
+    if not along or name is None:
+        return first_moment(study, phase, what or "has this value", *gaps(symbol), gives_way=gives_way)
+    return first_place(study, phase, name, what, *gaps(along.__getitem__), gives_way=gives_way)
+
+
+def run_out(study: Study, phase: Phase, first: Scalar, gain: Scalar, *asked: Demand) -> ArrivalState:
+    """When what is there at first and changes at a constant rate has gone, where what is asked is met."""
+    if is_zero(gain) or settle(asked, study.assumptions) is None:
+        raise never(study, phase)
+    time = short(-(first / gain))
+    if all(floating(time, numbers) < 0 for numbers in samples(study.problem)):
+        raise never(study, phase, UNKNOWN)
+    return after(study, phase, at_start(study), time, asked)
 
 
 def uniform_motion(study: Study, time: Scalar) -> ArrivalState:
