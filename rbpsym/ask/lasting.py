@@ -321,8 +321,8 @@ def _on_way(study: Study, places: Mapping[str, Scalar] | None, moment: Moment | 
     of a moment tell, up to its time). Raises Undecided, StatementError."""
     time = moment.state.time if moment else None
     for demand in running(study):
-        then = until(study, demand.value, time)
-        if then is not None:
+        is_timed = not (places and moment and study.system.independent) or moment.courses
+        if is_timed and (then := until(study, demand.value, time)) is not None:
             yield then
             continue
         with suppress(*([] if places else [Undecided])):  # how far it swings on the whole is told by what holds it
