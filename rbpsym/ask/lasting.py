@@ -17,7 +17,7 @@ from rbpsym.field import NOTHING, Scalar, is_zero, names_in, short, substitute, 
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, value_in
 from rbpsym.mechanics.demands import Demand, assuming, possible
 from rbpsym.mechanics.endings import LAWS
-from rbpsym.mechanics.events import pushes, ways_of
+from rbpsym.mechanics.events import pushes, taken, ways_of
 from rbpsym.mechanics.friction import slips, slips_on, spare, stops
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.orbit import swinging
@@ -25,7 +25,6 @@ from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.ways import taken
 from rbpsym.present.forms import present
 from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
